@@ -27,14 +27,9 @@ fi
 rm -rf "$folder/headers"
 mkdir -p "$folder/headers/typemesh"
 cd "$root/include/typemesh"
-inner=$(sed '/^#/d' "$here/inner.txt")
 for header in *.hpp */*.hpp; do
-    shown=yes
-    for pattern in $inner; do
-        # shellcheck disable=SC2254  # a pattern
-        case $header in $pattern) shown=no && break ;; esac
-    done
-    [ $shown = no ] || echo "$header"
+    case $header in compiled/*) continue ;; esac
+    echo "$header"
 done >"$folder/shown"
 cut -d/ -f1 "$folder/shown" | grep -v hpp | sort -u | while read -r room; do mkdir -p "$folder/headers/typemesh/$room"; done
 # shellcheck disable=SC2046  # names without blanks

@@ -1,7 +1,8 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
 #
-# Each header include/typemesh/ROOM/NAME.hpp has its tests in tests/ROOM/NAME.test.cpp, DirectWrite's in tests/windows.
+# Each header include/typemesh/ROOM/NAME.hpp or ROOM/impl/NAME.hpp has its tests in tests/ROOM/NAME.test.cpp,
+# DirectWrite's in tests/windows.
 # Headers that have none stand in mirror_exceptions.txt with the reason; that list only gets shorter.
 set -eu
 here=$(cd "$(dirname "$0")" && pwd)
@@ -11,9 +12,9 @@ wrong() { echo "$*" && status=1; }
 
 cd "$here/../../include/typemesh"
 for header in $(find . -mindepth 2 -name '*.hpp' | sed 's,^\./,,' | LC_ALL=C sort); do
-    tests=${header%.hpp}.test.cpp
+    tests=$(echo "${header%.hpp}.test.cpp" | sed 's,/impl/,/,')
     reason=$(sed -n "s,^$header  *,,p" "$exceptions")
-    if [ -e "$here/../$tests" ] || { [ "${header#adapt/directwrite}" != "$header" ] && [ -e "$here/../windows/$(basename "$tests")" ]; }; then
+    if [ -e "$here/../$tests" ] || { [ "${tests#adapt/directwrite}" != "$tests" ] && [ -e "$here/../windows/$(basename "$tests")" ]; }; then
         [ -z "$reason" ] || wrong "$header: has tests/$tests: take it out of mirror_exceptions.txt"
     elif [ -z "$reason" ]; then
         wrong "$header: write tests/$tests"

@@ -6,7 +6,7 @@
 
 #include "support/catch.hpp"
 
-#include <typemesh/sweep/sweep_order.hpp>
+#include <typemesh/sweep/impl/sweep_order.hpp>
 
 using namespace typemesh;
 

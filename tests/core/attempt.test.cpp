@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "support/catch.hpp"
 
-#include <typemesh/core/attempt.hpp>
+#include <typemesh/core/impl/attempt.hpp>
 
 #include <stdexcept>
 

@@ -2,7 +2,7 @@
 #include "support/catch.hpp"
 #include "support/executors.hpp"
 
-#include <typemesh/core/executor_ref.hpp>
+#include <typemesh/core/impl/executor_ref.hpp>
 
 #include <vector>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "support/catch.hpp"
 
-#include <typemesh/core/first_where.hpp>
+#include <typemesh/core/impl/first_where.hpp>
 
 #include <cstddef>
 #include <cstdint>

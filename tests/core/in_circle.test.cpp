@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 
-#include <typemesh/core/in_circle.hpp>
+#include <typemesh/core/impl/in_circle.hpp>
 
 #include "support/catch.hpp"
 #include "support/delaunay.hpp"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 
-#include <typemesh/core/mixed_key.hpp>
+#include <typemesh/core/impl/mixed_key.hpp>
 
 #include "support/catch.hpp"
 

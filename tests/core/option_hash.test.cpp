@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 
-#include <typemesh/core/option_hash.hpp>
+#include <typemesh/core/impl/option_hash.hpp>
 
 #include "support/catch.hpp"
 

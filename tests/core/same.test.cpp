@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 
-#include <typemesh/core/same.hpp>
+#include <typemesh/core/impl/same.hpp>
 
 #include "support/catch.hpp"
 

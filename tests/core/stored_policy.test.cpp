@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "support/catch.hpp"
 
-#include <typemesh/core/stored_policy.hpp>
+#include <typemesh/core/impl/stored_policy.hpp>
 
 #include <utility>
 

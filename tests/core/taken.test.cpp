@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "support/catch.hpp"
 
-#include <typemesh/core/taken.hpp>
+#include <typemesh/core/impl/taken.hpp>
 
 #include <memory>
 #include <type_traits>

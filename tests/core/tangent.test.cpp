@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "support/catch.hpp"
 
-#include <typemesh/core/tangent.hpp>
+#include <typemesh/core/impl/tangent.hpp>
 
 #include <cmath>
 #include <random>

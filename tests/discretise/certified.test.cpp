@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <typemesh/core/grid.hpp>
-#include <typemesh/core/tangent.hpp>
+#include <typemesh/core/impl/tangent.hpp>
 #include <typemesh/discretise/certified.hpp>
 #include <typemesh/discretise/quality.hpp>
 

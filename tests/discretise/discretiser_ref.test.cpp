@@ -3,7 +3,7 @@
 #include "support/toy_font.hpp"
 
 #include <typemesh/discretise/certified.hpp>
-#include <typemesh/discretise/discretiser_ref.hpp>
+#include <typemesh/discretise/impl/discretiser_ref.hpp>
 #include <typemesh/discretise/two_lines.hpp>
 #include <typemesh/outline/outline_recorder.hpp>
 

@@ -5,7 +5,7 @@
 
 #include <typemesh/extrude/bevelled.hpp>
 #include <typemesh/extrude/extrude.hpp>
-#include <typemesh/extrude/surroundings.hpp>
+#include <typemesh/extrude/impl/surroundings.hpp>
 #include <typemesh/glyph/cap_builder.hpp>
 #include <typemesh/glyph/policies.hpp>
 #include <typemesh/typemesh.hpp>

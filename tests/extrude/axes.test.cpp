@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 
-#include <typemesh/extrude/axes.hpp>
+#include <typemesh/extrude/impl/axes.hpp>
 
 #include <random>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 
-#include <typemesh/extrude/bevel_carver.hpp>
+#include <typemesh/extrude/impl/bevel_carver.hpp>
 
 #include <typemesh/extrude/bevel_profile.hpp>
 

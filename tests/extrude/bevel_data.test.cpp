@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 
-#include <typemesh/extrude/bevel_data.hpp>
+#include <typemesh/extrude/impl/bevel_data.hpp>
 
 #include <typemesh/extrude/extruder.hpp>
 

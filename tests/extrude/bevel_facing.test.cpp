@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 
-#include <typemesh/extrude/bevel_facing.hpp>
+#include <typemesh/extrude/impl/bevel_facing.hpp>
 
 #include <cmath>
 #include <cstddef>

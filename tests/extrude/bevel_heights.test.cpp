@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 
-#include <typemesh/extrude/bevel_heights.hpp>
+#include <typemesh/extrude/impl/bevel_heights.hpp>
 
 #include "support/catch.hpp"
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 
-#include <typemesh/extrude/bevel_light.hpp>
+#include <typemesh/extrude/impl/bevel_light.hpp>
 
 #include <typemesh/extrude/curve_normals.hpp>
+#include <typemesh/extrude/impl/upright_walls.hpp>
 #include <typemesh/extrude/texture.hpp>
-#include <typemesh/extrude/upright_walls.hpp>
 
 #include <cmath>
 #include <vector>

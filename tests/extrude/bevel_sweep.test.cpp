@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 
-#include <typemesh/extrude/bevel_sweep.hpp>
+#include <typemesh/extrude/impl/bevel_sweep.hpp>
 
 #include <typemesh/extrude/bevel_profile.hpp>
 

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 
-#include <typemesh/extrude/bevel_vertices.hpp>
+#include <typemesh/extrude/impl/bevel_vertices.hpp>
 
 #include <typemesh/extrude/bevel_profile.hpp>
-#include <typemesh/extrude/bevel_strips.hpp>
 #include <typemesh/extrude/curve_normals.hpp>
+#include <typemesh/extrude/impl/bevel_strips.hpp>
+#include <typemesh/extrude/impl/upright_walls.hpp>
 #include <typemesh/extrude/texture.hpp>
-#include <typemesh/extrude/upright_walls.hpp>
 
 #include <cmath>
 #include <vector>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 
-#include <typemesh/extrude/bevel_writer.hpp>
+#include <typemesh/extrude/impl/bevel_writer.hpp>
 
 #include <typemesh/extrude/bevelled.hpp>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 
 #include <typemesh/extrude/bevel_profile.hpp>
-#include <typemesh/extrude/bezier_section.hpp>
+#include <typemesh/extrude/impl/bezier_section.hpp>
 
 #include <cmath>
 #include <cstdint>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 
-#include <typemesh/extrude/boundary_mover.hpp>
+#include <typemesh/extrude/impl/boundary_mover.hpp>
 
 #include <cmath>
 #include <vector>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 
-#include <typemesh/extrude/corner_rule.hpp>
+#include <typemesh/extrude/impl/corner_rule.hpp>
 
 #include "support/catch.hpp"
 

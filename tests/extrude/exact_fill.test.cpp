@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 
-#include <typemesh/extrude/exact_fill.hpp>
+#include <typemesh/extrude/impl/exact_fill.hpp>
 
 #include "capped.hpp"
 #include "support/catch.hpp"

@@ -2,7 +2,7 @@
 
 #include <typemesh/extrude/inner_region.hpp>
 
-#include <typemesh/extrude/surroundings.hpp>
+#include <typemesh/extrude/impl/surroundings.hpp>
 
 #include "capped.hpp"
 #include "support/catch.hpp"

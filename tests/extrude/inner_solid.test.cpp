@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 
-#include <typemesh/extrude/inner_solid.hpp>
+#include <typemesh/extrude/impl/inner_solid.hpp>
 
 #include <typemesh/extrude/bevelled.hpp>
 #include <typemesh/extrude/extruded.hpp>

@@ -4,7 +4,7 @@
 // What a sweep inwards gives as long as nothing meets: every corner moves along its bisector. For tests of bevels that
 // rest on no other stage. Corners turned away from the interior get joins, if asked for.
 
-#include <typemesh/extrude/wall_normal.hpp>
+#include <typemesh/extrude/impl/wall_normal.hpp>
 #include <typemesh/offset/sweep_inwards.hpp>
 
 #include <cmath>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 
+#include <typemesh/extrude/impl/plan_scratch.hpp>
 #include <typemesh/extrude/plan_arrays.hpp>
-#include <typemesh/extrude/plan_scratch.hpp>
 
 #include "support/catch.hpp"
 #include "support/counting_memory.hpp"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "support/catch.hpp"
 
-#include <typemesh/extrude/planned_sink.hpp>
+#include <typemesh/extrude/impl/planned_sink.hpp>
 
 #include <array>
 #include <cstdint>

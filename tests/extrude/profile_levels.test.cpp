@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 
-#include <typemesh/extrude/profile_levels.hpp>
+#include <typemesh/extrude/impl/profile_levels.hpp>
 
 #include <typemesh/extrude/bevel_profile.hpp>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 
 #include <typemesh/extrude/bevel_profile.hpp>
-#include <typemesh/extrude/quarter_ellipse.hpp>
+#include <typemesh/extrude/impl/quarter_ellipse.hpp>
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 
-#include <typemesh/extrude/surroundings.hpp>
+#include <typemesh/extrude/impl/surroundings.hpp>
 
 #include <typemesh/core/workspace.hpp>
 #include <typemesh/fill/fill.hpp>

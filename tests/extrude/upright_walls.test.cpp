@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 
-#include <typemesh/extrude/upright_walls.hpp>
+#include <typemesh/extrude/impl/upright_walls.hpp>
 
 #include <typemesh/extrude/curve_normals.hpp>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 
-#include <typemesh/extrude/wall_normal.hpp>
+#include <typemesh/extrude/impl/wall_normal.hpp>
 
 #include <limits>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 
-#include <typemesh/fill/arrangement.hpp>
+#include <typemesh/fill/impl/arrangement.hpp>
 
 #include "support/catch.hpp"
 #include "support/regions.hpp"

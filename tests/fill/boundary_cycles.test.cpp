@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 
-#include <typemesh/fill/boundary_cycles.hpp>
-#include <typemesh/fill/resolving_sweep.hpp>
+#include <typemesh/fill/impl/boundary_cycles.hpp>
+#include <typemesh/fill/impl/resolving_sweep.hpp>
 
 #include "support/catch.hpp"
 #include "support/regions.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <typemesh/core/same.hpp>
+#include <typemesh/core/impl/same.hpp>
 #include <typemesh/fill/corner_parting.hpp>
 #include <typemesh/inspect/simplicity.hpp>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 
-#include <typemesh/fill/crossing.hpp>
+#include <typemesh/fill/impl/crossing.hpp>
 
 #include "support/catch.hpp"
 #include "support/regions.hpp"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 
-#include <typemesh/fill/crossing_sweep.hpp>
+#include <typemesh/fill/impl/crossing_sweep.hpp>
 
 #include "support/catch.hpp"
 #include "support/counting_memory.hpp"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 
-#include <typemesh/fill/event_queue.hpp>
+#include <typemesh/fill/impl/event_queue.hpp>
 
 #include "support/catch.hpp"
 #include "support/counting_memory.hpp"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 
-#include <typemesh/fill/group_intersection.hpp>
+#include <typemesh/fill/impl/group_intersection.hpp>
 
 #include "support/catch.hpp"
 #include "support/counting_memory.hpp"

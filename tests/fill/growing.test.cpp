@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 
-#include <typemesh/fill/growing.hpp>
+#include <typemesh/fill/impl/growing.hpp>
 
 #include "support/catch.hpp"
 #include "support/counting_memory.hpp"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 
-#include <typemesh/fill/hot_pixels.hpp>
+#include <typemesh/fill/impl/hot_pixels.hpp>
 
 #include "support/catch.hpp"
 #include "support/counting_memory.hpp"

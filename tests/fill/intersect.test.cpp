@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 
-#include <typemesh/fill/intersect.hpp>
+#include <typemesh/fill/impl/intersect.hpp>
 #include <typemesh/fill/resolve.hpp>
 
 #include "support/catch.hpp"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 
-#include <typemesh/fill/net_edges.hpp>
+#include <typemesh/fill/impl/net_edges.hpp>
 
 #include "support/catch.hpp"
 #include "support/counting_memory.hpp"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 
-#include <typemesh/fill/ray.hpp>
+#include <typemesh/fill/impl/ray.hpp>
 
 #include "support/catch.hpp"
 #include "support/regions.hpp"

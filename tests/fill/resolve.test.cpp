@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 
 #include <typemesh/fill/resolve.hpp>
-#include <typemesh/sweep/sweep_order.hpp>
+#include <typemesh/sweep/impl/sweep_order.hpp>
 #include <typemesh/triangulate/monotone.hpp>
 
 #include "support/catch.hpp"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 
-#include <typemesh/fill/resolving_sweep.hpp>
+#include <typemesh/fill/impl/resolving_sweep.hpp>
 
 #include "support/catch.hpp"
 #include "support/regions.hpp"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 
-#include <typemesh/fill/simple_sweep.hpp>
-#include <typemesh/sweep/sweep_order.hpp>
+#include <typemesh/fill/impl/simple_sweep.hpp>
+#include <typemesh/sweep/impl/sweep_order.hpp>
 
 #include "support/catch.hpp"
 #include "support/counting_memory.hpp"

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 
+#include <typemesh/fill/impl/resolving_sweep.hpp>
+#include <typemesh/fill/impl/snap_rounding.hpp>
 #include <typemesh/fill/resolve.hpp>
-#include <typemesh/fill/resolving_sweep.hpp>
-#include <typemesh/fill/snap_rounding.hpp>
 
 #include "support/catch.hpp"
 #include "support/regions.hpp"

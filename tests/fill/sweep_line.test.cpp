@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 
-#include <typemesh/fill/sweep_line.hpp>
+#include <typemesh/fill/impl/sweep_line.hpp>
 
 #include "support/catch.hpp"
 

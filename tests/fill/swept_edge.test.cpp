@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 
-#include <typemesh/fill/ray.hpp>
-#include <typemesh/fill/swept_edge.hpp>
+#include <typemesh/fill/impl/ray.hpp>
+#include <typemesh/fill/impl/swept_edge.hpp>
 
 #include "support/catch.hpp"
 #include "support/regions.hpp"

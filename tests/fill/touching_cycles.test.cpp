@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 
-#include <typemesh/fill/touching_cycles.hpp>
+#include <typemesh/fill/impl/touching_cycles.hpp>
 
 #include "support/catch.hpp"
 #include "support/regions.hpp"

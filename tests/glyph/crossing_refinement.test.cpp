@@ -4,7 +4,7 @@
 
 #include <typemesh/discretise/certified.hpp>
 #include <typemesh/discretise/discretise.hpp>
-#include <typemesh/glyph/crossing_refinement.hpp>
+#include <typemesh/glyph/impl/crossing_refinement.hpp>
 
 #include "support/catch.hpp"
 #include "support/regions.hpp"

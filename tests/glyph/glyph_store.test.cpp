@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 
-#include <typemesh/glyph/glyph_store.hpp>
+#include <typemesh/glyph/impl/glyph_store.hpp>
 
 #include "draft.hpp"
 #include "support/catch.hpp"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 
 #include <typemesh/glyph/glyph_cache.hpp>
-#include <typemesh/glyph/pinned_glyphs.hpp>
+#include <typemesh/glyph/impl/pinned_glyphs.hpp>
 
 #include "support/catch.hpp"
 #include "support/counting_memory.hpp"

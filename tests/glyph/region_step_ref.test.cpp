@@ -4,7 +4,7 @@
 
 #include <typemesh/extrude/embolden.hpp>
 #include <typemesh/glyph/glyph_builder.hpp>
-#include <typemesh/glyph/region_step_ref.hpp>
+#include <typemesh/glyph/impl/region_step_ref.hpp>
 #include <typemesh/typemesh.hpp>
 
 using namespace typemesh;

@@ -6,7 +6,7 @@
 #include <typemesh/extrude/bevelled.hpp>
 #include <typemesh/extrude/outlined.hpp>
 #include <typemesh/glyph/glyph_builder.hpp>
-#include <typemesh/glyph/solid_ref.hpp>
+#include <typemesh/glyph/impl/solid_ref.hpp>
 #include <typemesh/typemesh.hpp>
 
 using namespace typemesh;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 
-#include <typemesh/inspect/boxed_edge.hpp>
+#include <typemesh/inspect/impl/boxed_edge.hpp>
 
 #include "support/catch.hpp"
 #include "support/regions.hpp"

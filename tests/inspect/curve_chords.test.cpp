@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 
-#include <typemesh/inspect/curve_chords.hpp>
+#include <typemesh/inspect/impl/curve_chords.hpp>
 
 #include "support/catch.hpp"
 #include "support/regions.hpp"

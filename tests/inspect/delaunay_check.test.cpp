@@ -2,7 +2,7 @@
 
 #include <typemesh/fill/fill.hpp>
 #include <typemesh/inspect/delaunay_check.hpp>
-#include <typemesh/offset/int128.hpp>
+#include <typemesh/offset/impl/int128.hpp>
 #include <typemesh/triangulate/constrained_delaunay.hpp>
 
 #include "support/catch.hpp"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "support/catch.hpp"
 
-#include <typemesh/layout/column_glyphs.hpp>
+#include <typemesh/layout/impl/column_glyphs.hpp>
 
 #include <cmath>
 #include <vector>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "support/catch.hpp"
 
-#include <typemesh/layout/column_progress.hpp>
+#include <typemesh/layout/impl/column_progress.hpp>
 
 using namespace typemesh;
 

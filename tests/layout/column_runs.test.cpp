@@ -3,7 +3,7 @@
 #include "support/counting_memory.hpp"
 #include "unicode/character_database.hpp"
 
-#include <typemesh/layout/column_runs.hpp>
+#include <typemesh/layout/impl/column_runs.hpp>
 #include <typemesh/unicode/unicode_analyser.hpp>
 
 #include <string>

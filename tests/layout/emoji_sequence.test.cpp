@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "support/catch.hpp"
 
-#include <typemesh/layout/emoji_sequence.hpp>
+#include <typemesh/layout/impl/emoji_sequence.hpp>
 
 #include <string>
 #include <string_view>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "support/catch.hpp"
 
-#include <typemesh/layout/line_break.hpp>
+#include <typemesh/layout/impl/line_break.hpp>
 
 #include <string>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 
-#include <typemesh/layout/line_places.hpp>
+#include <typemesh/layout/impl/line_places.hpp>
 
 #include "support/catch.hpp"
 

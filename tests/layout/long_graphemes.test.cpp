@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "support/catch.hpp"
 
-#include <typemesh/layout/long_graphemes.hpp>
+#include <typemesh/layout/impl/long_graphemes.hpp>
 
 #include <random>
 #include <string>

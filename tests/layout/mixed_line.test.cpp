@@ -2,7 +2,7 @@
 #include "support/catch.hpp"
 #include "support/counting_memory.hpp"
 
-#include <typemesh/layout/mixed_line.hpp>
+#include <typemesh/layout/impl/mixed_line.hpp>
 
 #include <string>
 #include <vector>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "support/catch.hpp"
 
+#include <typemesh/layout/impl/reading_order.hpp>
 #include <typemesh/layout/plain_text.hpp>
-#include <typemesh/layout/reading_order.hpp>
 
 #include <string_view>
 

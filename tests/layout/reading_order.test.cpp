@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "support/catch.hpp"
 
-#include <typemesh/layout/reading_order.hpp>
+#include <typemesh/layout/impl/reading_order.hpp>
 
 #include <string>
 

@@ -2,8 +2,8 @@
 #include "support/catch.hpp"
 #include "support/toy_font.hpp"
 
+#include <typemesh/layout/impl/shaper_ref.hpp>
 #include <typemesh/layout/layout.hpp>
-#include <typemesh/layout/shaper_ref.hpp>
 
 using namespace typemesh;
 

@@ -2,7 +2,7 @@
 #include "support/catch.hpp"
 #include "support/counting_memory.hpp"
 
-#include <typemesh/layout/value_index.hpp>
+#include <typemesh/layout/impl/value_index.hpp>
 
 #include <vector>
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 
-#include <typemesh/offset/cap_edges.hpp>
+#include <typemesh/offset/impl/cap_edges.hpp>
 
-#include <typemesh/core/tangent.hpp>
+#include <typemesh/core/impl/tangent.hpp>
 #include <typemesh/offset/sweep_inwards.hpp>
 
 #include <cmath>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 
-#include <typemesh/offset/cell_outlines.hpp>
+#include <typemesh/offset/impl/cell_outlines.hpp>
 
 #include "support/catch.hpp"
 #include "support/counting_memory.hpp"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 
-#include <typemesh/offset/cell_repair.hpp>
+#include <typemesh/offset/impl/cell_repair.hpp>
 
 #include <typemesh/core/orientation.hpp>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 
-#include <typemesh/offset/collapse.hpp>
+#include <typemesh/offset/impl/collapse.hpp>
 
 #include "support/catch.hpp"
 

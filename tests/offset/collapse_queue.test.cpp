@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 
-#include <typemesh/offset/collapse_queue.hpp>
+#include <typemesh/offset/impl/collapse_queue.hpp>
 
 #include "support/catch.hpp"
 #include "support/counting_memory.hpp"

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 
-#include <typemesh/offset/collapse_times.hpp>
+#include <typemesh/offset/impl/collapse_times.hpp>
 
-#include <typemesh/offset/int128.hpp>
+#include <typemesh/offset/impl/int128.hpp>
 
 #include "support/catch.hpp"
 #include "support/kinetic.hpp"

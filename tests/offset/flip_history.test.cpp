@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 
-#include <typemesh/offset/flip_history.hpp>
+#include <typemesh/offset/impl/flip_history.hpp>
 
 #include "support/catch.hpp"
 

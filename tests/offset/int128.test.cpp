@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 
-#include <typemesh/offset/int128.hpp>
+#include <typemesh/offset/impl/int128.hpp>
 
 #include "support/catch.hpp"
 #include "support/regions.hpp"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 
-#include <typemesh/offset/kinetic_triangles.hpp>
+#include <typemesh/offset/impl/kinetic_triangles.hpp>
 
 #include "support/catch.hpp"
 #include "support/kinetic.hpp"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 
-#include <typemesh/offset/moving_point.hpp>
+#include <typemesh/offset/impl/moving_point.hpp>
 
 #include "support/catch.hpp"
 #include "support/regions.hpp"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 
-#include <typemesh/offset/reflex_joins.hpp>
+#include <typemesh/offset/impl/reflex_joins.hpp>
 
 #include "support/catch.hpp"
 #include "support/counting_memory.hpp"

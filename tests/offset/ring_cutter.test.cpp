@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 
-#include <typemesh/offset/ring_cutter.hpp>
+#include <typemesh/offset/impl/ring_cutter.hpp>
 
 #include "support/catch.hpp"
 #include "support/counting_memory.hpp"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 
-#include <typemesh/offset/scaled_number.hpp>
+#include <typemesh/offset/impl/scaled_number.hpp>
 
 #include "support/catch.hpp"
 #include "support/regions.hpp"

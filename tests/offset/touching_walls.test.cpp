@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 
-#include <typemesh/offset/touching_walls.hpp>
+#include <typemesh/offset/impl/touching_walls.hpp>
 
 #include "support/catch.hpp"
 #include "support/counting_memory.hpp"

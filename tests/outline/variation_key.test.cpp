@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 
-#include <typemesh/outline/variation_key.hpp>
+#include <typemesh/outline/impl/variation_key.hpp>
 
 #include "support/catch.hpp"
 

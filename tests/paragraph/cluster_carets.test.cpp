@@ -2,7 +2,7 @@
 #include "support/catch.hpp"
 #include "support/counting_memory.hpp"
 
-#include <typemesh/paragraph/cluster_carets.hpp>
+#include <typemesh/paragraph/impl/cluster_carets.hpp>
 
 #include <vector>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "shaped_paragraph.hpp"
 
-#include <typemesh/paragraph/ideograph_gaps.hpp>
+#include <typemesh/paragraph/impl/ideograph_gaps.hpp>
 
 using namespace typemesh;
 

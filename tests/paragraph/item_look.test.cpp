@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "support/catch.hpp"
 
-#include <typemesh/layout/column_glyphs.hpp>
-#include <typemesh/paragraph/item_look.hpp>
+#include <typemesh/layout/impl/column_glyphs.hpp>
+#include <typemesh/paragraph/impl/item_look.hpp>
 
 using namespace typemesh;
 

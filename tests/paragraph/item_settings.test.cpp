@@ -2,7 +2,7 @@
 #include "support/catch.hpp"
 #include "support/toy_item_shaper.hpp"
 
-#include <typemesh/paragraph/item_settings.hpp>
+#include <typemesh/paragraph/impl/item_settings.hpp>
 #include <typemesh/unicode/unicode_analyser.hpp>
 
 #include <cmath>

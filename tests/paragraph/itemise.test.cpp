@@ -2,7 +2,7 @@
 #include "support/catch.hpp"
 #include "support/counting_memory.hpp"
 
-#include <typemesh/paragraph/itemise.hpp>
+#include <typemesh/paragraph/impl/itemise.hpp>
 #include <typemesh/unicode/unicode_analyser.hpp>
 
 #include <string>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "shaped_paragraph.hpp"
 
-#include <typemesh/paragraph/line_cut.hpp>
+#include <typemesh/paragraph/impl/line_cut.hpp>
 
 using namespace typemesh;
 using test::shaped_paragraph;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "shaped_paragraph.hpp"
 
-#include <typemesh/paragraph/line_slices.hpp>
+#include <typemesh/paragraph/impl/line_slices.hpp>
 
 #include <ctime>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "shaped_paragraph.hpp"
 
-#include <typemesh/paragraph/line_writer.hpp>
+#include <typemesh/paragraph/impl/line_writer.hpp>
 
 #include <utility>
 

@@ -4,7 +4,7 @@
 #include "support/catch.hpp"
 #include "support/toy_item_shaper.hpp"
 
-#include <typemesh/paragraph/text_pieces.hpp>
+#include <typemesh/paragraph/impl/text_pieces.hpp>
 #include <typemesh/unicode/unicode_analyser.hpp>
 
 namespace test {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "support/catch.hpp"
 
-#include <typemesh/paragraph/stack_lines.hpp>
+#include <typemesh/paragraph/impl/stack_lines.hpp>
 
 #include <utility>
 #include <vector>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "support/catch.hpp"
 
-#include <typemesh/paragraph/text_cluster.hpp>
+#include <typemesh/paragraph/impl/text_cluster.hpp>
 
 using namespace typemesh;
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "support/catch.hpp"
 
-#include <typemesh/paragraph/white_space.hpp>
+#include <typemesh/paragraph/impl/white_space.hpp>
 #include <typemesh/unicode/unicode_analyser.hpp>
 
 using namespace typemesh;

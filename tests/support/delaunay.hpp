@@ -7,7 +7,7 @@
 
 #include <typemesh/core/region.hpp>
 #include <typemesh/inspect/delaunay_check.hpp>
-#include <typemesh/offset/int128.hpp>
+#include <typemesh/offset/impl/int128.hpp>
 
 #include <algorithm>
 #include <array>

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <typemesh/core/option_hash.hpp>
+#include <typemesh/core/impl/option_hash.hpp>
 #include <typemesh/extrude/embolden.hpp>
 #include <typemesh/extrude/extruded.hpp>
 #include <typemesh/extrude/extruder.hpp>
-#include <typemesh/extrude/inner_solid.hpp>
+#include <typemesh/extrude/impl/inner_solid.hpp>
 
 #include <cstddef>
 

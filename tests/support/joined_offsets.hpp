@@ -3,8 +3,8 @@
 
 // A region swept inwards with joins, beside the same one with mitred corners: both are alike but near the joins.
 
+#include <typemesh/core/impl/same.hpp>
 #include <typemesh/core/orientation.hpp>
-#include <typemesh/core/same.hpp>
 #include <typemesh/offset/sweep_inwards.hpp>
 #include <typemesh/triangulate/monotone.hpp>
 

@@ -5,7 +5,7 @@
 
 #include <typemesh/core/workspace.hpp>
 #include <typemesh/fill/fill.hpp>
-#include <typemesh/offset/wavefront.hpp>
+#include <typemesh/offset/impl/wavefront.hpp>
 #include <typemesh/triangulate/monotone.hpp>
 
 #include "support/regions.hpp"

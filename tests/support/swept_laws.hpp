@@ -6,7 +6,7 @@
 #include "support/cycles.hpp"
 
 #include <typemesh/fill/fill.hpp>
-#include <typemesh/fill/touching_cycles.hpp>
+#include <typemesh/fill/impl/touching_cycles.hpp>
 #include <typemesh/inspect/polyline.hpp>
 #include <typemesh/offset/swept_region.hpp>
 

@@ -3,11 +3,11 @@
 
 // A font with glyphs for some characters only, for what several fonts do together.
 
+#include <typemesh/layout/impl/mixed_line.hpp>
 #include <typemesh/layout/item_shaper.hpp>
-#include <typemesh/layout/mixed_line.hpp>
 #include <typemesh/layout/plain_text.hpp>
 #include <typemesh/outline/outline_source.hpp>
-#include <typemesh/unicode/grapheme_boundaries.hpp>
+#include <typemesh/unicode/impl/grapheme_boundaries.hpp>
 #include <typemesh/unicode/utf.hpp>
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 
-#include <typemesh/sweep/sectors.hpp>
+#include <typemesh/sweep/impl/sectors.hpp>
 
 #include "support/catch.hpp"
 #include "support/regions.hpp"

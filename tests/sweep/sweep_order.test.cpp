@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 
-#include <typemesh/sweep/sweep_order.hpp>
+#include <typemesh/sweep/impl/sweep_order.hpp>
 
 #include "support/catch.hpp"
 #include "support/counting_memory.hpp"

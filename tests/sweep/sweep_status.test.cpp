@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 
-#include <typemesh/sweep/sweep_status.hpp>
+#include <typemesh/sweep/impl/sweep_status.hpp>
 
 #include "support/catch.hpp"
 #include "support/counting_memory.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <typemesh/core/same.hpp>
+#include <typemesh/core/impl/same.hpp>
 #include <typemesh/text/cells_told_apart.hpp>
 
 #include "support/catch.hpp"

@@ -3,7 +3,7 @@
 #include "support/toy_font.hpp"
 
 #include <typemesh/text/font_faces.hpp>
-#include <typemesh/text/font_ref.hpp>
+#include <typemesh/text/impl/font_ref.hpp>
 
 using namespace typemesh;
 

@@ -2,7 +2,7 @@
 #include "support/catch.hpp"
 #include "support/counting_memory.hpp"
 
-#include <typemesh/text/glyph_set.hpp>
+#include <typemesh/text/impl/glyph_set.hpp>
 
 #include <map>
 #include <random>

@@ -4,7 +4,7 @@
 #include "support/toy_font.hpp"
 
 #include <typemesh/outline/recorded_outlines.hpp>
-#include <typemesh/text/run_looks.hpp>
+#include <typemesh/text/impl/run_looks.hpp>
 
 #include <algorithm>
 #include <random>

@@ -4,8 +4,8 @@
 #include <typemesh/extrude/extruded.hpp>
 #include <typemesh/extrude/flat.hpp>
 #include <typemesh/glyph/glyph_builder.hpp>
-#include <typemesh/glyph/glyph_store.hpp>
-#include <typemesh/text/split_glyphs.hpp>
+#include <typemesh/glyph/impl/glyph_store.hpp>
+#include <typemesh/text/impl/split_glyphs.hpp>
 #include <typemesh/triangulate/monotone.hpp>
 
 #include "support/catch.hpp"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 
-#include <typemesh/triangulate/appended_triangles.hpp>
+#include <typemesh/triangulate/impl/appended_triangles.hpp>
 
 #include "support/catch.hpp"
 #include "support/regions.hpp"

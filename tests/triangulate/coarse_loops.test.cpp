@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 
-#include <typemesh/triangulate/coarse_loops.hpp>
+#include <typemesh/triangulate/impl/coarse_loops.hpp>
 
 #include "support/catch.hpp"
 #include "support/counting_memory.hpp"

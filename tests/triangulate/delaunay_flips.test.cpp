@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 
-#include <typemesh/triangulate/delaunay_flips.hpp>
-#include <typemesh/triangulate/delaunay_slabs.hpp>
+#include <typemesh/triangulate/impl/delaunay_flips.hpp>
+#include <typemesh/triangulate/impl/delaunay_slabs.hpp>
 
 #include "half_edge_mesh.hpp"
 #include "support/catch.hpp"

@@ -4,9 +4,9 @@
 // Meshes of half-edges over polygons, and what is true of every such mesh.
 
 #include <typemesh/fill/fill.hpp>
-#include <typemesh/triangulate/chain_cutter.hpp>
-#include <typemesh/triangulate/half_edges.hpp>
-#include <typemesh/triangulate/monotone_sweep.hpp>
+#include <typemesh/triangulate/impl/chain_cutter.hpp>
+#include <typemesh/triangulate/impl/half_edges.hpp>
+#include <typemesh/triangulate/impl/monotone_sweep.hpp>
 
 #include "support/regions.hpp"
 

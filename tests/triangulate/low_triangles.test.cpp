@@ -4,7 +4,7 @@
 
 #include <typemesh/fill/fill.hpp>
 #include <typemesh/triangulate/constrained_delaunay.hpp>
-#include <typemesh/triangulate/low_triangles.hpp>
+#include <typemesh/triangulate/impl/low_triangles.hpp>
 #include <typemesh/triangulate/monotone.hpp>
 
 #include "support/catch.hpp"

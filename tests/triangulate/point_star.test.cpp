@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 
-#include <typemesh/triangulate/point_star.hpp>
+#include <typemesh/triangulate/impl/point_star.hpp>
 
 #include "half_edge_mesh.hpp"
 #include "support/catch.hpp"

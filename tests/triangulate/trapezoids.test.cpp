@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 
-#include <typemesh/triangulate/monotone_sweep.hpp>
-#include <typemesh/triangulate/trapezoids.hpp>
+#include <typemesh/triangulate/impl/monotone_sweep.hpp>
+#include <typemesh/triangulate/impl/trapezoids.hpp>
 
 #include "support/catch.hpp"
 #include "support/delaunay_shapes.hpp"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 
-#include <typemesh/triangulate/triangle_heights.hpp>
+#include <typemesh/triangulate/impl/triangle_heights.hpp>
 
 #include "support/catch.hpp"
 #include "support/regions.hpp"

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 
 #include <typemesh/fill/fill.hpp>
+#include <typemesh/triangulate/impl/triangle_neighbours.hpp>
 #include <typemesh/triangulate/monotone.hpp>
-#include <typemesh/triangulate/triangle_neighbours.hpp>
 
 #include "support/catch.hpp"
 #include "support/counting_memory.hpp"

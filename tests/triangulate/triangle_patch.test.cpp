@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 
-#include <typemesh/triangulate/triangle_patch.hpp>
+#include <typemesh/triangulate/impl/triangle_patch.hpp>
 
 #include "support/catch.hpp"
 #include "support/oracle.hpp"

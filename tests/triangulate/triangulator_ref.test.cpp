@@ -5,8 +5,8 @@
 
 #include <typemesh/fill/fill.hpp>
 #include <typemesh/triangulate/constrained_delaunay.hpp>
+#include <typemesh/triangulate/impl/triangulator_ref.hpp>
 #include <typemesh/triangulate/monotone.hpp>
-#include <typemesh/triangulate/triangulator_ref.hpp>
 
 using namespace typemesh;
 

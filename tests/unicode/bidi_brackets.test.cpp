@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "support/catch.hpp"
 
-#include <typemesh/unicode/bidi_brackets.hpp>
+#include <typemesh/unicode/impl/bidi_brackets.hpp>
 
 #include <cstdint>
 #include <string>

@@ -3,7 +3,7 @@
 #include "unicode/character_database.hpp"
 #include "unicode/slow_bidi.hpp"
 
-#include <typemesh/unicode/bidi_levels.hpp>
+#include <typemesh/unicode/impl/bidi_levels.hpp>
 #include <typemesh/unicode/visual_order.hpp>
 
 #include <random>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "support/catch.hpp"
 
-#include <typemesh/unicode/bidi_sequence.hpp>
+#include <typemesh/unicode/impl/bidi_sequence.hpp>
 
 #include <vector>
 

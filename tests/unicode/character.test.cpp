@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "support/catch.hpp"
 
-#include <typemesh/unicode/character.hpp>
+#include <typemesh/unicode/impl/character.hpp>
 
 using namespace typemesh;
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "unicode/table_maker.hpp"
 
-#include <typemesh/unicode/character.hpp>
+#include <typemesh/unicode/impl/character.hpp>
 
 TEST_CASE("character_table.hpp is what the Unicode Character Database gives", "[tables]")
 {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "support/catch.hpp"
 
-#include <typemesh/unicode/bidi_class.hpp>
+#include <typemesh/unicode/impl/bidi_class.hpp>
 
 using namespace typemesh;
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "support/catch.hpp"
 
-#include <typemesh/unicode/dictionary_script.hpp>
+#include <typemesh/unicode/impl/dictionary_script.hpp>
 #include <typemesh/unicode/unicode_analyser.hpp>
 
 using namespace typemesh;

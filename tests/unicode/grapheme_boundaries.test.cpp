@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "unicode/break_test_file.hpp"
 
-#include <typemesh/unicode/grapheme_boundaries.hpp>
+#include <typemesh/unicode/impl/grapheme_boundaries.hpp>
 
 #include <vector>
 

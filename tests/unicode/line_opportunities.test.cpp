@@ -2,7 +2,7 @@
 #include "unicode/break_test_file.hpp"
 #include "unicode/slow_breaks.hpp"
 
-#include <typemesh/unicode/line_opportunities.hpp>
+#include <typemesh/unicode/impl/line_opportunities.hpp>
 
 #include <random>
 #include <string>

@@ -2,7 +2,7 @@
 #include "support/catch.hpp"
 #include "support/counting_memory.hpp"
 
-#include <typemesh/unicode/script_runs.hpp>
+#include <typemesh/unicode/impl/script_runs.hpp>
 
 #include <random>
 #include <string>

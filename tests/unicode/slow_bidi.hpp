@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <typemesh/unicode/bidi_brackets.hpp>
+#include <typemesh/unicode/impl/bidi_brackets.hpp>
 
 #include <algorithm>
 #include <cstddef>

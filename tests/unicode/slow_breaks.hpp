@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <typemesh/unicode/character.hpp>
+#include <typemesh/unicode/impl/character.hpp>
 
 #include <algorithm>
 #include <cstddef>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "support/catch.hpp"
 
-#include <typemesh/vertex/index_writer.hpp>
+#include <typemesh/vertex/impl/index_writer.hpp>
 
 #include <cstdint>
 #include <vector>

@@ -3,7 +3,7 @@
 
 #include "support/catch.hpp"
 
-#include <typemesh/adapt/directwrite_com.hpp>
+#include <typemesh/adapt/impl/directwrite_com.hpp>
 #include <typemesh/unicode/utf.hpp>
 
 #include <dwrite.h>

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <typemesh/adapt/directwrite_axes.hpp>
-#include <typemesh/adapt/directwrite_com.hpp>
-#include <typemesh/adapt/directwrite_key.hpp>
-#include <typemesh/adapt/directwrite_outline.hpp>
-#include <typemesh/adapt/directwrite_shaping.hpp>
+#include <typemesh/adapt/impl/directwrite_axes.hpp>
+#include <typemesh/adapt/impl/directwrite_com.hpp>
+#include <typemesh/adapt/impl/directwrite_key.hpp>
+#include <typemesh/adapt/impl/directwrite_outline.hpp>
+#include <typemesh/adapt/impl/directwrite_shaping.hpp>
 #include <typemesh/core/buffer.hpp>
 #include <typemesh/layout/shaper.hpp>
 #include <typemesh/outline/font_options.hpp>

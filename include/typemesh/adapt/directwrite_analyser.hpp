@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <typemesh/adapt/directwrite_analysis.hpp>
-#include <typemesh/adapt/directwrite_com.hpp>
+#include <typemesh/adapt/impl/directwrite_analysis.hpp>
+#include <typemesh/adapt/impl/directwrite_com.hpp>
 #include <typemesh/core/assert.hpp>
 #include <typemesh/core/buffer.hpp>
-#include <typemesh/unicode/dictionary_script.hpp>
+#include <typemesh/unicode/impl/dictionary_script.hpp>
 #include <typemesh/unicode/script.hpp>
 #include <typemesh/unicode/unicode_analyser.hpp>
 #include <typemesh/unicode/utf.hpp>

@@ -2,8 +2,8 @@
 #pragma once
 
 #include <typemesh/adapt/directwrite.hpp>
-#include <typemesh/adapt/directwrite_analysis.hpp>
-#include <typemesh/adapt/directwrite_com.hpp>
+#include <typemesh/adapt/impl/directwrite_analysis.hpp>
+#include <typemesh/adapt/impl/directwrite_com.hpp>
 #include <typemesh/core/assert.hpp>
 #include <typemesh/core/buffer.hpp>
 #include <typemesh/layout/fallback_provider.hpp>

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <typemesh/adapt/directwrite_clusters.hpp>
-#include <typemesh/adapt/directwrite_com.hpp>
-#include <typemesh/adapt/directwrite_key.hpp>
-#include <typemesh/adapt/directwrite_outline.hpp>
-#include <typemesh/adapt/directwrite_renderer.hpp>
+#include <typemesh/adapt/impl/directwrite_clusters.hpp>
+#include <typemesh/adapt/impl/directwrite_com.hpp>
+#include <typemesh/adapt/impl/directwrite_key.hpp>
+#include <typemesh/adapt/impl/directwrite_outline.hpp>
+#include <typemesh/adapt/impl/directwrite_renderer.hpp>
 #include <typemesh/core/buffer.hpp>
 #include <typemesh/core/finite.hpp>
+#include <typemesh/core/impl/same.hpp>
 #include <typemesh/core/result.hpp>
-#include <typemesh/core/same.hpp>
 #include <typemesh/layout/glyph_run.hpp>
 #include <typemesh/outline/outline_source.hpp>
 

@@ -5,8 +5,8 @@
 #include <typemesh/layout/plain_text.hpp>
 #include <typemesh/layout/shaper.hpp>
 #include <typemesh/outline/font_options.hpp>
+#include <typemesh/outline/impl/variation_key.hpp>
 #include <typemesh/outline/outline_source.hpp>
-#include <typemesh/outline/variation_key.hpp>
 #include <typemesh/unicode/utf.hpp>
 
 #include <ft2build.h>

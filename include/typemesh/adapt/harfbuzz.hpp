@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <typemesh/adapt/harfbuzz_metrics.hpp>
-#include <typemesh/adapt/harfbuzz_shaping.hpp>
+#include <typemesh/adapt/impl/harfbuzz_metrics.hpp>
+#include <typemesh/adapt/impl/harfbuzz_shaping.hpp>
 #include <typemesh/core/buffer.hpp>
 #include <typemesh/core/finite.hpp>
 #include <typemesh/layout/item_shaper.hpp>
 #include <typemesh/layout/ligature_carets.hpp>
 #include <typemesh/layout/shaper.hpp>
 #include <typemesh/outline/font_options.hpp>
+#include <typemesh/outline/impl/variation_key.hpp>
 #include <typemesh/outline/outline_source.hpp>
-#include <typemesh/outline/variation_key.hpp>
 
 #include <hb-ot.h>
 #include <hb.h>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <typemesh/unicode/dictionary_script.hpp>
+#include <typemesh/unicode/impl/dictionary_script.hpp>
 #include <typemesh/unicode/unicode_analyser.hpp>
 
 #include <unicode/ubrk.h>

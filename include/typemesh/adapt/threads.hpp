@@ -2,8 +2,8 @@
 #pragma once
 
 #include <typemesh/core/assert.hpp>
-#include <typemesh/core/attempt.hpp>
 #include <typemesh/core/executor.hpp>
+#include <typemesh/core/impl/attempt.hpp>
 
 #include <atomic>
 #include <condition_variable>

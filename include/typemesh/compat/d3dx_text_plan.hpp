@@ -3,7 +3,7 @@
 
 #include <typemesh/core/box.hpp>
 #include <typemesh/core/error.hpp>
-#include <typemesh/core/first_where.hpp>
+#include <typemesh/core/impl/first_where.hpp>
 #include <typemesh/core/result.hpp>
 #include <typemesh/text/text_plan.hpp>
 #include <typemesh/vertex/array_sink.hpp>

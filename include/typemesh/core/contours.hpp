@@ -67,8 +67,8 @@ struct contours {
     }
 
     /// The indices of the points in the order of a left-to-right sweep: by x, then y, then index. Empty unless they
-    /// have been sorted (see sort_points() in sweep/sweep_order.hpp) since their number last changed and since clear()
-    /// or forget_order(). After moving points one of these must be called; this is asserted.
+    /// have been sorted (see sort_points() in sweep/impl/sweep_order.hpp) since their number last changed and since
+    /// clear() or forget_order(). After moving points one of these must be called; this is asserted.
     [[nodiscard]] array_view<const std::uint32_t> order() const noexcept
     {
         if (order_.size() != points.size()) return {};

@@ -20,7 +20,7 @@ struct grid {
     static constexpr double reach = 0x1p28;  ///< no coordinate is farther from 0 than this many cells
 
     double cells = 512.0;
-    double units_per_em = 0.0;  ///< relates cells to the em (see triangulate/triangle_heights.hpp); 0: unknown
+    double units_per_em = 0.0;  ///< relates cells to the em (see triangulate/impl/triangle_heights.hpp); 0: unknown
     double span = 0.0;          ///< in cells; no two points are farther apart. 0: unknown
 
     /// Half a cell's diagonal, in font units: how far snap() can move a point.

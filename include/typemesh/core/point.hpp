@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <typemesh/core/same.hpp>
+#include <typemesh/core/impl/same.hpp>
 
 #include <cmath>
 #include <cstdint>

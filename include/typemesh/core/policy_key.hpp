@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <typemesh/core/impl/place_of_type.hpp>
 #include <typemesh/core/option_bits.hpp>
-#include <typemesh/core/place_of_type.hpp>
 
 #include <concepts>
 #include <type_traits>

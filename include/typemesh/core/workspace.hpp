@@ -3,8 +3,8 @@
 
 #include <typemesh/core/array_view.hpp>
 #include <typemesh/core/assert.hpp>
+#include <typemesh/core/impl/taken.hpp>
 #include <typemesh/core/memory.hpp>
-#include <typemesh/core/taken.hpp>
 
 #include <cstddef>
 #include <cstring>

@@ -2,10 +2,10 @@
 #pragma once
 
 #include <typemesh/core/assert.hpp>
-#include <typemesh/core/same.hpp>
-#include <typemesh/core/tangent.hpp>
-#include <typemesh/discretise/chord.hpp>
+#include <typemesh/core/impl/same.hpp>
+#include <typemesh/core/impl/tangent.hpp>
 #include <typemesh/discretise/discretiser.hpp>
+#include <typemesh/discretise/impl/chord.hpp>
 
 #include <cmath>
 
@@ -23,8 +23,8 @@ namespace typemesh::inline TYPEMESH_ABI {
 ///          a margin for rounding; this holds for tolerances above 2^-28 of the coordinates.
 /// Count    Over real fonts within 1 % of the least possible (for points on the curve); hairpins and the S-curves of
 ///          handwriting may take 2 %. Never more than Wang's bound, except for corners.
-/// Corners  Where the curve stops and turns (core/tangent.hpp: B' vanishes, t taken as float), a point is emitted even
-///          if the tolerance does not need it: walls need a hard corner there.
+/// Corners  Where the curve stops and turns (core/impl/tangent.hpp: B' vanishes, t taken as float), a point is emitted
+///          even if the tolerance does not need it: walls need a hard corner there.
 /// Limit    65,536 points per piece between corners. Only tolerances below 2^-31 of the curve's size would need more,
 ///          which discretise() never asks for: its grid is coarser. Beyond the limit points are at equal steps of t,
 ///          and the tolerance is not kept.

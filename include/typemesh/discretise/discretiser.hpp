@@ -31,7 +31,7 @@ struct ignore_points {
 /// called again with a finer tolerance where contours come to cross.
 ///
 /// A point where the curve stops and turns (a cusp, a reversal) becomes a hard corner of the walls by itself: the two
-/// tangents there are found from the curve and t (see core/tangent.hpp).
+/// tangents there are found from the curve and t (see core/impl/tangent.hpp).
 template <class D>
 concept discretiser = requires(const D& d, const quadratic& q, const cubic& c, double tolerance, ignore_points put) {
     { d(q, tolerance, put) } noexcept;

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <typemesh/core/impl/option_hash.hpp>
 #include <typemesh/core/option_bits.hpp>
-#include <typemesh/core/option_hash.hpp>
-#include <typemesh/extrude/bezier_section.hpp>
+#include <typemesh/extrude/impl/bezier_section.hpp>
+#include <typemesh/extrude/impl/quarter_ellipse.hpp>
 #include <typemesh/extrude/profile_points.hpp>
-#include <typemesh/extrude/quarter_ellipse.hpp>
 
 #include <concepts>
 #include <cstdint>

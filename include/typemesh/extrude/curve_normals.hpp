@@ -2,10 +2,10 @@
 #pragma once
 
 #include <typemesh/core/array_view.hpp>
-#include <typemesh/core/same.hpp>
-#include <typemesh/core/tangent.hpp>
+#include <typemesh/core/impl/same.hpp>
+#include <typemesh/core/impl/tangent.hpp>
+#include <typemesh/extrude/impl/wall_normal.hpp>
 #include <typemesh/extrude/side_normals.hpp>
-#include <typemesh/extrude/wall_normal.hpp>
 
 #include <cmath>
 #include <cstddef>

@@ -6,8 +6,8 @@
 #include <typemesh/core/finite.hpp>
 #include <typemesh/core/memory.hpp>
 #include <typemesh/core/option_bits.hpp>
-#include <typemesh/extrude/boundary_mover.hpp>
-#include <typemesh/extrude/corner_rule.hpp>
+#include <typemesh/extrude/impl/boundary_mover.hpp>
+#include <typemesh/extrude/impl/corner_rule.hpp>
 #include <typemesh/extrude/inner_region.hpp>
 #include <typemesh/extrude/region_step.hpp>
 

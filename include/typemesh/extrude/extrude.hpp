@@ -5,8 +5,8 @@
 #include <typemesh/core/assert.hpp>
 #include <typemesh/core/result.hpp>
 #include <typemesh/extrude/extruder.hpp>
+#include <typemesh/extrude/impl/planned_sink.hpp>
 #include <typemesh/extrude/placed_bounds.hpp>
-#include <typemesh/extrude/planned_sink.hpp>
 #include <typemesh/vertex/mesh_sink.hpp>
 
 namespace typemesh::inline TYPEMESH_ABI {

@@ -2,15 +2,15 @@
 #pragma once
 
 #include <typemesh/core/finite.hpp>
-#include <typemesh/core/same.hpp>
-#include <typemesh/extrude/axes.hpp>
+#include <typemesh/core/impl/same.hpp>
 #include <typemesh/extrude/curve_normals.hpp>
 #include <typemesh/extrude/extruder.hpp>
+#include <typemesh/extrude/impl/axes.hpp>
+#include <typemesh/extrude/impl/upright_walls.hpp>
 #include <typemesh/extrude/plan_arrays.hpp>
 #include <typemesh/extrude/side_normals.hpp>
 #include <typemesh/extrude/texture.hpp>
 #include <typemesh/extrude/texture_tangent.hpp>
-#include <typemesh/extrude/upright_walls.hpp>
 
 #include <cmath>
 #include <cstddef>

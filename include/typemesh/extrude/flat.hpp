@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <typemesh/extrude/axes.hpp>
 #include <typemesh/extrude/extruder.hpp>
+#include <typemesh/extrude/impl/axes.hpp>
 #include <typemesh/extrude/texture.hpp>
 #include <typemesh/extrude/texture_tangent.hpp>
 

@@ -10,7 +10,7 @@
 #include <typemesh/core/touching.hpp>
 #include <typemesh/core/triangle.hpp>
 #include <typemesh/extrude/cap_maker.hpp>
-#include <typemesh/extrude/exact_fill.hpp>
+#include <typemesh/extrude/impl/exact_fill.hpp>
 #include <typemesh/fill/corner_parting.hpp>
 
 namespace typemesh::inline TYPEMESH_ABI {

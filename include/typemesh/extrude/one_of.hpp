@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <typemesh/core/option_hash.hpp>
+#include <typemesh/core/impl/option_hash.hpp>
 #include <typemesh/core/policy_key.hpp>
 #include <typemesh/extrude/extruder.hpp>
 

@@ -4,14 +4,14 @@
 #include <typemesh/core/buffer.hpp>
 #include <typemesh/core/curve.hpp>
 #include <typemesh/core/finite.hpp>
-#include <typemesh/core/option_hash.hpp>
-#include <typemesh/extrude/boundary_mover.hpp>
-#include <typemesh/extrude/corner_rule.hpp>
+#include <typemesh/core/impl/option_hash.hpp>
 #include <typemesh/extrude/extruded.hpp>
 #include <typemesh/extrude/extruder.hpp>
-#include <typemesh/extrude/inner_solid.hpp>
+#include <typemesh/extrude/impl/boundary_mover.hpp>
+#include <typemesh/extrude/impl/corner_rule.hpp>
+#include <typemesh/extrude/impl/inner_solid.hpp>
+#include <typemesh/extrude/impl/surroundings.hpp>
 #include <typemesh/extrude/plan_arrays.hpp>
-#include <typemesh/extrude/surroundings.hpp>
 #include <typemesh/fill/corner_parting.hpp>
 
 #include <cstddef>

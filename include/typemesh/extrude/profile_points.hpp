@@ -3,8 +3,8 @@
 
 #include <typemesh/core/array_view.hpp>
 #include <typemesh/core/finite.hpp>
+#include <typemesh/core/impl/same.hpp>
 #include <typemesh/core/point.hpp>
-#include <typemesh/core/same.hpp>
 
 #include <cstddef>
 #include <initializer_list>

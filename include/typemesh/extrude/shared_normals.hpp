@@ -2,8 +2,8 @@
 #pragma once
 
 #include <typemesh/core/array_view.hpp>
+#include <typemesh/extrude/impl/wall_normal.hpp>
 #include <typemesh/extrude/side_normals.hpp>
-#include <typemesh/extrude/wall_normal.hpp>
 
 namespace typemesh::inline TYPEMESH_ABI {
 

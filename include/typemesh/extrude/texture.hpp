@@ -3,10 +3,10 @@
 
 #include <typemesh/core/array_view.hpp>
 #include <typemesh/core/region.hpp>
+#include <typemesh/extrude/impl/wall_normal.hpp>
 #include <typemesh/extrude/placement.hpp>
 #include <typemesh/extrude/side_point.hpp>
 #include <typemesh/extrude/texture_tangent.hpp>
-#include <typemesh/extrude/wall_normal.hpp>
 
 #include <cstdint>
 

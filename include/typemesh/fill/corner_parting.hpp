@@ -6,15 +6,15 @@
 #include <typemesh/core/curve.hpp>
 #include <typemesh/core/error.hpp>
 #include <typemesh/core/fill_rule.hpp>
+#include <typemesh/core/impl/same.hpp>
 #include <typemesh/core/most_pieces.hpp>
 #include <typemesh/core/region.hpp>
 #include <typemesh/core/result.hpp>
-#include <typemesh/core/same.hpp>
 #include <typemesh/core/touching.hpp>
 #include <typemesh/core/workspace.hpp>
 #include <typemesh/fill/orient.hpp>
 #include <typemesh/fill/resolve.hpp>
-#include <typemesh/sweep/sweep_order.hpp>
+#include <typemesh/sweep/impl/sweep_order.hpp>
 
 #include <cstddef>
 #include <cstdint>

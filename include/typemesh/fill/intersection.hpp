@@ -3,7 +3,7 @@
 
 #include <typemesh/core/contours.hpp>
 #include <typemesh/core/workspace.hpp>
-#include <typemesh/fill/arrangement.hpp>
+#include <typemesh/fill/impl/arrangement.hpp>
 
 #include <concepts>
 #include <cstdint>

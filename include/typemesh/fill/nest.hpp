@@ -6,9 +6,9 @@
 #include <typemesh/core/region.hpp>
 #include <typemesh/core/result.hpp>
 #include <typemesh/core/workspace.hpp>
+#include <typemesh/fill/impl/simple_sweep.hpp>
 #include <typemesh/fill/orient.hpp>
-#include <typemesh/fill/simple_sweep.hpp>
-#include <typemesh/sweep/sweep_order.hpp>
+#include <typemesh/sweep/impl/sweep_order.hpp>
 
 #include <cstddef>
 #include <cstdint>

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <typemesh/core/contours.hpp>
-#include <typemesh/core/first_where.hpp>
+#include <typemesh/core/impl/first_where.hpp>
 #include <typemesh/core/region.hpp>
 #include <typemesh/core/result.hpp>
 #include <typemesh/core/touching.hpp>

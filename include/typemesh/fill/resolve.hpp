@@ -7,12 +7,12 @@
 #include <typemesh/core/region.hpp>
 #include <typemesh/core/result.hpp>
 #include <typemesh/core/workspace.hpp>
-#include <typemesh/fill/arrangement.hpp>
-#include <typemesh/fill/boundary_cycles.hpp>
+#include <typemesh/fill/impl/arrangement.hpp>
+#include <typemesh/fill/impl/boundary_cycles.hpp>
+#include <typemesh/fill/impl/resolving_sweep.hpp>
+#include <typemesh/fill/impl/snap_rounding.hpp>
 #include <typemesh/fill/intersection.hpp>
-#include <typemesh/fill/resolving_sweep.hpp>
-#include <typemesh/fill/snap_rounding.hpp>
-#include <typemesh/sweep/sweep_order.hpp>
+#include <typemesh/sweep/impl/sweep_order.hpp>
 
 #include <cstddef>
 #include <cstdint>

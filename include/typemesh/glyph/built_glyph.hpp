@@ -6,7 +6,7 @@
 #include <typemesh/core/error.hpp>
 #include <typemesh/core/grid.hpp>
 #include <typemesh/extrude/extruder.hpp>
-#include <typemesh/extrude/plan_scratch.hpp>
+#include <typemesh/extrude/impl/plan_scratch.hpp>
 #include <typemesh/extrude/solid.hpp>
 
 #include <cstddef>

@@ -14,16 +14,16 @@
 #include <typemesh/core/touching.hpp>
 #include <typemesh/core/triangle.hpp>
 #include <typemesh/core/workspace.hpp>
-#include <typemesh/discretise/discretiser_ref.hpp>
+#include <typemesh/discretise/impl/discretiser_ref.hpp>
 #include <typemesh/fill/corner_parting.hpp>
+#include <typemesh/fill/impl/touching_cycles.hpp>
 #include <typemesh/fill/nest.hpp>
 #include <typemesh/fill/orient.hpp>
 #include <typemesh/fill/resolve.hpp>
-#include <typemesh/fill/touching_cycles.hpp>
 #include <typemesh/glyph/cap_policies.hpp>
-#include <typemesh/glyph/crossing_refinement.hpp>
-#include <typemesh/sweep/sweep_order.hpp>
-#include <typemesh/triangulate/triangulator_ref.hpp>
+#include <typemesh/glyph/impl/crossing_refinement.hpp>
+#include <typemesh/sweep/impl/sweep_order.hpp>
+#include <typemesh/triangulate/impl/triangulator_ref.hpp>
 
 #include <cstdint>
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <typemesh/discretise/discretiser_ref.hpp>
+#include <typemesh/discretise/impl/discretiser_ref.hpp>
 #include <typemesh/glyph/stage.hpp>
-#include <typemesh/triangulate/triangulator_ref.hpp>
+#include <typemesh/triangulate/impl/triangulator_ref.hpp>
 
 namespace typemesh::inline TYPEMESH_ABI {
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <typemesh/core/fill_rule.hpp>
-#include <typemesh/core/mixed_key.hpp>
+#include <typemesh/core/impl/mixed_key.hpp>
 #include <typemesh/core/option_bits.hpp>
 #include <typemesh/core/policy_key.hpp>
 #include <typemesh/core/touching.hpp>

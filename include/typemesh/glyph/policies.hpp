@@ -2,8 +2,8 @@
 #pragma once
 
 #include <typemesh/glyph/cap_policies.hpp>
-#include <typemesh/glyph/region_step_ref.hpp>
-#include <typemesh/glyph/solid_ref.hpp>
+#include <typemesh/glyph/impl/region_step_ref.hpp>
+#include <typemesh/glyph/impl/solid_ref.hpp>
 
 namespace typemesh::inline TYPEMESH_ABI {
 

@@ -4,7 +4,7 @@
 #include <typemesh/core/grid.hpp>
 #include <typemesh/core/region.hpp>
 #include <typemesh/core/result.hpp>
-#include <typemesh/extrude/plan_scratch.hpp>
+#include <typemesh/extrude/impl/plan_scratch.hpp>
 #include <typemesh/fill/corner_parting.hpp>
 #include <typemesh/glyph/built_glyph.hpp>
 #include <typemesh/glyph/cap_builder.hpp>

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <typemesh/core/region.hpp>
-#include <typemesh/inspect/curve_chords.hpp>
+#include <typemesh/inspect/impl/curve_chords.hpp>
 
 #include <algorithm>
 #include <cmath>

@@ -3,7 +3,7 @@
 
 #include <typemesh/core/box.hpp>
 #include <typemesh/core/fill_rule.hpp>
-#include <typemesh/inspect/curve_chords.hpp>
+#include <typemesh/inspect/impl/curve_chords.hpp>
 #include <typemesh/inspect/polyline.hpp>
 
 #include <algorithm>

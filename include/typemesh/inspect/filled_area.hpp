@@ -2,7 +2,7 @@
 #pragma once
 
 #include <typemesh/core/fill_rule.hpp>
-#include <typemesh/inspect/boxed_edge.hpp>
+#include <typemesh/inspect/impl/boxed_edge.hpp>
 #include <typemesh/inspect/polyline.hpp>
 
 #include <algorithm>

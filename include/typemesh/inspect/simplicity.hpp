@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <typemesh/inspect/boxed_edge.hpp>
+#include <typemesh/inspect/impl/boxed_edge.hpp>
 #include <typemesh/inspect/polyline.hpp>
 
 #include <algorithm>

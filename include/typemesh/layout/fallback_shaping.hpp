@@ -3,17 +3,17 @@
 
 #include <typemesh/core/array_view.hpp>
 #include <typemesh/core/buffer.hpp>
-#include <typemesh/core/first_where.hpp>
+#include <typemesh/core/impl/first_where.hpp>
+#include <typemesh/core/impl/taken.hpp>
 #include <typemesh/core/result.hpp>
-#include <typemesh/core/taken.hpp>
-#include <typemesh/layout/column_glyphs.hpp>
 #include <typemesh/layout/glyph_run.hpp>
-#include <typemesh/layout/mixed_line.hpp>
+#include <typemesh/layout/impl/column_glyphs.hpp>
+#include <typemesh/layout/impl/mixed_line.hpp>
 #include <typemesh/layout/plain_text.hpp>
 #include <typemesh/layout/shape_options.hpp>
 #include <typemesh/layout/shaped_glyph.hpp>
 #include <typemesh/layout/text_item.hpp>
-#include <typemesh/unicode/grapheme_boundaries.hpp>
+#include <typemesh/unicode/impl/grapheme_boundaries.hpp>
 #include <typemesh/unicode/text_view.hpp>
 #include <typemesh/unicode/utf.hpp>
 

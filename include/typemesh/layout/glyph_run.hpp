@@ -5,8 +5,8 @@
 #include <typemesh/core/glyph_id.hpp>
 #include <typemesh/core/point.hpp>
 #include <typemesh/core/result.hpp>
+#include <typemesh/layout/impl/value_index.hpp>
 #include <typemesh/layout/look.hpp>
-#include <typemesh/layout/value_index.hpp>
 
 #include <cstddef>
 #include <cstdint>

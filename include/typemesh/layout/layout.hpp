@@ -2,11 +2,11 @@
 #pragma once
 
 #include <typemesh/core/result.hpp>
-#include <typemesh/layout/column_progress.hpp>
 #include <typemesh/layout/face_metrics.hpp>
-#include <typemesh/layout/line_break.hpp>
-#include <typemesh/layout/line_places.hpp>
-#include <typemesh/layout/shape_line.hpp>
+#include <typemesh/layout/impl/column_progress.hpp>
+#include <typemesh/layout/impl/line_break.hpp>
+#include <typemesh/layout/impl/line_places.hpp>
+#include <typemesh/layout/impl/shape_line.hpp>
 
 namespace typemesh::inline TYPEMESH_ABI {
 

@@ -3,7 +3,7 @@
 
 #include <typemesh/core/affine.hpp>
 #include <typemesh/core/glyph_id.hpp>
-#include <typemesh/core/mixed_key.hpp>
+#include <typemesh/core/impl/mixed_key.hpp>
 
 #include <cstdint>
 #include <cstring>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <typemesh/core/first_where.hpp>
+#include <typemesh/core/impl/first_where.hpp>
 
 #include <cstddef>
 

@@ -5,12 +5,12 @@
 #include <typemesh/core/buffer.hpp>
 #include <typemesh/core/executor.hpp>
 #include <typemesh/core/result.hpp>
-#include <typemesh/layout/column_progress.hpp>
 #include <typemesh/layout/face_metrics.hpp>
 #include <typemesh/layout/glyph_run.hpp>
-#include <typemesh/layout/line_break.hpp>
-#include <typemesh/layout/line_places.hpp>
-#include <typemesh/layout/shape_line.hpp>
+#include <typemesh/layout/impl/column_progress.hpp>
+#include <typemesh/layout/impl/line_break.hpp>
+#include <typemesh/layout/impl/line_places.hpp>
+#include <typemesh/layout/impl/shape_line.hpp>
 #include <typemesh/unicode/text_view.hpp>
 
 #include <cstddef>

@@ -7,8 +7,8 @@
 #include <typemesh/core/memory.hpp>
 #include <typemesh/core/orientation.hpp>
 #include <typemesh/core/triangle.hpp>
+#include <typemesh/offset/impl/wavefront.hpp>
 #include <typemesh/offset/swept_region.hpp>
-#include <typemesh/offset/wavefront.hpp>
 
 #include <cstdint>
 

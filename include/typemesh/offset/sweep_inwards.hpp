@@ -5,18 +5,18 @@
 #include <typemesh/core/assert.hpp>
 #include <typemesh/core/buffer.hpp>
 #include <typemesh/core/error.hpp>
+#include <typemesh/core/impl/same.hpp>
 #include <typemesh/core/orientation.hpp>
 #include <typemesh/core/point.hpp>
 #include <typemesh/core/region.hpp>
-#include <typemesh/core/same.hpp>
 #include <typemesh/core/triangle.hpp>
 #include <typemesh/core/workspace.hpp>
-#include <typemesh/offset/cell_repair.hpp>
-#include <typemesh/offset/reflex_joins.hpp>
-#include <typemesh/offset/ring_cutter.hpp>
+#include <typemesh/offset/impl/cell_repair.hpp>
+#include <typemesh/offset/impl/reflex_joins.hpp>
+#include <typemesh/offset/impl/ring_cutter.hpp>
+#include <typemesh/offset/impl/wavefront.hpp>
 #include <typemesh/offset/speck_cover.hpp>
 #include <typemesh/offset/swept_region.hpp>
-#include <typemesh/offset/wavefront.hpp>
 
 #include <cstddef>
 #include <cstdint>

@@ -6,10 +6,10 @@
 #include <typemesh/core/outline.hpp>
 #include <typemesh/core/result.hpp>
 #include <typemesh/outline/bar_face.hpp>
+#include <typemesh/outline/impl/variation_key.hpp>
 #include <typemesh/outline/outline_recorder.hpp>
 #include <typemesh/outline/outline_source.hpp>
 #include <typemesh/outline/transformed_outlines.hpp>
-#include <typemesh/outline/variation_key.hpp>
 
 #include <concepts>
 #include <cstdint>

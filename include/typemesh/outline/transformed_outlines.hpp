@@ -2,8 +2,8 @@
 #pragma once
 
 #include <typemesh/core/affine.hpp>
+#include <typemesh/outline/impl/variation_key.hpp>
 #include <typemesh/outline/outline_source.hpp>
-#include <typemesh/outline/variation_key.hpp>
 
 #include <cstdint>
 

@@ -2,9 +2,9 @@
 #pragma once
 
 #include <typemesh/core/box.hpp>
-#include <typemesh/core/first_where.hpp>
+#include <typemesh/core/impl/first_where.hpp>
+#include <typemesh/paragraph/impl/line_slices.hpp>
 #include <typemesh/paragraph/laid_line.hpp>
-#include <typemesh/paragraph/line_slices.hpp>
 
 #include <cmath>
 #include <cstddef>

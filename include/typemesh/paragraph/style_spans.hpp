@@ -4,7 +4,7 @@
 #include <typemesh/core/buffer.hpp>
 #include <typemesh/core/error.hpp>
 #include <typemesh/core/finite.hpp>
-#include <typemesh/core/first_where.hpp>
+#include <typemesh/core/impl/first_where.hpp>
 #include <typemesh/paragraph/text_style.hpp>
 #include <typemesh/unicode/text_analysis.hpp>
 

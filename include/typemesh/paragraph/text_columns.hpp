@@ -2,11 +2,11 @@
 #pragma once
 
 #include <typemesh/core/buffer.hpp>
-#include <typemesh/layout/column_glyphs.hpp>
-#include <typemesh/layout/column_runs.hpp>
+#include <typemesh/layout/impl/column_glyphs.hpp>
+#include <typemesh/layout/impl/column_runs.hpp>
 #include <typemesh/layout/item_shaper.hpp>
 #include <typemesh/layout/shape_options.hpp>
-#include <typemesh/paragraph/itemise.hpp>
+#include <typemesh/paragraph/impl/itemise.hpp>
 #include <typemesh/paragraph/style_spans.hpp>
 #include <typemesh/unicode/text_analysis.hpp>
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <typemesh/core/glyph_id.hpp>
-#include <typemesh/core/same.hpp>
+#include <typemesh/core/impl/same.hpp>
 #include <typemesh/layout/shape_options.hpp>
 
 #include <cstddef>

@@ -17,7 +17,7 @@ namespace typemesh::inline TYPEMESH_ABI {
 ///
 /// On the grid no triangle is reversed or flat; floats are coarser than it wherever units per em are not a power of
 /// two, and far from the origin everywhere. Within 4 em of it there are only those that no other diagonals avoid (see
-/// triangulate/low_triangles.hpp), or that a triangulator wants kept (has_final_diagonals), and slivers of bevels,
+/// triangulate/impl/low_triangles.hpp), or that a triangulator wants kept (has_final_diagonals), and slivers of bevels,
 /// where edges meet. Glyphs that each stand at an origin of their own (see text_plan::write_meshes) do not have this
 /// problem.
 ///

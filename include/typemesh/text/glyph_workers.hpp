@@ -3,10 +3,10 @@
 
 #include <typemesh/core/assert.hpp>
 #include <typemesh/core/executor.hpp>
+#include <typemesh/core/impl/taken.hpp>
 #include <typemesh/core/result.hpp>
-#include <typemesh/core/taken.hpp>
 #include <typemesh/outline/outline_source.hpp>
-#include <typemesh/text/glyph_team.hpp>
+#include <typemesh/text/impl/glyph_team.hpp>
 
 #include <concepts>
 #include <cstddef>

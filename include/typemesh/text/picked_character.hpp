@@ -5,12 +5,12 @@
 #include <typemesh/core/box.hpp>
 #include <typemesh/core/buffer.hpp>
 #include <typemesh/layout/face_metrics.hpp>
+#include <typemesh/layout/impl/line_break.hpp>
+#include <typemesh/layout/impl/reading_order.hpp>
 #include <typemesh/layout/ligature_carets.hpp>
-#include <typemesh/layout/line_break.hpp>
-#include <typemesh/layout/reading_order.hpp>
-#include <typemesh/text/place_glyphs.hpp>
+#include <typemesh/text/impl/place_glyphs.hpp>
 #include <typemesh/text/text_plan.hpp>
-#include <typemesh/unicode/grapheme_boundaries.hpp>
+#include <typemesh/unicode/impl/grapheme_boundaries.hpp>
 #include <typemesh/unicode/text_range.hpp>
 
 #include <cmath>

@@ -4,7 +4,7 @@
 #include <typemesh/core/array_view.hpp>
 #include <typemesh/core/executor.hpp>
 #include <typemesh/core/result.hpp>
-#include <typemesh/text/split_glyphs.hpp>
+#include <typemesh/text/impl/split_glyphs.hpp>
 #include <typemesh/text/text_plan.hpp>
 
 #include <cstddef>

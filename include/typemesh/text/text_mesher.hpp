@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <typemesh/core/impl/stored_policy.hpp>
 #include <typemesh/core/result.hpp>
-#include <typemesh/core/stored_policy.hpp>
 #include <typemesh/discretise/certified.hpp>
 #include <typemesh/extrude/extruded.hpp>
 #include <typemesh/outline/outline_source.hpp>
 #include <typemesh/text/glyph_workers.hpp>
-#include <typemesh/text/mesher_refusals.hpp>
+#include <typemesh/text/impl/mesher_refusals.hpp>
+#include <typemesh/text/impl/text_planner.hpp>
 #include <typemesh/text/policy_kind.hpp>
 #include <typemesh/text/text_plan.hpp>
-#include <typemesh/text/text_planner.hpp>
 #include <typemesh/triangulate/monotone.hpp>
 
 #include <concepts>

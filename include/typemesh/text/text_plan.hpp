@@ -3,13 +3,13 @@
 
 #include <typemesh/core/assert.hpp>
 #include <typemesh/core/executor.hpp>
-#include <typemesh/core/first_where.hpp>
+#include <typemesh/core/impl/first_where.hpp>
+#include <typemesh/core/impl/taken.hpp>
 #include <typemesh/core/result.hpp>
-#include <typemesh/core/taken.hpp>
 #include <typemesh/extrude/extrude.hpp>
 #include <typemesh/layout/glyph_run.hpp>
-#include <typemesh/text/mesh_layout.hpp>
-#include <typemesh/text/text_glyphs.hpp>
+#include <typemesh/text/impl/mesh_layout.hpp>
+#include <typemesh/text/impl/text_glyphs.hpp>
 #include <typemesh/vertex/ranged_sink.hpp>
 
 #include <cmath>

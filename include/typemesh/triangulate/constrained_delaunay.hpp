@@ -2,15 +2,15 @@
 #pragma once
 
 #include <typemesh/core/array_view.hpp>
+#include <typemesh/core/impl/taken.hpp>
 #include <typemesh/core/option_bits.hpp>
-#include <typemesh/core/taken.hpp>
-#include <typemesh/sweep/sweep_order.hpp>
-#include <typemesh/triangulate/chain_cutter.hpp>
-#include <typemesh/triangulate/coarse_loops.hpp>
-#include <typemesh/triangulate/delaunay_flips.hpp>
-#include <typemesh/triangulate/delaunay_slabs.hpp>
-#include <typemesh/triangulate/half_edges.hpp>
-#include <typemesh/triangulate/monotone_sweep.hpp>
+#include <typemesh/sweep/impl/sweep_order.hpp>
+#include <typemesh/triangulate/impl/chain_cutter.hpp>
+#include <typemesh/triangulate/impl/coarse_loops.hpp>
+#include <typemesh/triangulate/impl/delaunay_flips.hpp>
+#include <typemesh/triangulate/impl/delaunay_slabs.hpp>
+#include <typemesh/triangulate/impl/half_edges.hpp>
+#include <typemesh/triangulate/impl/monotone_sweep.hpp>
 #include <typemesh/triangulate/triangulator.hpp>
 
 #include <cstddef>
@@ -39,7 +39,7 @@ namespace typemesh::inline TYPEMESH_ABI {
 ///
 /// Cost   O(n log n)
 /// Space  at most 220 bytes per point and 128 per loop from `space`, nothing else once `out` has the capacity
-/// Exact  orientation in 64 bits, in-circle in 128 (core/in_circle.hpp)
+/// Exact  orientation in 64 bits, in-circle in 128 (core/impl/in_circle.hpp)
 struct constrained_delaunay {
     // Its functions are templates, so that units that do not call them do not compile the sweep.
 

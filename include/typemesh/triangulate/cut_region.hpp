@@ -6,8 +6,8 @@
 #include <typemesh/core/result.hpp>
 #include <typemesh/core/triangle.hpp>
 #include <typemesh/core/workspace.hpp>
-#include <typemesh/triangulate/appended_triangles.hpp>
-#include <typemesh/triangulate/low_triangles.hpp>
+#include <typemesh/triangulate/impl/appended_triangles.hpp>
+#include <typemesh/triangulate/impl/low_triangles.hpp>
 #include <typemesh/triangulate/triangulator.hpp>
 
 #include <cstddef>

@@ -2,9 +2,9 @@
 #pragma once
 
 #include <typemesh/core/array_view.hpp>
-#include <typemesh/triangulate/chain_cutter.hpp>
-#include <typemesh/triangulate/low_triangles.hpp>
-#include <typemesh/triangulate/monotone_sweep.hpp>
+#include <typemesh/triangulate/impl/chain_cutter.hpp>
+#include <typemesh/triangulate/impl/low_triangles.hpp>
+#include <typemesh/triangulate/impl/monotone_sweep.hpp>
 #include <typemesh/triangulate/triangulator.hpp>
 
 #include <cstddef>
@@ -61,8 +61,8 @@ struct monotone {
     }
 
     /// The same for loops that may pass through a point more than once, each time along a sector of interior of their
-    /// own (see fill/touching_cycles.hpp). Fails as prove() does, also where a visit does not keep to its sector. Takes
-    /// about 40 bytes more per point from `space`.
+    /// own (see fill/impl/touching_cycles.hpp). Fails as prove() does, also where a visit does not keep to its sector.
+    /// Takes about 40 bytes more per point from `space`.
     template <class = void>
     [[nodiscard]] result<region> prove_touching(const contours& loops, workspace& space,
                                                 triangle_list& out) const noexcept

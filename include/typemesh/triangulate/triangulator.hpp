@@ -46,7 +46,8 @@ concept proving_triangulator =
 /// A proving triangulator that also takes loops which pass through a point more than once.
 ///
 ///     t.prove_touching(loops, space, out)    as prove(). In each such point every pass must keep to a sector of
-///                                            interior of its own (see fill/touching_cycles.hpp), which is proven too.
+///                                            interior of its own (see fill/impl/touching_cycles.hpp), which is
+///                                            proven too.
 template <class T>
 concept touching_triangulator =
     proving_triangulator<T> && requires(const T& t, const contours& loops, workspace& space, triangle_list& out) {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <typemesh/core/first_where.hpp>
-#include <typemesh/unicode/script_table.hpp>
+#include <typemesh/core/impl/first_where.hpp>
+#include <typemesh/unicode/impl/script_table.hpp>
 
 #include <bit>
 #include <cstddef>

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <typemesh/core/error.hpp>
-#include <typemesh/unicode/bidi_levels.hpp>
+#include <typemesh/unicode/impl/bidi_levels.hpp>
 #include <typemesh/unicode/text_analysis.hpp>
 #include <typemesh/unicode/text_view.hpp>
 

@@ -3,9 +3,9 @@
 
 #include <typemesh/core/assert.hpp>
 #include <typemesh/core/buffer.hpp>
-#include <typemesh/core/first_where.hpp>
+#include <typemesh/core/impl/first_where.hpp>
 #include <typemesh/core/result.hpp>
-#include <typemesh/unicode/script_runs.hpp>
+#include <typemesh/unicode/impl/script_runs.hpp>
 #include <typemesh/unicode/text_mark.hpp>
 #include <typemesh/unicode/text_range.hpp>
 #include <typemesh/unicode/visual_order.hpp>

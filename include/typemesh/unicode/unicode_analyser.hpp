@@ -3,9 +3,9 @@
 
 #include <typemesh/core/buffer.hpp>
 #include <typemesh/core/workspace.hpp>
-#include <typemesh/unicode/character.hpp>
-#include <typemesh/unicode/grapheme_boundaries.hpp>
-#include <typemesh/unicode/line_opportunities.hpp>
+#include <typemesh/unicode/impl/character.hpp>
+#include <typemesh/unicode/impl/grapheme_boundaries.hpp>
+#include <typemesh/unicode/impl/line_opportunities.hpp>
 #include <typemesh/unicode/text_analyser.hpp>
 #include <typemesh/unicode/utf.hpp>
 

@@ -4,8 +4,8 @@
 #include <typemesh/core/array_view.hpp>
 #include <typemesh/core/buffer.hpp>
 #include <typemesh/core/error.hpp>
+#include <typemesh/core/impl/taken.hpp>
 #include <typemesh/core/result.hpp>
-#include <typemesh/core/taken.hpp>
 #include <typemesh/unicode/text_mark.hpp>
 #include <typemesh/unicode/text_range.hpp>
 

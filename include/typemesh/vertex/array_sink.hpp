@@ -3,7 +3,7 @@
 
 #include <typemesh/core/assert.hpp>
 #include <typemesh/core/error.hpp>
-#include <typemesh/vertex/index_writer.hpp>
+#include <typemesh/vertex/impl/index_writer.hpp>
 #include <typemesh/vertex/ranged_sink.hpp>
 #include <typemesh/vertex/vertex_lambda.hpp>
 #include <typemesh/vertex/vertex_traits.hpp>

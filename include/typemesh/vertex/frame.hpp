@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <typemesh/core/impl/same.hpp>
 #include <typemesh/core/point.hpp>
-#include <typemesh/core/same.hpp>
 
 #include <cstdint>
 

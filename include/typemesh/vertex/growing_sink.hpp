@@ -2,10 +2,10 @@
 #pragma once
 
 #include <typemesh/core/assert.hpp>
-#include <typemesh/core/attempt.hpp>
 #include <typemesh/core/error.hpp>
+#include <typemesh/core/impl/attempt.hpp>
 #include <typemesh/vertex/array_sink.hpp>
-#include <typemesh/vertex/index_writer.hpp>
+#include <typemesh/vertex/impl/index_writer.hpp>
 
 #include <concepts>
 #include <cstddef>

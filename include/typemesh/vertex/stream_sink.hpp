@@ -4,7 +4,7 @@
 #include <typemesh/core/assert.hpp>
 #include <typemesh/core/error.hpp>
 #include <typemesh/vertex/array_sink.hpp>
-#include <typemesh/vertex/index_writer.hpp>
+#include <typemesh/vertex/impl/index_writer.hpp>
 
 #include <concepts>
 #include <cstddef>

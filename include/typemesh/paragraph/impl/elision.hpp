@@ -1,0 +1,208 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <typemesh/core/array_view.hpp>
+#include <typemesh/core/buffer.hpp>
+#include <typemesh/core/result.hpp>
+#include <typemesh/layout/impl/mixed_line.hpp>
+#include <typemesh/paragraph/broken_line.hpp>
+#include <typemesh/paragraph/impl/line_slices.hpp>
+#include <typemesh/paragraph/impl/text_pieces.hpp>
+#include <typemesh/paragraph/line_room.hpp>
+#include <typemesh/paragraph/paragraph_options.hpp>
+
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+
+namespace typemesh::inline TYPEMESH_ABI {
+
+/// What the lines of a paragraph are made from.
+template <item_shaper Shaper>
+struct line_source {
+    shaped_text& shaped;
+    text_pieces& pieces;
+    Shaper& shaper;
+    const line_room& room;
+    const paragraph_options& options;
+};
+
+/// Makes the lines that cannot show all that they should: as many graphemes as there is room for, and an ellipsis.
+///
+///     at the end   one two th...     The ellipsis stands for the graphemes that are dropped and the white space before
+///     middle       one t...hree      them, its glyphs for the first of these graphemes in the text. Where nothing is
+///     start        ...two three      dropped but the lines behind, it stands at the end.
+///
+/// It is set as the line's first character is, and painted as the first grapheme that is dropped.
+class elision {
+public:
+    explicit elision(memory source = heap()) noexcept : mixed_{source}, parts_{source} {}
+
+    /// Whether a line must be elided: it is wider than there is room, or text behind it is dropped.
+    [[nodiscard]] static bool is_needed(const broken_line& line, const line_room& room,
+                                        const paragraph_options& options) noexcept
+    {
+        return !options.ellipsis.empty() && (line.drops || line.least_end(room) > widened(room.width));
+    }
+
+    /// The graphemes of which a line that is elided shows some: its own, or, if text behind it is dropped, those up to
+    /// where the text demands that the line ends. They are made once: before anything is appended for one layout only.
+    template <item_shaper Shaper>
+    static result<const text_pieces::list*> graphemes_of(const line_source<Shaper>& from,
+                                                         const broken_line& line) noexcept
+    {
+        const array_view<const break_piece> p = line.all.pieces.view();
+        const std::size_t last = line.drops ? p.size() : line.last;
+        double pen = line.pen;
+        std::size_t k = line.first;
+        for (; k + 1 < last && !p[k].ends_line(); ++k) {
+            pen += p[k].width + p[k].space;
+            if (from.options.elide == ellipsis_place::end && pen > from.room.width) break;
+        }
+        return from.pieces.graphemes_of(p[line.first].first, p[k].last, from.shaped, from.shaper);
+    }
+
+    /// Makes a line of a paragraph of a level: `slices` gets what it shows, finished. Returns its width; it is greater
+    /// than the room only if that is too small for the ellipsis alone.
+    ///
+    /// Fails  error::out_of_memory, and as the shaper does
+    template <item_shaper Shaper>
+    result<double> compose(const line_source<Shaper>& from, const broken_line& line, std::uint8_t level,
+                           line_slices& slices) noexcept
+    {
+        const auto made = graphemes_of(from, line);
+        if (!made) return made.error();
+        const text_pieces::list& graphemes = **made;
+        const array_view<const break_piece> p = graphemes.pieces.view();
+        shaped_text& shaped = from.shaped;
+        const auto text_end = static_cast<std::uint32_t>(shaped.text().size());
+        const auto dots = static_cast<std::uint32_t>(shaped.all_clusters());
+        if (error e = append_ellipsis(from, p.front().first, level)) return e;
+        std::uint32_t turned = dots;  // as it looks within text of the other direction
+        if (from.options.elide == ellipsis_place::middle && is_mixed(shaped, p, level)) {
+            turned = static_cast<std::uint32_t>(shaped.all_clusters());
+            if (error e = append_ellipsis(from, p.front().first, level + 1u)) return e;
+        }
+
+        const std::size_t clusters = shaped.all_clusters(), glyphs = shaped.all_glyphs();
+        const double most = from.room.width - line.pen;
+        double spare = most - shaped.cluster(dots).advance;
+        for (;;) {
+            const shown s = fitting(p, from, line.pen, spare);
+            shaped.truncate(clusters, glyphs);
+            slices.clear();
+            if (error e = slices.add(from.pieces, graphemes, 0, s.head, shaped, from.shaper)) return e;
+            slices.trim(shaped);
+            const std::size_t at = slices.slices().size();
+            const std::uint32_t shown_to =
+                at == 0 ? p.front().first : shaped.cluster(slices.slices().back().last - 1).last;
+            const std::uint32_t dropped_to = line.drops ? text_end : p.back().last;
+            const std::uint32_t shown_from = s.tail < p.size() ? p[s.tail].first : dropped_to;
+            std::uint32_t used = dots;
+            if (error e = slices.append(shaped, dots, 1, level)) return e;
+            if (error e = slices.add(from.pieces, graphemes, s.tail, p.size(), shaped, from.shaper)) return e;
+            if (at > 0 && at + 1 < slices.slices().size()) {
+                const std::uint8_t before = slices.slices()[at - 1].level, behind = slices.slices()[at + 1].level;
+                line_slice& between = slices.slices()[at];
+                between.level = before < behind ? before : behind;
+                if (between.level % 2 != level % 2) between.first = used = turned;
+                between.last = between.first + 1;
+            }
+            const auto width = slices.finish(shaped, level, line.pen, from.room);
+            if (!width) return width;
+            if (*width <= most || (s.head == 0 && s.tail == p.size())) {
+                const std::uint32_t dropped = s.head < p.size() ? p[s.head].first : p.back().last;
+                shaped.move_foreign(used, {shown_to, shown_from}, dropped);
+                return width;
+            }
+            const double less = spare - (*width - most), fewer = std::nextafter(s.width, -1.0);
+            spare = less < fewer ? less : fewer;
+        }
+    }
+
+private:
+    /// Which graphemes are shown, [0, head) and from `tail` on, and about how wide they are.
+    struct shown {
+        std::size_t head = 0, tail = 0;
+        double width = 0.0;
+    };
+
+    /// Whether some of the text of pieces is read against the direction of a level.
+    [[nodiscard]] static bool is_mixed(const shaped_text& shaped, array_view<const break_piece> p,
+                                       std::uint8_t level) noexcept
+    {
+        for (std::size_t i = shaped.item_at(p.front().first); i < shaped.items().size(); ++i) {
+            if (shaped.items()[i].first >= p.back().last) return false;
+            if (shaped.items()[i].level % 2 != level % 2) return true;
+        }
+        return false;
+    }
+
+    /// Shapes the ellipsis by itself, in the direction of a level, as a cluster of the unit `at`.
+    template <item_shaper Shaper>
+    error append_ellipsis(const line_source<Shaper>& from, std::uint32_t at, unsigned level) noexcept
+    {
+        shaped_text& shaped = from.shaped;
+        const std::uint32_t item = shaped.item_at(at);
+        shape_options how;
+        how.direction = level % 2 != 0 ? direction::right_to_left : direction::left_to_right;
+        how.columns.latin = shaped.options().columns.latin;
+        const auto has_form = [&from](char32_t c) noexcept { return vertical_form_of(from.shaper, c); };
+        const std::size_t clusters = shaped.all_clusters(), glyphs = shaped.all_glyphs();
+        for (const text_view wanted : {from.options.ellipsis, text_view{"..."}}) {
+            shaped.truncate(clusters, glyphs);
+            const error e = shaped.in_columns() ? mixed_.split_column(wanted, 0, wanted.size(), how, has_form, parts_)
+                                                : mixed_.split(wanted, 0, wanted.size(), how, parts_);
+            if (e) return e;
+            const auto complete = shaped.append_foreign(from.shaper, item, at, wanted, parts_.view());
+            if (!complete) return complete.error();
+            if (*complete) break;
+        }
+        return {};
+    }
+
+    template <item_shaper Shaper>
+    [[nodiscard]] static shown fitting(array_view<const break_piece> p, const line_source<Shaper>& from, double pen,
+                                       double room) noexcept
+    {
+        const ellipsis_place place = from.options.elide;
+        shown s{0, p.size(), 0.0};
+        if (place == ellipsis_place::end) take_head(p, from.room, pen, room, s);
+        if (place == ellipsis_place::middle) take_head(p, from.room, pen, room / 2, s);
+        if (place != ellipsis_place::end) take_tail(p, room, s);
+        if (s.tail <= s.head) s.head = s.tail = p.size();
+        return s;
+    }
+    static void take_head(array_view<const break_piece> p, const line_room& room, double start, double most,
+                          shown& s) noexcept
+    {
+        double pen = start + (p.empty() ? 0.0 : p.front().begin_change);
+        for (std::size_t k = 0; k < p.size() && pen - start + p[k].width <= most; ++k) {
+            const double width = pen - start + p[k].width + p[k].end_change;
+            if (width <= most) {
+                s.head = k + 1;
+                s.width = width;
+            }
+            pen += p[k].width + p[k].space;
+            if (p[k].tab) pen = room.after_tab(pen);
+        }
+    }
+    static void take_tail(array_view<const break_piece> p, double most, shown& s) noexcept
+    {
+        const double head = s.width;
+        double width = head;
+        for (std::size_t k = p.size(); k > s.head; --k) {
+            width += p[k - 1].width + (k < p.size() ? p[k - 1].space : p[k - 1].end_change);
+            if (width > most) break;
+            if (width + p[k - 1].begin_change <= most) {
+                s.tail = k - 1;
+                s.width = width + p[k - 1].begin_change;
+            }
+        }
+    }
+
+    mixed_line mixed_;
+    buffer<text_item> parts_;
+};
+
+}  // namespace typemesh::inline TYPEMESH_ABI

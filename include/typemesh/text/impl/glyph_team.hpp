@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <typemesh/core/array_view.hpp>
+#include <typemesh/core/impl/executor_ref.hpp>
+#include <typemesh/core/result.hpp>
+#include <typemesh/glyph/glyph_builder.hpp>
+#include <typemesh/glyph/impl/glyph_store.hpp>
+#include <typemesh/layout/glyph_run.hpp>
+#include <typemesh/layout/layout.hpp>
+#include <typemesh/layout/shared_layout.hpp>
+#include <typemesh/text/impl/font_ref.hpp>
+
+#include <cstddef>
+#include <cstdint>
+
+namespace typemesh::inline TYPEMESH_ABI {
+
+/// What one of several workers builds glyphs with. It has cache lines of its own: no false sharing.
+struct alignas(64) team_member {
+    font_ref font;
+    glyph_builder builder;
+    glyph_store store;
+    glyph_run lines;
+    error failure;
+    std::size_t failed_at;
+
+    team_member(font_ref source, memory from) noexcept
+        : font{source}, builder{from}, store{from}, lines{from}, failure{}, failed_at{0}
+    {
+    }
+};
+
+/// The part of a glyph_workers that does not depend on the types of its executor and of its fonts.
+struct glyph_team {
+    executor_ref executor;
+    array_view<team_member> members;
+    shared_layout shared;
+    std::uint64_t plans = 0;  ///< begun so far
+
+    /// layout(), with the same result: lines are shaped by all workers if the sources are shapers of the type of
+    /// `font`, which is a shaper, else by it.
+    result<void> layout(font_ref font, text_view text, const shape_options& how, const layout_options& options,
+                        glyph_run& run) noexcept
+    {
+        shaper_ref shaper = font.shaper();
+        if (members.size() < 2 || !members[0].font.is_like(font))
+            return typemesh::layout(shaper, text, how, options, run);
+        const array_view<team_member> all = members;
+        return shared(
+            executor, [all](std::size_t worker) noexcept { return all[worker].font.shaper(); },
+            [all](std::size_t worker) noexcept -> glyph_run& { return all[worker].lines; }, shaper, text, how, options,
+            run);
+    }
+
+    /// Removes the glyphs of the previous plan.
+    void begin_plan() noexcept
+    {
+        for (team_member& m : members) m.store.clear();
+        ++plans;
+    }
+
+    /// Calls task(k, font, builder, store) for each k < n, with the state of the worker that runs it. Returns the error
+    /// of the lowest k that has one; above it not all may have been called.
+    template <class Task>
+    error each(std::size_t n, const Task& task) noexcept
+    {
+        const array_view<team_member> all = members;
+        for (team_member& m : all) m.failure = {};
+        executor.run(n, [all, &task](std::size_t k, std::size_t worker) noexcept {
+            team_member& own = all[worker];
+            if (own.failure && own.failed_at < k) return;
+            if (error e = task(k, own.font, own.builder, own.store)) {
+                own.failure = e;
+                own.failed_at = k;
+            }
+        });
+        const team_member* first = nullptr;
+        for (const team_member& m : all)
+            if (m.failure && (first == nullptr || m.failed_at < first->failed_at)) first = &m;
+        return first == nullptr ? error{} : first->failure;
+    }
+};
+
+}  // namespace typemesh::inline TYPEMESH_ABI

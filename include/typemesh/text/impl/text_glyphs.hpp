@@ -1,0 +1,277 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <typemesh/core/array_view.hpp>
+#include <typemesh/core/buffer.hpp>
+#include <typemesh/core/impl/first_where.hpp>
+#include <typemesh/extrude/placement.hpp>
+#include <typemesh/glyph/built_glyph.hpp>
+#include <typemesh/glyph/impl/glyph_store.hpp>
+#include <typemesh/glyph/impl/pinned_glyphs.hpp>
+#include <typemesh/text/impl/glyph_set.hpp>
+#include <typemesh/text/impl/merged_glyphs.hpp>
+#include <typemesh/text/impl/run_looks.hpp>
+#include <typemesh/text/instances.hpp>
+#include <typemesh/text/text_options.hpp>
+#include <typemesh/text/text_report.hpp>
+#include <typemesh/vertex/bounds3.hpp>
+
+#include <cstddef>
+#include <cstdint>
+
+namespace typemesh::inline TYPEMESH_ABI {
+
+/// One glyph of the mesh: its id and cluster, its built glyph and its position. Or several merged ones, represented by
+/// the first of them.
+struct drawn_glyph {
+    const built_glyph* built = nullptr;
+    point origin;  ///< font units
+    glyph_id id = no_glyph;
+    cluster_id cluster = no_cluster;
+    style_id style = {};
+    std::uint32_t line = 0;
+    std::uint32_t glyph = 0;          ///< its index in the run
+    std::uint32_t merged = none;      ///< its index in text_glyphs::merged.groups, or none
+    std::uint32_t mesh = 0;           ///< which of the text's meshes it is an instance of
+    std::uint32_t next_alike = none;  ///< the next record of that mesh, or none
+    part_sizes before = {};           ///< the counts of all preceding glyphs
+
+    static constexpr std::uint32_t none = 0xFFFF'FFFFu;
+};
+
+/// What the placements of all glyphs of a text have in common.
+struct text_placement {
+    double units_per_em = 1000.0;
+    double em_per_font_unit = 1e-3;
+    double unit_per_font_unit = 1.0;  ///< output units per font unit
+    double unit_per_em = 1000.0;
+    double unit_per_depth = 1000.0;  ///< output units per unit of an extruder's depths
+    double em_per_depth = 1.0;
+    point centre;                 ///< what becomes the output's origin, in font units
+    point texture_per_font_unit;  ///< by how much u and v grow over the whole text's box, with texture_box::text
+    texture_box texture_over = texture_box::text;
+    typemesh::frame frame;
+};
+
+/// Tells a plan whether the text_glyphs that it was made from still hold the same: another number after every clear()
+/// and every move, out of them or into them.
+struct plan_generation {
+    std::uint64_t number = 0;
+
+    plan_generation() noexcept = default;
+    plan_generation(plan_generation&& other) noexcept : number{other.number++} {}
+    plan_generation& operator=(plan_generation&& other) noexcept
+    {
+        number += ++other.number;
+        return *this;
+    }
+};
+
+/// Tells a plan whether glyphs that lie elsewhere still exist: a number that another plan changes.
+struct lent_glyphs {
+    const std::uint64_t* now = nullptr;  ///< null: nothing lies elsewhere
+    std::uint64_t then = 0;
+
+    [[nodiscard]] bool are_there() const noexcept { return now == nullptr || *now == then; }
+};
+
+/// All of one text: its different glyphs, each built once, and its drawn glyphs, each at its position. What a plan has
+/// measured and write() reads.
+struct text_glyphs {
+    glyph_set different;              ///< the glyphs that the text needs
+    pinned_glyphs pinned;             ///< the built ones, blank and refused ones included
+    buffer<std::uint32_t> numbers;    ///< for each glyph of the run, which of them it is
+    glyph_store store;                ///< holds those that neither a cache nor a glyph_workers keeps
+    lent_glyphs lent;                 ///< those that a glyph_workers keeps
+    merged_glyphs merged;             ///< glyphs that are drawn together
+    buffer<std::uint32_t> mesh_of;    ///< for each of the different glyphs, which mesh it is, or drawn_glyph::none
+    buffer<glyph_mesh> meshes;        ///< those of the different glyphs that are drawn
+    run_looks looks;                  ///< how they are drawn
+    buffer<drawn_glyph> records;      ///< what is drawn, style by style
+    buffer<style_id> several_styles;  ///< those of the records, ascending; empty if there is at most one
+    buffer<box> line_boxes;           ///< in font units; only for texture_box::line
+    box ink;                          ///< of all records, in font units
+    part_sizes totals;
+    text_placement placed;
+    text_report report;
+    bounds3 bounds;
+    plan_generation generation;
+
+    explicit text_glyphs(memory source) noexcept
+        : different{source},
+          pinned{source},
+          numbers{source},
+          store{source},
+          merged{source},
+          mesh_of{source},
+          meshes{source},
+          looks{source},
+          records{source},
+          several_styles{source},
+          line_boxes{source}
+    {
+    }
+
+    void clear() noexcept
+    {
+        different.clear();
+        pinned.clear();
+        numbers.clear();
+        store.clear();
+        lent = {};
+        merged.clear();
+        mesh_of.clear();
+        meshes.clear();
+        looks.clear();
+        records.clear();
+        several_styles.clear();
+        line_boxes.clear();
+        ink = {};
+        totals = {};
+        report = {};
+        bounds = {};
+        ++generation.number;
+    }
+
+    /// Reserves space for that many glyphs of the run. False when memory runs out.
+    [[nodiscard]] bool reserve_records(std::size_t count) noexcept
+    {
+        const std::size_t kinds = different.keys().size();
+        if (!records.reserve(count) || !meshes.reserve(kinds + merged.groups.size()) || !mesh_of.reserve(kinds))
+            return false;
+        for (std::size_t i = 0; i < kinds; ++i) mesh_of.push_back_unchecked(drawn_glyph::none);
+        return true;
+    }
+
+    /// Places a glyph that is neither blank nor refused, after reserve_records(); `number` says which of the different
+    /// glyphs it is; merged ones make a mesh of their own. Finds what depends on other records (mesh, next_alike,
+    /// before). Records are placed style by style, ascending.
+    ///
+    /// Fails with error::too_large if 32 bits do not suffice, or with error::out_of_memory
+    error place_glyph(drawn_glyph s, std::uint32_t number) noexcept
+    {
+        const part_sizes& sizes = s.built->sizes();
+        if (!(totals.total() + sizes.total()).fits_32_bits()) return error::too_large;
+        if (!records.empty() && records.back().style != s.style) {
+            if (several_styles.empty() && !several_styles.push_back(records.back().style)) return error::out_of_memory;
+            if (!several_styles.push_back(s.style)) return error::out_of_memory;
+        }
+        s.before = totals;
+        const auto self = static_cast<std::uint32_t>(records.size());
+        const bool merges = s.merged != drawn_glyph::none;
+        s.mesh = merges ? drawn_glyph::none : mesh_of[number];
+        if (s.mesh == drawn_glyph::none) {
+            s.mesh = static_cast<std::uint32_t>(meshes.size());
+            const glyph_id id = merges ? no_glyph : s.id;
+            meshes.push_back_unchecked({.built = s.built, .id = id, .first_glyph = self, .last_glyph = self});
+            if (!merges) mesh_of[number] = s.mesh;
+        }
+        glyph_mesh& mesh = meshes[s.mesh];
+        if (mesh.glyph_count++ != 0) records[mesh.last_glyph].next_alike = self;
+        mesh.last_glyph = self;
+        records.push_back_unchecked(s);
+        totals = totals + sizes;
+        return {};
+    }
+
+    /// Once all are placed: finds where each mesh begins, and its instances.
+    void number_meshes() noexcept
+    {
+        std::uint32_t vertex = 0, index = 0, instance = 0;  // no larger than the text's own
+        for (glyph_mesh& m : meshes) {
+            m.first_vertex = vertex;
+            m.first_index = index;
+            m.first_instance = instance;
+            const mesh_size own = m.built->sizes().total();
+            vertex += static_cast<std::uint32_t>(own.vertices);
+            index += static_cast<std::uint32_t>(own.indices());
+            instance += m.glyph_count;
+        }
+    }
+
+    /// The styles of what is drawn, ascending.
+    [[nodiscard]] array_view<const style_id> styles() const noexcept
+    {
+        if (!several_styles.empty() || records.empty()) return several_styles.view();
+        return {&records[0].style, 1};
+    }
+
+    /// The first record of a style or of a later one.
+    [[nodiscard]] std::size_t first_of(style_id style) const noexcept
+    {
+        return first_where(0, records.size(), [&](std::size_t i) noexcept { return records[i].style >= style; });
+    }
+    /// The first record of a later style.
+    [[nodiscard]] std::size_t last_of(style_id style) const noexcept
+    {
+        return first_where(0, records.size(), [&](std::size_t i) noexcept { return records[i].style > style; });
+    }
+
+    /// A glyph's own box, in font units, relative to the text's origin.
+    [[nodiscard]] static box ink_of(const drawn_glyph& s) noexcept
+    {
+        return {s.origin + s.built->ink().low, s.origin + s.built->ink().high};
+    }
+
+    [[nodiscard]] placement place(const drawn_glyph& s) const noexcept
+    {
+        point low = ink.low, per_font_unit = placed.texture_per_font_unit;
+        if (placed.texture_over != texture_box::text) {
+            const box over = placed.texture_over == texture_box::line ? line_boxes[s.line] : ink_of(s);
+            low = over.low;
+            per_font_unit = texture_over(over);
+        }
+        placement at = place(*s.built, s.origin, placed.centre, low, per_font_unit);
+        at.glyph = s.merged == drawn_glyph::none ? s.id : no_glyph;
+        at.cluster = s.cluster;
+        at.style = s.style;
+        return at;
+    }
+
+    /// A mesh by itself, at the output's origin: textures span its own box.
+    [[nodiscard]] placement place(const glyph_mesh& m) const noexcept
+    {
+        const box& own = m.built->ink();
+        placement at = place(*m.built, {}, {}, own.low, texture_over(own));
+        at.glyph = m.id;
+        return at;
+    }
+
+    /// By how much u and v grow per font unit if they span a box; 0 where it has no extent.
+    [[nodiscard]] static point texture_over(const box& b) noexcept
+    {
+        return {b.width() > 0.0 ? 1.0 / b.width() : 0.0, b.height() > 0.0 ? 1.0 / b.height() : 0.0};
+    }
+
+    /// The translation of a record's glyph from where its mesh stands by itself.
+    [[nodiscard]] vec3 translation_of(const drawn_glyph& s) const noexcept
+    {
+        placement at;
+        at.unit_per_cell = placed.unit_per_font_unit;
+        at.pen = s.origin - placed.centre;
+        at.frame = placed.frame;
+        return at.position(grid_point{}, 0.0f);
+    }
+
+private:
+    /// No division here: this runs for each part of each glyph. Cells are a power of two, so multiplying by them or by
+    /// their inverse is exact.
+    [[nodiscard]] placement place(const built_glyph& built, point origin, point centre, point texture_low,
+                                  point texture_per_font_unit) const noexcept
+    {
+        const double cells = built.cells(), per_cell = built.font_units_per_cell();
+        placement at;
+        at.pen = cells * (origin - centre);
+        at.unit_per_cell = placed.unit_per_font_unit * per_cell;
+        at.unit_per_depth = placed.unit_per_depth;
+        at.em_per_depth = placed.em_per_depth;
+        at.em_per_cell = placed.em_per_font_unit * per_cell;
+        at.em_pen = cells * origin;
+        at.texture_pen = cells * (origin - texture_low);
+        at.texture_per_cell = per_cell * texture_per_font_unit;
+        at.frame = placed.frame;
+        return at;
+    }
+};
+
+}  // namespace typemesh::inline TYPEMESH_ABI

@@ -1,0 +1,278 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <typemesh/core/array_view.hpp>
+#include <typemesh/core/assert.hpp>
+#include <typemesh/core/finite.hpp>
+#include <typemesh/core/impl/same.hpp>
+#include <typemesh/core/touching.hpp>
+#include <typemesh/glyph/glyph_builder.hpp>
+#include <typemesh/glyph/glyph_cache.hpp>
+#include <typemesh/glyph/policies.hpp>
+#include <typemesh/layout/layout.hpp>
+#include <typemesh/text/cells_told_apart.hpp>
+#include <typemesh/text/impl/arrange.hpp>
+#include <typemesh/text/impl/font_ref.hpp>
+#include <typemesh/text/impl/glyph_merger.hpp>
+#include <typemesh/text/impl/glyph_team.hpp>
+#include <typemesh/text/impl/place_glyphs.hpp>
+#include <typemesh/text/impl/refuse_extremes.hpp>
+#include <typemesh/text/impl/text_glyphs.hpp>
+#include <typemesh/text/text_options.hpp>
+
+#include <cstddef>
+#include <cstdint>
+#include <utility>
+
+namespace typemesh::inline TYPEMESH_ABI {
+
+/// All of a text_mesher that does not depend on the type of its solid: shapes and lays out a text, builds its glyphs
+/// and places them. Each policy is called once per glyph or outline, through a table.
+///
+/// A team, where one is given, shapes and builds in parallel; null: one worker, the caller. It is a glyph_team: its
+/// type is a parameter only so that typemesh::compiled can keep the functions out of other units.
+class text_planner {
+public:
+    font_ref font;
+    cached_in cache;
+
+    explicit text_planner(memory source) noexcept : builder_{source}, merger_{source}, run_{source}, glyphs_{source} {}
+
+    /// What was planned last.
+    [[nodiscard]] text_glyphs& glyphs() noexcept { return glyphs_; }
+    /// The run that plan(text) has made.
+    [[nodiscard]] glyph_run& run() noexcept { return run_; }
+
+    /// Ends the previous plan.
+    void clear() noexcept { glyphs_.clear(); }
+
+    void trim() noexcept
+    {
+        builder_.trim();
+        merger_.trim();
+    }
+
+    /// Shapes and lays out a text, into run(); needs a font. Ends the previous plan.
+    template <class Team>
+    error layout(text_view text, const text_options& options, const policies& with, Team* team) noexcept;
+
+    /// Plans a run, which may be run(); needs a font. Ends the previous plan.
+    template <class Team>
+    error plan(const glyph_run& run, const text_options& options, const policies& with, Team* team) noexcept;
+
+private:
+    struct call {
+        const glyph_run& run;
+        const text_options& options;
+        const policies& with;
+        glyph_team* team;
+    };
+
+    static error stop(error e, const policies& with) noexcept
+    {
+        with.observe(stage::idle);
+        return e;
+    }
+
+    /// Plans for glyphs that are written up to `reach` em from the origin: see glyph_settings::most_cells.
+    error plan_once(const call& now, double reach) noexcept;
+
+    /// Why a text can be written with none of these options, or none.
+    [[nodiscard]] error refused(const call& now) const noexcept;
+
+    /// Copies what the run reports.
+    void report(const glyph_run& run) noexcept;
+
+    /// Numbers the run's different glyphs; those that are not drawn get no_room.
+    error collect(const glyph_run& run, const text_options& options) noexcept;
+
+    static glyph_settings settings_of(const text_options& options, double reach) noexcept;
+
+    /// Finds or builds each different glyph.
+    error build_glyphs(const call& now, const glyph_settings& how) noexcept;
+
+    template <class Find, class Keep>
+    error each_glyph(const call& now, const glyph_settings& how, const Find& find, const Keep& keep) noexcept;
+
+    glyph_builder builder_;
+    glyph_merger merger_;
+    glyph_run run_;
+    text_glyphs glyphs_;
+};
+
+template <class Team>
+error text_planner::layout(text_view text, const text_options& options, const policies& with, Team* team) noexcept
+{
+    clear();
+    with.observe(stage::shape);
+    if (!font.is_shaper()) return stop(error::not_a_shaper, with);
+    shaper_ref shaper = font.shaper();
+    const auto laid = team != nullptr ? team->layout(font, text, options.shape, options.layout, run_)
+                                      : typemesh::layout(shaper, text, options.shape, options.layout, run_);
+    return laid ? error{} : stop(laid.error(), with);
+}
+
+template <class Find, class Keep>
+error text_planner::each_glyph(const call& now, const glyph_settings& how, const Find& find, const Keep& keep) noexcept
+{
+    const auto keys = glyphs_.different.keys();
+    const auto build = [&, keys](std::size_t k, font_ref from, glyph_builder& builder, glyph_store& store,
+                                 const policies& with) noexcept -> error {
+        const built_glyph* built = find(keys[k]);
+        if (built == nullptr) {
+            drawn_face face = glyphs_.looks.face_of(from, keys[k].look);
+            const auto draft = builder.build(face, keys[k].id, how, with);
+            if (!draft) return draft.error();
+            built = keep(keys[k], *draft, store);
+            if (built == nullptr) return error::out_of_memory;
+        }
+        glyphs_.pinned.set(k, built);
+        return {};
+    };
+    if (now.team == nullptr) {
+        for (std::size_t k = 0; k < keys.size(); ++k)
+            if (error e = build(k, font, builder_, glyphs_.store, now.with)) return e;
+        return {};
+    }
+    return now.team->each(keys.size(), [&](std::size_t k, font_ref from, glyph_builder& builder,
+                                           glyph_store& store) noexcept {
+        no_observer nobody;
+        return build(k, from, builder, store, {now.with.flatten, now.with.cut, now.with.raise, nobody, now.with.step});
+    });
+}
+
+// Where floats are to tell cells apart, letters that reach farther from their pens than was thought are built again; on
+// a coarser grid some may fit that were too large before, and reach farther still.
+template <class Team>
+error text_planner::plan(const glyph_run& run, const text_options& options, const policies& with, Team* team) noexcept
+{
+    const call now{run, options, with, team};
+    clear();
+    if (options.corners == touching::keep) return plan_once(now, 0.0);
+    const double units_per_em = font.units_per_em();
+    const bool along_axes = options.frame.is_along_axes();
+    double expected = reach_of(run, units_per_em);
+    for (;;) {  // 14 times at most: the cells halve
+        if (error e = plan_once(now, expected)) return e;
+        const double reach = reach_of(glyphs_.ink, units_per_em);
+        if (cells_told_apart(reach, along_axes) >= cells_told_apart(expected, along_axes)) return {};
+        expected = reach + 1.0;
+        clear();
+    }
+}
+
+inline error text_planner::plan_once(const call& now, double reach) noexcept
+{
+    const auto& [run, options, with, team] = now;
+    error e = refused(now);
+    if (e) return stop(e, with);
+    report(run);
+    e = with.step.refused_options();
+    if (!e) e = with.raise.refused_options();
+    if (!e) e = glyphs_.looks.read(run, font);
+    if (!e) e = collect(run, options);
+    const glyph_settings how = settings_of(options, reach);
+    if (!e) e = build_glyphs(now, how);
+    if (!e && options.merge) e = merger_(glyphs_, run, builder_, font, how, with);
+    if (!e) e = place_glyphs(glyphs_, run, options.merge && options.corners != touching::keep);
+    if (!e) e = arrange(glyphs_, run, options, font.units_per_em(), with.raise);
+    if (!e) e = refuse_extremes(glyphs_.placed, glyphs_.bounds, with.raise.heights(), with.raise.heights_name());
+    if (e) glyphs_.pinned.release();
+    return stop(e, with);
+}
+
+inline error text_planner::refused(const call& now) const noexcept
+{
+    const text_options& options = now.options;
+    if (!is_finite(options.tolerance) || !(options.tolerance > 0.0)) return error::bad_tolerance;
+    if (!is_finite(options.pixels_per_em) || !(options.pixels_per_em > 0.0) || options.pixels_per_em > 0x1p30)
+        return error::bad("pixels_per_em");
+    const double largest = options.unit == output_unit::pixels ? 0x1p30 / options.pixels_per_em : 0x1p30;
+    if (!is_finite(options.size) || !(options.size > 0.0) || options.size > largest) return error::bad("size");
+    const double own = font.units_per_em(), units_per_em = now.run.units_per_em;
+    for (const double units : {own, is_zero(units_per_em) ? own : units_per_em})
+        if (!is_finite(units) || !(units > 0.0)) return error::bad("units_per_em");
+    if (!is_zero(units_per_em) && !same(units_per_em, own)) return error::other_units;
+    TYPEMESH_ASSERT(options.frame.is_orthonormal(), "a frame's axes must be unit vectors at right angles");
+    if (now.team == nullptr) return {};
+    font_ref of_team = now.team->members[0].font;
+    TYPEMESH_ASSERT(same(of_team.units_per_em(), own), "the sources of a glyph_workers are of another font");
+    if (of_team.face_count() < font.face_count()) return {error::no_such_face, of_team.face_count()};
+    return cache.cache && !cache.cache.has_lock() ? error{error::unlocked_cache} : error{};
+}
+
+inline void text_planner::report(const glyph_run& run) noexcept
+{
+    text_report& report = glyphs_.report;
+    report.missing = run.missing + run.parted;
+    report.parted = run.parted;
+    report.first_missing = run.first_missing < run.first_parted ? run.first_missing : run.first_parted;
+    report.first_parted = run.first_parted;
+    report.invalid_units = run.invalid_units;
+    report.first_invalid_unit = run.first_invalid_unit;
+    report.unbroken = run.unbroken;
+    report.first_unbroken = run.first_unbroken;
+}
+
+inline error text_planner::collect(const glyph_run& run, const text_options& options) noexcept
+{
+    const std::size_t count = run.glyphs.size();
+    if (count >= glyph_set::no_room) return error::too_large;
+    std::uint32_t* numbers = glyphs_.numbers.append(count);
+    if (numbers == nullptr && count != 0) return error::out_of_memory;
+    const std::size_t looks = run.looks.empty() ? 1 : run.looks.size();
+    for (std::size_t i = 0; i < count; ++i) {
+        const placed_glyph& glyph = run.glyphs[i];
+        numbers[i] = glyph_set::no_room;
+        if (glyph.look >= looks) return error{error::no_such_look, run.looks.size()}.at(glyph.id, glyph.cluster);
+        if (glyph.missing && !options.draw_missing) continue;
+        const glyph_key key{glyph.id, glyphs_.looks.outlines_of(glyph.look)};
+        numbers[i] = options.reuse ? glyphs_.different.number_of(key) : glyphs_.different.append(key);
+        if (numbers[i] == glyph_set::no_room) return error::out_of_memory;
+    }
+    return {};
+}
+
+inline glyph_settings text_planner::settings_of(const text_options& options, double reach) noexcept
+{
+    glyph_settings how{.tolerance = options.tolerance,
+                       .fill = options.fill,
+                       .most_pieces = options.most_pieces,
+                       .most_points = options.most_points};
+    if (options.corners == touching::keep) return how;
+    how.corners = options.corners;
+    how.most_cells = cells_told_apart(reach, options.frame.is_along_axes());
+    return how;
+}
+
+inline error text_planner::build_glyphs(const call& now, const glyph_settings& how) noexcept
+{
+    const std::size_t count = glyphs_.different.keys().size();
+    if (now.team != nullptr) now.with.observe(stage::outline);
+    if (cache.cache && now.options.reuse) {
+        const cache_ref kept = cache.cache;
+        if (!glyphs_.pinned.reserve(count, kept)) return error::out_of_memory;
+        const glyph_context plain = context_of(cache.font, font.variation(), how, now.with);
+        if (!plain.is_complete()) return error::no_cache_key;
+        if (error e = glyphs_.looks.find_contexts(plain, font)) return e;
+        const array_view<const hashed_context> of_look = glyphs_.looks.contexts();
+        return each_glyph(
+            now, how,
+            [kept, of_look](const glyph_key& key) noexcept {
+                return kept.find(of_look[key.look].context, of_look[key.look].hash, key.id);
+            },
+            [kept, of_look](const glyph_key& key, const glyph_draft& draft, glyph_store&) noexcept {
+                return kept.keep(of_look[key.look].context, of_look[key.look].hash, key.id, draft);
+            });
+    }
+    if (!glyphs_.pinned.reserve(count)) return error::out_of_memory;
+    if (now.team != nullptr) {
+        now.team->begin_plan();
+        glyphs_.lent = {&now.team->plans, now.team->plans};
+    }
+    return each_glyph(
+        now, how, [](const glyph_key&) noexcept { return static_cast<const built_glyph*>(nullptr); },
+        [](const glyph_key&, const glyph_draft& draft, glyph_store& store) noexcept { return store.keep(draft); });
+}
+
+}  // namespace typemesh::inline TYPEMESH_ABI
