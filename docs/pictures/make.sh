@@ -63,6 +63,11 @@ montage -label '%t' "$scratch"/gouraud-{shared,averaged,creased,curve}.png "$scr
 
 "$program" "aBg" --font $sans --depth 0 --quality normal --show triangles,points,control,contours --picture stages.png
 
+for mapping in box em cylindrical; do
+    "$program" "Rag" --font $serif-Bold.ttf --depth 0.4 --uv $mapping --show checker --picture "$scratch/$mapping.png"
+done
+convert "$scratch"/{box,em,cylindrical}.png -resize 600x +append textures.png
+
 inter=$(font_file truetype/inter-vf/Inter.var.ttf)
 "$program" "A&f4" --font "$inter" --depth 0 --quality normal --show contours,triangles --picture "$scratch/before.png"
 "$program" "A&f4" --font "$inter" --depth 0 --quality normal --triangulator delaunay --show triangles --picture "$scratch/after.png"
@@ -116,4 +121,4 @@ convert "$scratch"/{headline,range}.png -resize 900x -append styles.png
 g++ -std=c++20 -I../../include selection.cpp -o "$scratch/selection" $(pkg-config --cflags --libs harfbuzz)
 convert -size 910x160 xc:white -draw "$("$scratch/selection" /usr/share/fonts/truetype/dejavu/DejaVuSans.ttf)" selection.png
 
-pngquant --quality 90-100 --speed 1 --force --ext .png paragraph.png normals.png bevels.png bevelled_scripts.png bold_and_hollow.png styles.png
+pngquant --quality 90-100 --speed 1 --force --ext .png paragraph.png normals.png bevels.png bevelled_scripts.png bold_and_hollow.png styles.png textures.png
