@@ -154,7 +154,7 @@ void add(const set& s)
     entry("delaunay trusting",
           [&s](workspace& w, triangle_list& out) { pass<constrained_delaunay>(s, false, w, out); });
     entry("delaunay by slabs, trusting",
-          [&s](workspace& w, triangle_list& out) { pass(s, false, w, out, constrained_delaunay{.most_flips = 0}); });
+          [&s](workspace& w, triangle_list& out) { pass(s, false, w, out, constrained_delaunay{.max_flips = 0}); });
 #ifdef TYPEMESH_BENCH_PEERS
     for (const auto& [name, peer] : bench::peers())
         benchmark::RegisterBenchmark((s.name + " / " + name).c_str(),

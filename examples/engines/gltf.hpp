@@ -114,8 +114,8 @@ struct uv_range {
     }
 };
 
-inline constexpr const char* part_names[typemesh::most_parts] = {"front",      "back",   "side",   "front_bevel",
-                                                                 "back_bevel", "part 5", "part 6", "part 7"};
+inline constexpr const char* part_names[typemesh::max_parts] = {"front",      "back",   "side",   "front_bevel",
+                                                                "back_bevel", "part 5", "part 6", "part 7"};
 
 /// The materials of the parts that are drawn, in the parts' order: painted, not metal, the sides darker. Where `packed`
 /// texture coordinates go beyond [0, 1] each has a white texture with the transform that undoes them.

@@ -212,7 +212,7 @@ void add_line_options(CLI::App& app, options& out, raw_values& raw)
     add_number(
         app, "--max-lines", "further lines are dropped", "a whole number from 1",
         [](double n) { return n >= 1.0 && n < 4294967296.0 && n == std::floor(n); },
-        [&out](double n) { out.lines.most_lines = static_cast<std::uint32_t>(n); })
+        [&out](double n) { out.lines.max_lines = static_cast<std::uint32_t>(n); })
         ->type_name("N");
     app.add_option("--ellipsis", out.ellipsis,
                    "shown for what is dropped, or does not fit; ... where the font lacks it")

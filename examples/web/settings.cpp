@@ -128,7 +128,7 @@ constexpr option table[] = {
     {"letterSpacing", kind::number, "", "", [](settings& to, double n) { to.letter_spacing = n; }},
     {"lineSpacing", kind::number, "", "1", set_number<&options::line_spacing>},
     {"indent", kind::number, "", "0", set_inner_number<&options::lines, &paragraph::indent>},
-    {"mostLines", kind::number, "", "", set_inner_number<&options::lines, &paragraph::most_lines>},
+    {"mostLines", kind::number, "", "", set_inner_number<&options::lines, &paragraph::max_lines>},
     {"ellipsis", kind::string, "", "", nullptr, [](settings& to, std::u16string_view s) { to.ellipsis = s; }},
     {"features", kind::features},
     {"language", kind::string, "", "", nullptr, set_ascii<&options::language>},
@@ -224,7 +224,7 @@ options settings::settled() const
     using typemesh::line_alignment;
     const auto& lines = o.lines;
     o.page = std::isfinite(lines.width) || lines.align == line_alignment::justify || !ellipsis.empty() ||
-             lines.most_lines != typemesh::paragraph_options{}.most_lines || lines.indent != 0.0 ||
+             lines.max_lines != typemesh::paragraph_options{}.max_lines || lines.indent != 0.0 ||
              lines.anchor != typemesh::vertical_anchor::first_baseline;
     o.align = lines.align == line_alignment::centre                                        ? typemesh::alignment::centre
               : lines.align == line_alignment::right || lines.align == line_alignment::end ? typemesh::alignment::right

@@ -78,7 +78,7 @@ TEST_CASE("an emoji that a line has dropped is not reported", "[harfbuzz][emoji]
     paragraph words{*font};
     glyph_run run;
     REQUIRE(words.set("one two \U0001F44D\U0001F3FD"));
-    REQUIRE(words.lay_out({.width = 4.0, .most_lines = 1}, run));
+    REQUIRE(words.lay_out({.width = 4.0, .max_lines = 1}, run));
     CHECK(run.parted == 0);
     REQUIRE(words.lay_out({.width = 4.0}, run));
     CHECK(run.parted == 1);

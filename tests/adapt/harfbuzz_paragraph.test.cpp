@@ -210,7 +210,7 @@ std::vector<glyph_id> arabic_glyphs(harfbuzz_font& font, std::u16string_view wor
 std::size_t strokes_in(harfbuzz_font& font, const std::u16string& word, const std::vector<glyph_id>& shown)
 {
     if (arabic_glyphs(font, word) == shown) return 0;
-    for (std::size_t n = 1; n <= line_justifier::most_strokes; ++n)
+    for (std::size_t n = 1; n <= line_justifier::max_strokes; ++n)
         for (std::size_t place = 1; place < word.size(); ++place) {
             std::u16string longer{word};
             longer.insert(place, n, u'\u0640');
@@ -248,7 +248,7 @@ TEST_CASE("words with strokes are drawn as their text with U+0640, shaped afresh
                      run.glyphs.view().subspan(run.lines[k].first_glyph, run.lines[k].glyph_count))
                     if (g.cluster >= first && g.cluster < last) shown.push_back(g.id);
                 const std::size_t n = strokes_in(*font, text.substr(first, last - first), shown);
-                CHECK(n <= line_justifier::most_strokes);
+                CHECK(n <= line_justifier::max_strokes);
                 strokes += n;
                 first = last + 1;
             }

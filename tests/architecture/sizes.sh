@@ -8,7 +8,7 @@
 set -eu
 here=$(cd "$(dirname "$0")" && pwd)
 headers=${1:-$here/../../include/typemesh}
-most_lines=500 most_function_lines=60 most_parameters=6 most_macros=5
+max_lines=500 max_function_lines=60 max_parameters=6 max_macros=5
 scratch=$(mktemp -d) && trap 'rm -rf "$scratch"' EXIT
 
 # The reader of functions itself, tried with forms that are hard to read.
@@ -36,9 +36,9 @@ of_all_headers sed -nE 's/^[ \t]*#[ \t]*define[ \t]+([A-Za-z_0-9]+).*/\1/p' | so
 
 # MEASURE FILE NAME SIZE LIMIT of all that is measured, the largest of functions of one name.
 {
-    awk -v limit=$most_lines '{ print "header", $1, "-", $2, limit }' "$scratch/lines"
-    awk -v limit=$most_function_lines '{ print "lines", $1, $2, $3, limit }' "$scratch/functions"
-    awk -v limit=$most_parameters '{ print "parameters", $1, $2, $4, limit }' "$scratch/functions"
+    awk -v limit=$max_lines '{ print "header", $1, "-", $2, limit }' "$scratch/lines"
+    awk -v limit=$max_function_lines '{ print "lines", $1, $2, $3, limit }' "$scratch/functions"
+    awk -v limit=$max_parameters '{ print "parameters", $1, $2, $4, limit }' "$scratch/functions"
 } | sort -k 1,3 -k 4,4nr | awk '!seen[$1, $2, $3]++' >"$scratch/sizes"
 
 status=0
@@ -56,8 +56,8 @@ awk '
         for (key in allowed) { print key ": is no more: take it out of size_exceptions.txt"; bad = 1 }
         exit bad
     }' exceptions=1 "$here/size_exceptions.txt" exceptions=0 "$scratch/sizes" || status=1
-if [ "$(grep -c . "$scratch/macros")" -gt $most_macros ]; then
-    echo "More than $most_macros macros:" && cat "$scratch/macros"
+if [ "$(grep -c . "$scratch/macros")" -gt $max_macros ]; then
+    echo "More than $max_macros macros:" && cat "$scratch/macros"
     status=1
 fi
 for what in files functions macros; do echo "$what: $(grep -c . "$scratch/$what")"; done

@@ -138,9 +138,9 @@ TEST_CASE("a scope keeps what it is told to and gives back the rest", "[core][wo
     workspace space{memory.source()};
     workspace::scope scratch{space};
     auto* const first = scratch.take<std::uint32_t>(1000);
-    std::span<std::uint32_t> a{scratch.take<std::uint32_t>(30'000), 30'000};
+    array_view<std::uint32_t> a{scratch.take<std::uint32_t>(30'000), 30'000};
     (void)scratch.take<std::uint64_t>(50'000);
-    std::span<std::uint64_t> b{scratch.take<std::uint64_t>(40'000), 40'000};
+    array_view<std::uint64_t> b{scratch.take<std::uint64_t>(40'000), 40'000};
     for (std::uint32_t i = 0; i < a.size(); ++i) a[i] = i;
     for (std::uint32_t i = 0; i < b.size(); ++i) b[i] = std::uint64_t{i} << 32;
     const std::size_t requests = memory.requests;

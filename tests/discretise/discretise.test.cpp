@@ -359,7 +359,7 @@ TEST_CASE("contours get as many points as they may, and no more", "[discretise]"
     contours out{counted.source()};
     for (std::uint32_t most = 0; most <= points + 2; ++most) {
         INFO(most << " of " << points << " points allowed");
-        out.most_points = most;
+        out.max_points = most;
         const error e = discretise(o, certified{}, 0.01, grid{}, out).error();
         REQUIRE(bool(e) == (most < points));
         if (e) REQUIRE((e == error::too_many_points && e.count == most && out.points.empty() && out.edges.empty()));
@@ -368,7 +368,7 @@ TEST_CASE("contours get as many points as they may, and no more", "[discretise]"
     // What a curve could ask for does not count, only what is allowed.
     counting_memory little;
     contours few{little.source()};
-    few.most_points = 4;
+    few.max_points = 4;
     REQUIRE(discretise(o, certified{}, 1e-9, grid{0x1p16}, few) == error::too_many_points);
     CHECK(little.peak < 1024);
 }

@@ -37,11 +37,10 @@ class bevel_laws {
 public:
     static constexpr double widths[] = {0.005, 0.01, 0.02, 0.03, 0.05, 0.1, 0.3};  // em
 
-    static constexpr double most_off_distance = 8.0;  ///< cells, of a height in the plane
+    static constexpr double max_off_distance = 8.0;  ///< cells, of a height in the plane
 
-    std::size_t most_compared =
-        0;                  ///< points of a region that is given to the slow wavefront, which takes n^2 an event
-    bool delaunay = false;  ///< instead of monotone
+    std::size_t max_compared = 0;  ///< points of a region that is given to the slow wavefront, which takes n^2 an event
+    bool delaunay = false;         ///< instead of monotone
 
     /// Makes the glyph's region; false where there is none.
     template <class Font>
@@ -144,7 +143,7 @@ private:
         if (how.mode == typemesh::bevel_mode::fit && !keeps_caps())
             return "a part has lost its cap, which should fit, or is no speck, or is not counted";
         if (std::string wrong = reached_too_late(how, profile, width); !wrong.empty()) return wrong;
-        if (region_.points().size() > most_compared) return {};
+        if (region_.points().size() > max_compared) return {};
         return compare(how, profile, width, laws.doubled_cap_area() / 2, f);
     }
 
@@ -180,7 +179,7 @@ private:
                 (std::max)(worst, std::fabs(z + rise - profile.height(t) * rise) / (profile.slope(t) * rise) * width);
         }
         f.height_error = (std::max)(f.height_error, worst);
-        return worst > most_off_distance ? "a height is not that of its distance" : std::string{};
+        return worst > max_off_distance ? "a height is not that of its distance" : std::string{};
     }
 
     /// Whether a place was reached later than its distance from the boundary, which edges move through at speed 1.
@@ -196,7 +195,7 @@ private:
             const auto p = mesh_.corner(t, t % 3);
             const double swept = profile.distance(p.z / rise + 1.0) * width;
             const grid_point at{static_cast<std::int32_t>(p.x), static_cast<std::int32_t>(p.y)};
-            if (swept > inspect::distance(loops, at) + most_off_distance)
+            if (swept > inspect::distance(loops, at) + max_off_distance)
                 return "a place is reached later than its distance from the boundary says";
         }
         return {};

@@ -70,7 +70,7 @@ public:
             const bool compared = looked_at++ % how_.compare_each == 0;
             for (const test::quality_named& q : arguments_.wanted) {
                 if (!laws_.take(font, g, q.tolerance)) continue;
-                laws_.most_compared = compared ? 100 : 0;
+                laws_.max_compared = compared ? 100 : 0;
                 for (std::size_t w = 0; w < width_count; ++w) {
                     const test::bevel_findings f = laws_.examine(laws_.widths[w]);
                     sums[w].add(f);

@@ -102,7 +102,7 @@ TEST_CASE("bevels of letters have the volume and the heights that the slow wavef
           "[every_glyph][bevel]")
 {
     test::bevel_laws laws;
-    laws.most_compared = 100;
+    laws.max_compared = 100;
     std::size_t compared = 0;
     for (const char* file : {"truetype/liberation/LiberationSerif-Regular.ttf", "truetype/dejavu/DejaVuSans.ttf"}) {
         auto font = harfbuzz_font::open(font_file(file).c_str());

@@ -239,7 +239,7 @@ private:
         by_slabs_.clear();
         if (const error e = constrained_delaunay{}(r, space_, delaunay_))
             return std::string{"Delaunay: "} + e.message();
-        if (const error e = constrained_delaunay{.most_flips = 0}(r, space_, by_slabs_))
+        if (const error e = constrained_delaunay{.max_flips = 0}(r, space_, by_slabs_))
             return std::string{"Delaunay by slabs: "} + e.message();
         std::string wrong = oracle::broken_law(r, delaunay_.view());
         if (wrong.empty()) wrong = oracle::broken_delaunay(r, delaunay_.view());

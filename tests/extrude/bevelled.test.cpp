@@ -29,9 +29,9 @@ namespace {
 static_assert(extruder<bevelled>);
 static_assert(capping_extruder<bevelled>);
 static_assert(part_count_of<bevelled> == 5);
-static_assert(tells_heights<bevelled> && makes_own_caps<bevelled> && tells_outline<bevelled>);
+static_assert(has_heights<bevelled> && has_front_triangles<bevelled> && has_outline<bevelled>);
 static_assert(refitting_extruder<bevelled>);
-static_assert(!tells_heights<extruded<>> && !makes_own_caps<extruded<>> && !tells_outline<extruded<>>);
+static_assert(!has_heights<extruded<>> && !has_front_triangles<extruded<>> && !has_outline<extruded<>>);
 static_assert(!refitting_extruder<extruded<>>);
 
 /// Caps as the library makes them.

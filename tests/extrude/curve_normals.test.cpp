@@ -41,7 +41,7 @@ point wide(vec2 v) { return {v.x, v.y}; }
 bool hard(const side_point& s) { return s.doubled; }
 
 /// The largest angle between a wall longer than 16 tolerances and one of its end normals, in degrees.
-double most_aside(const region& r, const std::vector<side_point>& sides)
+double max_aside(const region& r, const std::vector<side_point>& sides)
 {
     double most = 0.0;
     for (std::uint32_t loop = 0; loop < r.loop_count(); ++loop) {
@@ -350,14 +350,14 @@ TEST_CASE("the tip of a hairpin inside a curve is hard where it would light a lo
     for (const bool forth : {true, false}) {
         const auto coarse = needle(1.0, forth);  // both walls are long
         const auto sharp = sides_of(coarse);
-        CHECK(most_aside(coarse.made(), sharp) < 0.1);
+        CHECK(max_aside(coarse.made(), sharp) < 0.1);
         CHECK(hard(sharp[1]));
         CHECK(sharp[1].before == rounded(wall_normal(coarse.loops.points[0], coarse.loops.points[1])));
         CHECK(sharp[1].after == rounded(wall_normal(coarse.loops.points[1], coarse.loops.points[2])));
 
         const auto round = needle(1.0, forth, {0.5f, 0.52f});  // the second is 1.6 long, and keeps the curve's normal
         const auto tip = sides_of(round);
-        CHECK(most_aside(round.made(), tip) < 45.0);
+        CHECK(max_aside(round.made(), tip) < 45.0);
         CHECK(hard(tip[1]));
         CHECK(tip[1].before == rounded(wall_normal(round.loops.points[0], round.loops.points[1])));
         CHECK(tip[1].after == vec2{-1.0f, 0.0f});
@@ -384,7 +384,7 @@ TEST_CASE("a soft joint is hard where its sum would light a long wall from the s
         s.loops.tolerance = 512.0;
         const auto sides = sides_of(s);
         CHECK(hard(sides[1]));
-        CHECK(most_aside(s.made(), sides) < 0.1);
+        CHECK(max_aside(s.made(), sides) < 0.1);
     }
 }
 

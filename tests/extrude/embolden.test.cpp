@@ -27,8 +27,8 @@ using Catch::Approx;
 namespace {
 
 static_assert(extruder<test::emboldened<>> && capping_extruder<test::emboldened<>> &&
-              tells_hard_edges<test::emboldened<>>);
-static_assert(extruder<test::emboldened<flat>> && !tells_hard_edges<test::emboldened<flat>>);
+              has_hard_edges<test::emboldened<>>);
+static_assert(extruder<test::emboldened<flat>> && !has_hard_edges<test::emboldened<flat>>);
 static_assert(part_count_of<test::emboldened<>> == 3 && part_count_of<test::emboldened<bevelled>> == 5);
 
 constexpr double cells = 512000.0;  // in an em

@@ -81,7 +81,7 @@ static_assert(!extruder<rest> && !extruder<of_nine_parts> && !extruder<of_no_par
 static_assert(!extruder<asks_for_sides> && !extruder<may_throw>);
 static_assert(capping_extruder<with_caps> && !capping_extruder<with_data> && !capping_extruder<alone>);
 static_assert(cap_maker<one_triangle> && !cap_maker<rest>);
-static_assert(tells_hard_edges<extruded<>> && !tells_hard_edges<flat>);
+static_assert(has_hard_edges<extruded<>> && !has_hard_edges<flat>);
 static_assert(part_count_of<flat> == 3 && part_count_of<with_caps> == 8);
 
 TEST_CASE("an extruder is planned in whichever way it takes", "[extrude]")
@@ -109,8 +109,8 @@ TEST_CASE("the parts of an extruder are the first ones", "[extrude]")
 {
     CHECK(parts_of<flat>.size() == 3);
     CHECK(parts_of<flat>.back() == part::side);
-    CHECK(parts_of<with_caps>.size() == most_parts);
-    for (std::size_t p = 0; p < most_parts; ++p) CHECK(parts_of<with_caps>[p] == part{static_cast<std::uint8_t>(p)});
+    CHECK(parts_of<with_caps>.size() == max_parts);
+    for (std::size_t p = 0; p < max_parts; ++p) CHECK(parts_of<with_caps>[p] == part{static_cast<std::uint8_t>(p)});
 }
 
 TEST_CASE("extrude() without data of the caller's writes the same", "[extrude]")

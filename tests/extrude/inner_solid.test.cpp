@@ -29,7 +29,7 @@ void take_loops(const shapes::shape& s, inner_solid<E>& to)
 }
 
 template <class T>
-bool same_values(std::span<const T> a, std::span<const T> b)
+bool same_values(array_view<const T> a, array_view<const T> b)
 {
     return std::equal(a.begin(), a.end(), b.begin(), b.end());
 }

@@ -56,13 +56,13 @@ bool are_alike(const A& a, const B& b)
 }  // namespace
 
 static_assert(extruder<any_solid> && cacheable_policy<any_solid> && any_solid::part_count == 6);
-static_assert(tells_heights<any_solid> && makes_own_caps<any_solid> && tells_outline<any_solid> &&
+static_assert(has_heights<any_solid> && has_front_triangles<any_solid> && has_outline<any_solid> &&
               refitting_extruder<any_solid>);
 
 // It says of itself what one of its solids says, and no more.
 using plain_choice = one_of<flat, extruded<>>;
-static_assert(plain_choice::part_count == 3 && tells_hard_edges<plain_choice>);
-static_assert(!tells_heights<plain_choice> && !makes_own_caps<plain_choice> && !tells_outline<plain_choice> &&
+static_assert(plain_choice::part_count == 3 && has_hard_edges<plain_choice>);
+static_assert(!has_heights<plain_choice> && !has_front_triangles<plain_choice> && !has_outline<plain_choice> &&
               !refitting_extruder<plain_choice>);
 
 TEMPLATE_TEST_CASE("a solid chosen at run time makes what it makes alone", "[extrude][one_of]", flat,

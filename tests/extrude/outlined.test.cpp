@@ -26,10 +26,10 @@ namespace {
 
 using filled_outline = outlined<extruded<>, extruded<>>;
 
-static_assert(extruder<outlined<>> && capping_extruder<outlined<>> && tells_hard_edges<outlined<>>);
+static_assert(extruder<outlined<>> && capping_extruder<outlined<>> && has_hard_edges<outlined<>>);
 static_assert(part_count_of<outlined<>> == 3 && part_count_of<filled_outline> == 6);
 static_assert(part_count_of<outlined<bevelled, extruded<>>> == 8 && part_count_of<outlined<flat, flat>> == 6);
-static_assert(tells_hard_edges<filled_outline> && !tells_hard_edges<outlined<extruded<>, flat>>);
+static_assert(has_hard_edges<filled_outline> && !has_hard_edges<outlined<extruded<>, flat>>);
 static_assert(extruder<test::emboldened<filled_outline>>);
 
 constexpr outline_place places[] = {outline_place::inner, outline_place::centre, outline_place::outer};

@@ -47,7 +47,7 @@ TEST_CASE("fill() refuses contours that cross more often than it is told, and no
     const auto filled = [](const test::shape& s, std::uint32_t most) {
         contours loops = test::contours_of(s), given = test::contours_of(s);
         workspace space;
-        const auto made = fill(loops, fill_rule::non_zero, space, {.most_pieces = most});
+        const auto made = fill(loops, fill_rule::non_zero, space, {.max_pieces = most});
         if (!made) {
             CHECK(made.error() == error::too_many_pieces);
             CHECK(made.error().count == most);

@@ -12,7 +12,7 @@ using namespace typemesh;
 
 namespace {
 
-std::uint32_t most_sweeps = 0, rounded_shapes = 0, all_shapes = 0;
+std::uint32_t max_sweeps = 0, rounded_shapes = 0, all_shapes = 0;
 
 /// Whether contours of small coordinates cross in grid points only, so that nothing needs to be bent.
 bool is_exact(const std::vector<test::oracle::loop>& loops)
@@ -67,7 +67,7 @@ std::string mistake_on(const test::shape& s, fill_rule rule, int samples = 12)
     workspace space;
     resolve_effort effort;
     const result<region> made = resolve(loops, rule, space, {.effort = &effort});
-    most_sweeps = (std::max)(most_sweeps, effort.sweeps);
+    max_sweeps = (std::max)(max_sweeps, effort.sweeps);
     rounded_shapes += effort.rounds != 0;
     ++all_shapes;
     if (!made) return made.error().message();
@@ -131,7 +131,7 @@ TEST_CASE("resolve() makes regions of random polylines on tiny grids", "[fill][r
             ++mistakes;
         }
     }
-    CHECK(most_sweeps <= 12);
+    CHECK(max_sweeps <= 12);
 }
 
 TEST_CASE("resolve() makes regions of random polylines of all sizes and slants", "[fill][resolve]")
@@ -159,7 +159,7 @@ TEST_CASE("resolve() makes regions of random polylines of all sizes and slants",
             ++mistakes;
         }
     }
-    CHECK(most_sweeps <= 12);
+    CHECK(max_sweeps <= 12);
 }
 
 TEST_CASE("resolve() makes regions of the corpus in every position", "[fill][resolve]")

@@ -146,7 +146,7 @@ TEST_CASE("Contours that fall into more pieces than allowed are refused before m
             REQUIRE(resolve(whole, fill_rule::non_zero, other, {.effort = &effort}));
         }
         const auto most = static_cast<std::uint32_t>(n + n / 2);
-        const auto made = resolve(loops, fill_rule::non_zero, space, {.most_pieces = most});
+        const auto made = resolve(loops, fill_rule::non_zero, space, {.max_pieces = most});
         if (effort.pieces <= most) {
             CHECK(made);
             continue;
@@ -189,7 +189,7 @@ TEST_CASE("A limit of one piece less than there are is enough to refuse", "[fill
         contours loops = test::contours_of(s);
         REQUIRE(resolve(loops, fill_rule::non_zero, space, {.effort = &effort}));
         loops = test::contours_of(s);
-        const auto made = resolve(loops, fill_rule::non_zero, space, {.most_pieces = effort.pieces - 1});
+        const auto made = resolve(loops, fill_rule::non_zero, space, {.max_pieces = effort.pieces - 1});
         REQUIRE_FALSE(made);
         CHECK(made.error() == error::too_many_pieces);
         CHECK(loops.points.size() == test::contours_of(s).points.size());

@@ -185,7 +185,7 @@ TEST_CASE("more than 2^30 pieces count as 2^30, in what is rounded and in what i
     constexpr std::uint32_t limits[] = {(1u << 30) - 1, 1u << 30, (1u << 30) + 1, 0xFFFF'FFFFu};
     for (const std::uint32_t most : limits) {
         contours loops = test::contours_of(test::shape{"bow tie", {{{0, 0}, {9, 7}, {9, 0}, {0, 7}}}});
-        CHECK(detail::snap_rounding(loops, most).most_pieces() == (std::min)(most, 1u << 30));
+        CHECK(detail::snap_rounding(loops, most).max_pieces() == (std::min)(most, 1u << 30));
     }
     test::dice d{99};
     for (int i = 0; i < 300; ++i) {
@@ -195,7 +195,7 @@ TEST_CASE("more than 2^30 pieces count as 2^30, in what is rounded and in what i
         const auto wanted = resolve(usual, fill_rule::non_zero, space);
         for (const std::uint32_t most : limits) {
             contours loops = test::contours_of(s);
-            const auto made = resolve(loops, fill_rule::non_zero, space, {.most_pieces = most});
+            const auto made = resolve(loops, fill_rule::non_zero, space, {.max_pieces = most});
             INFO(s << "at most " << most << " pieces");
             REQUIRE(bool(made) == bool(wanted));
             if (!made) continue;

@@ -130,8 +130,8 @@ inline broken_law curves(values in)
     const auto points = points_of(certified{}, c, tolerance);
     if (broken_law broken = of_points(points, c); !broken.empty()) return "certified: " + broken;
     if (broken_law broken = of_chords(points, c, tolerance); !broken.empty()) return "certified: " + broken;
-    constexpr double most_corners = 4.0;
-    if (double(points.size()) > (std::max)(1.0, steps_by_wang(c, 0.999 * tolerance)) + most_corners)
+    constexpr double max_corners = 4.0;
+    if (double(points.size()) > (std::max)(1.0, steps_by_wang(c, 0.999 * tolerance)) + max_corners)
         return "certified: more points than Wang's bound";
 
     if (broken_law broken = of_points(points_of(two_lines{}, c, tolerance), c); !broken.empty())

@@ -30,11 +30,11 @@ public:
     /// Points are below 2^17 in size, so that floats have plenty of room between them.
     [[nodiscard]] bool is_small() const noexcept { return kind_ == 0 || kind_ == 2 || kind_ == 3; }
 
-    [[nodiscard]] std::vector<polyline> read(std::size_t most_points)
+    [[nodiscard]] std::vector<polyline> read(std::size_t max_points)
     {
         const std::uint32_t shape = in_.byte();
         std::vector<polyline> loops;
-        for (std::size_t left = most_points; left >= 3 && !in_.empty();) {
+        for (std::size_t left = max_points; left >= 3 && !in_.empty();) {
             const std::size_t count = (std::min)(left, std::size_t{3} + in_.below((shape & 2) != 0 ? 46 : 14));
             polyline l;
             for (std::size_t i = 0; i < count && !in_.empty(); ++i) {

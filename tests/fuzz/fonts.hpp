@@ -114,7 +114,7 @@ struct request {
                                             direction::top_to_bottom};
         how.tolerance = quality::normal;
         how.unit = output_unit::font_units;
-        how.most_pieces = 20'000;
+        how.max_pieces = 20'000;
         how.merge = (bits & 1) != 0;
         how.draw_missing = (bits & 2) != 0;
         how.shape.direction = directions[bits >> 2 & 3];

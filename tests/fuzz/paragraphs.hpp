@@ -88,7 +88,7 @@ struct layout_settings {
         options.anchor = static_cast<vertical_anchor>((more >> 5) % 5);
         options.boxes = static_cast<line_box>(more >> 7);
         if ((what & 2) != 0) options.height = in.between(0.0, 20.0);
-        if ((what & 4) != 0) options.most_lines = 1 + in.below(4);
+        if ((what & 4) != 0) options.max_lines = 1 + in.below(4);
         if ((what & 8) != 0)
             options.ellipsis = text_view{in.one_of({"...", "\xE2\x80\xA6", "a", " ", "\n", "\xD7\x90"})};
         options.elide = static_cast<ellipsis_place>((what >> 4) % 3);
@@ -105,7 +105,7 @@ struct layout_settings {
     [[nodiscard]] bool shows_all() const
     {
         const bool strokes = options.align == line_alignment::justify && options.justify == justification::kashida;
-        return options.most_lines > 1'000'000 && options.ellipsis.empty() && !strokes;
+        return options.max_lines > 1'000'000 && options.ellipsis.empty() && !strokes;
     }
 };
 
@@ -131,7 +131,7 @@ broken_law of_lines(const Words& words, const layout_settings& how, const glyph_
     const auto lines = words.lines();
     const auto size = static_cast<std::uint32_t>(words.shaped().text().size());
     if (lines.empty() || lines.size() != run.lines.size()) return "lines are miscounted";
-    if (lines.size() > how.options.most_lines) return "more lines than asked for";
+    if (lines.size() > how.options.max_lines) return "more lines than asked for";
     std::uint32_t at = 0;
     for (std::size_t k = 0; k < lines.size(); ++k) {
         if (lines[k].first != at || lines[k].last < at) return "lines leave a gap";
@@ -140,7 +140,7 @@ broken_law of_lines(const Words& words, const layout_settings& how, const glyph_
         if (!is_finite(lines[k].left) || !is_finite(lines[k].width) || !(lines[k].width >= 0.0))
             return "a line's width is no width";
     }
-    if (at > size || (at < size && how.options.most_lines > lines.size())) return "lines do not cover the text";
+    if (at > size || (at < size && how.options.max_lines > lines.size())) return "lines do not cover the text";
     for (const placed_glyph& g : run.glyphs) {
         if (!is_finite(g.origin.x) || !is_finite(g.origin.y)) return "a glyph stands nowhere";
         if (g.look >= run.looks.size() && g.look != 0) return "a glyph has no look";

@@ -371,8 +371,8 @@ TEMPLATE_TEST_CASE("fill() refuses contours that cross more often than its setti
         return static_cast<bool>(made);
     };
     CHECK(is_filled({}));
-    CHECK(is_filled({.most_pieces = 100}));
-    CHECK_FALSE(is_filled({.most_pieces = 7}));
+    CHECK(is_filled({.max_pieces = 100}));
+    CHECK_FALSE(is_filled({.max_pieces = 7}));
 }
 
 TEST_CASE("cap() cuts a region of others, beside the builder's own or in its place", "[glyph][cap_builder]")

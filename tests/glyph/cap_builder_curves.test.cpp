@@ -400,8 +400,8 @@ TEST_CASE("ninety-six copies of a contour, each moved a little, are made finer i
         REQUIRE(resolve(loops, fill_rule::non_zero, space, {.effort = &once}));
 
         const refinement_effort& effort = caps.effort();
-        const auto built = [&](std::uint32_t most_pieces) {
-            return caps.build(o, usual_tolerance, *fitting, {.most_pieces = most_pieces},
+        const auto built = [&](std::uint32_t max_pieces) {
+            return caps.build(o, usual_tolerance, *fitting, {.max_pieces = max_pieces},
                               cap_policies{certified{}, monotone{}, nobody});
         };
         REQUIRE(built(default_most_pieces));

@@ -191,18 +191,18 @@ TEST_CASE("curves that pass each other are wanted finer until no chords can cros
     const intersection m{whole_chord(r.shape, 0), whole_chord(r.shape, 2), {128'000, 25'600}};
     std::uint32_t before = 0;
     for (std::uint32_t round = 1;; ++round) {
-        REQUIRE(round <= crossing_refinement::most_halvings + 1u);
+        REQUIRE(round <= crossing_refinement::max_halvings + 1u);
         if (r.filter(m)) break;
         REQUIRE_FALSE(r.filter.is_content());
         CHECK(r.filter.effort().rounds == round);
         const auto halvings = r.filter.halvings();
         CHECK(halvings[0] > before);
         CHECK(halvings[0] == halvings[2]);
-        CHECK(halvings[0] <= crossing_refinement::most_halvings);
+        CHECK(halvings[0] <= crossing_refinement::max_halvings);
         CHECK((halvings[1] == 0 && halvings[3] == 0));  // lines
         before = halvings[0];
     }
-    CHECK(before == crossing_refinement::most_halvings);
+    CHECK(before == crossing_refinement::max_halvings);
     CHECK(r.filter.effort().unsettled == 1);
     CHECK(r.filter.effort().curves == 2);
     CHECK(r.filter.is_content());
@@ -210,7 +210,7 @@ TEST_CASE("curves that pass each other are wanted finer until no chords can cros
 
 TEST_CASE("a wide gap asks for fewer halvings than a narrow one", "[glyph][crossing_refinement]")
 {
-    std::uint32_t last = crossing_refinement::most_halvings;
+    std::uint32_t last = crossing_refinement::max_halvings;
     for (const double gap : {0.05, 0.1, 0.25, 0.5, 1.0, 2.0, 3.9}) {
         refinement r{curve::from(quadratic{{0, 0}, {250, 100}, {500, 0}}),
                      curve::from(quadratic{{0, gap}, {250, 100 + gap}, {500, gap}})};
@@ -221,7 +221,7 @@ TEST_CASE("a wide gap asks for fewer halvings than a narrow one", "[glyph][cross
         CHECK(now >= 1);
         CHECK(now <= last);
         // The strips of both curves then fit into the gap, or they are halved as often as they may be.
-        CHECK((now == crossing_refinement::most_halvings || 2.0 * font_tolerance / double(1u << now) <= gap * 1.01));
+        CHECK((now == crossing_refinement::max_halvings || 2.0 * font_tolerance / double(1u << now) <= gap * 1.01));
         last = now;
     }
     CHECK(last == 1);

@@ -42,8 +42,8 @@ std::vector<glyph_context> all_different()
     glyph_settings even_odd = usual, non_zero = usual, fewer = usual, shorter = usual;
     even_odd.fill = fill_rule::even_odd;
     non_zero.fill = fill_rule::non_zero;
-    fewer.most_pieces = usual.most_pieces - 1;
-    shorter.most_points = usual.most_points - 1;
+    fewer.max_pieces = usual.max_pieces - 1;
+    shorter.max_points = usual.max_points - 1;
     return {
         context_of(1, font, usual, policies{certified{}, monotone{}, flat{}, nobody}),
         context_of(2, font, usual, policies{certified{}, monotone{}, flat{}, nobody}),
@@ -92,5 +92,5 @@ TEST_CASE("equal contexts have one hash, and each of these another", "[glyph][gl
 TEST_CASE("what changes time alone, or writing alone, is no part of a key", "[glyph][glyph_context]")
 {
     CHECK(key_of(extruded<>{.depth = 0.5f}) == key_of(extruded<>{.depth = 0.25f}));
-    CHECK(key_of(constrained_delaunay{.most_flips = 0}) == key_of(constrained_delaunay{}));
+    CHECK(key_of(constrained_delaunay{.max_flips = 0}) == key_of(constrained_delaunay{}));
 }

@@ -20,7 +20,7 @@ TEMPLATE_TEST_CASE("a solid is planned through its reference as by itself", "[gl
     CHECK(refers.heights().low == how.heights().low);
     CHECK(refers.heights().high == how.heights().high);
     CHECK(refers.refused_options() == refused_options(how).code);
-    CHECK(refers.has_heights_of_each() == tells_heights<TestType>);
+    CHECK(refers.has_heights_of_each() == has_heights<TestType>);
 }
 
 TEST_CASE("where memory gives no plan data, planning a region tells so", "[glyph]")

@@ -87,7 +87,7 @@ std::size_t try_text(Font& font, const char* text, direction d, glyph_run& run)
 }
 
 template <class Font>
-std::size_t try_font(std::span<const std::byte> bytes, std::uint32_t most_glyphs, std::span<const variation> variations,
+std::size_t try_font(std::span<const std::byte> bytes, std::uint32_t max_glyphs, std::span<const variation> variations,
                      tally& seen)
 {
     ++seen.fonts;
@@ -102,7 +102,7 @@ std::size_t try_font(std::span<const std::byte> bytes, std::uint32_t most_glyphs
         ++seen.opened;
         wrong += !(font->units_per_em() > 0.0) || font->glyph_count() == 0;
         outline out;
-        const std::uint32_t count = font->glyph_count(), step = count / most_glyphs + 1;
+        const std::uint32_t count = font->glyph_count(), step = count / max_glyphs + 1;
         for (glyph_id id = 0; id < count; id += step) wrong += try_glyph(*font, id, out, seen);
         wrong += !(record(*font, count, out) == error::unknown_glyph) +
                  !(record(*font, no_glyph, out) == error::unknown_glyph);
@@ -147,14 +147,13 @@ std::size_t try_bevels(std::span<const std::byte> bytes, std::uint32_t most, tal
 }
 
 /// Both libraries, plain and with a variation that most fonts lack.
-std::size_t try_both(std::span<const std::byte> bytes, std::uint32_t most_glyphs, tally& seen)
+std::size_t try_both(std::span<const std::byte> bytes, std::uint32_t max_glyphs, tally& seen)
 {
     const variation weight[] = {{"wght", 650.0f}};
-    return try_font<harfbuzz_font>(bytes, most_glyphs, {}, seen) +
-           try_font<freetype_font>(bytes, most_glyphs, {}, seen) +
-           try_font<harfbuzz_font>(bytes, most_glyphs / 4 + 1, weight, seen) +
-           try_font<freetype_font>(bytes, most_glyphs / 4 + 1, weight, seen) +
-           try_bevels<harfbuzz_font>(bytes, most_glyphs / 20 + 1, seen);
+    return try_font<harfbuzz_font>(bytes, max_glyphs, {}, seen) + try_font<freetype_font>(bytes, max_glyphs, {}, seen) +
+           try_font<harfbuzz_font>(bytes, max_glyphs / 4 + 1, weight, seen) +
+           try_font<freetype_font>(bytes, max_glyphs / 4 + 1, weight, seen) +
+           try_bevels<harfbuzz_font>(bytes, max_glyphs / 20 + 1, seen);
 }
 
 const char* const victims[] = {

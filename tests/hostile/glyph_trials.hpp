@@ -48,8 +48,8 @@ struct trials {
 };
 
 /// What a program that does not trust its fonts would choose. Memory: 0.3 kB a point, 1.5 kB with bevels.
-inline constexpr std::uint32_t most_points = 50'000, most_pieces = 50'000;
-inline constexpr double most_bytes = 200e6;
+inline constexpr std::uint32_t max_points = 50'000, max_pieces = 50'000;
+inline constexpr double max_bytes = 200e6;
 
 /// One glyph of any font, as it was recorded.
 struct held_glyph {
@@ -128,8 +128,8 @@ void try_mesh(held_glyph& font, const way<Extruder, Policy...>& how, trials& see
         if (!run.glyphs.push_back({0, 0, {}})) return seen.breaks("the tests' memory ends", policies);
         const auto begin = std::chrono::steady_clock::now();
         const auto plan = mesher.plan(run, {.tolerance = how.tolerance,
-                                            .most_pieces = most_pieces,
-                                            .most_points = most_points,
+                                            .max_pieces = max_pieces,
+                                            .max_points = max_points,
                                             .unit = output_unit::font_units});
         const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - begin;
         seen.seconds.add(taken.count(), seen.place + ", " + policies);
@@ -145,7 +145,7 @@ void try_mesh(held_glyph& font, const way<Extruder, Policy...>& how, trials& see
     }
     const auto peak = static_cast<double>(counted.peak);
     seen.bytes.add(peak, seen.place + ", " + policies);
-    if (peak > most_bytes) seen.breaks("more memory than allowed", policies);
+    if (peak > max_bytes) seen.breaks("more memory than allowed", policies);
 }
 
 /// Each discretiser, triangulator, extruder and style of normals at least once.
@@ -188,7 +188,7 @@ void try_glyphs(std::span<const std::byte> bytes, const std::string& name, std::
         ++seen.glyphs;
         seen.place = name + ", glyph " + std::to_string(id);
         const auto begin = std::chrono::steady_clock::now();
-        const error e = record(*font, id, held.shape, most_points).error();
+        const error e = record(*font, id, held.shape, max_points).error();
         const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - begin;
         seen.seconds.add(taken.count(), seen.place + ", its outline");
         if (e) {

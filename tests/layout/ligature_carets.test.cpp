@@ -18,6 +18,6 @@ struct knowing {
 
 TEST_CASE("shapers may know the carets of their ligatures", "[layout]")
 {
-    STATIC_REQUIRE(typemesh::knows_ligature_carets<knowing>);
-    STATIC_REQUIRE_FALSE(typemesh::knows_ligature_carets<test::toy_item_shaper>);
+    STATIC_REQUIRE(typemesh::has_ligature_carets<knowing>);
+    STATIC_REQUIRE_FALSE(typemesh::has_ligature_carets<test::toy_item_shaper>);
 }

@@ -43,7 +43,7 @@ constexpr ellipsis_place all_places[] = {ellipsis_place::end, ellipsis_place::mi
 
 TEST_CASE("an elided line begins where the one before ended, in the midst of a ligature, too", "[paragraph]")
 {
-    const shown_lines p{"xxxfiyyyyyy", {.width = 2.0, .most_lines = 2, .ellipsis = ".."}};
+    const shown_lines p{"xxxfiyyyyyy", {.width = 2.0, .max_lines = 2, .ellipsis = ".."}};
     CHECK(p.line(0) == u"xxxf");
     CHECK(p.line(1) == u"iy..");
 }
@@ -66,7 +66,7 @@ TEST_CASE("no text is shown twice where a line gives way at its start or in its 
 TEST_CASE("a line of which nothing is dropped but what is behind it has its ellipsis at the end", "[paragraph]")
 {
     for (const ellipsis_place place : all_places) {
-        const shown_lines p{"one\ntwo", {.most_lines = 1, .ellipsis = "..", .elide = place}};
+        const shown_lines p{"one\ntwo", {.max_lines = 1, .ellipsis = "..", .elide = place}};
         CHECK(p.line(0) == u"one..");
         CHECK(p.dots() == 4);
     }
@@ -80,7 +80,7 @@ TEST_CASE("elided lines fit, whatever tabs and distances between letters do", "[
             for (double width = 1.7; width < 9.0; width += 0.37) {
                 const shown_lines p{
                     text,
-                    {.width = width, .wrap = wrap_mode::none, .most_lines = 1, .ellipsis = "..", .elide = place},
+                    {.width = width, .wrap = wrap_mode::none, .max_lines = 1, .ellipsis = "..", .elide = place},
                     spacing};
                 CHECK(p.run.lines[0].advance <= 1000.0 * width);
             }
@@ -91,12 +91,12 @@ TEST_CASE("no hyphen stands before an ellipsis", "[paragraph]")
     for (const double width : {3.2, 3.6, 4.0})
         for (const std::uint32_t most : {1u, 2u}) {
             const shown_lines p{u"exam\u00ADple\u00ADless words",
-                                {.width = width, .most_lines = most, .ellipsis = ".."}};
+                                {.width = width, .max_lines = most, .ellipsis = ".."}};
             const std::u16string shown = p.line(p.run.lines.size() - 1);
             CHECK(shown.find(u'.') != std::u16string::npos);
             CHECK(shown.find(u'\u2010') == std::u16string::npos);
         }
-    const shown_lines p{u"exam\u00ADple", {.width = 3.2, .most_lines = 1, .ellipsis = ".."}};
+    const shown_lines p{u"exam\u00ADple", {.width = 3.2, .max_lines = 1, .ellipsis = ".."}};
     CHECK(p.line(0) == u"exam..");
 }
 

@@ -114,7 +114,7 @@ TEST_CASE("white space by itself never begins a line", "[paragraph]")
 
 TEST_CASE("a breaker stops after the lines that are wanted", "[paragraph]")
 {
-    CHECK(broken(words({3, 3, 3}), {.width = 3.0, .most_lines = 2}) == ends_of{1, 2});
+    CHECK(broken(words({3, 3, 3}), {.width = 3.0, .max_lines = 2}) == ends_of{1, 2});
     CHECK(broken({}, {}).empty());
 }
 

@@ -84,7 +84,7 @@ TEST_CASE("the box decides: its height for a short text, its width for a long li
     CHECK(fitted<>{u"ab\ncd"}.size(50.0, 9.5) == Approx(5.0));
     fitted<> columns{u"abcd", {.wrap = wrap_mode::grapheme}};
     CHECK(columns.size(3.0, 9.0) == Approx(3.0));  // two letters a line would be 1.9 em high
-    fitted<> two{u"aa bb cc dd", {.most_lines = 2}};
+    fitted<> two{u"aa bb cc dd", {.max_lines = 2}};
     CHECK(two.size(4.5, 100.0) == Approx(2.0).epsilon(1e-5));
 }
 
@@ -112,7 +112,7 @@ TEST_CASE("fit_size refuses boxes of no size, and what can never fit", "[paragra
         CHECK(fit_size(p.words, 1.0, bad).error() == error::bad_option);
     }
     fitted<> lines{u"a\nb\nc"};
-    CHECK(fit_size(lines.words, 1.0, 1.0, {.most_lines = 2}).error() == error::bad_option);
+    CHECK(fit_size(lines.words, 1.0, 1.0, {.max_lines = 2}).error() == error::bad_option);
     CHECK(fit_size(p.words, 1.0, 1.0, {.indent = infinite}).error() == error::bad_option);
     test::toy_item_shaper font;
     paragraph<test::toy_item_shaper> none{font};

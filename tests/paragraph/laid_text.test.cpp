@@ -218,7 +218,7 @@ TEST_CASE("what an ellipsis has dropped is selected as the ellipsis, which stand
         CHECK(p.boxes(0, 16).size() == 1);
     }
     // All that the last line cannot show, line breaks too.
-    const laid_out lines{"one two\nthree", {.width = 3.0, .most_lines = 1, .ellipsis = ".."}};
+    const laid_out lines{"one two\nthree", {.width = 3.0, .max_lines = 1, .ellipsis = ".."}};
     for (std::uint32_t unit = 4; unit < 13; ++unit) {
         const std::vector<box> boxes = lines.boxes(unit, unit + 1);
         INFO(unit);
@@ -260,7 +260,7 @@ TEST_CASE("carets in what an ellipsis has dropped stand at the ellipsis", "[para
     }
     const laid_out filled{
         u"\u0628\u0628 \u0628\u0628 x y z",
-        {.width = 2.9, .align = line_alignment::justify, .justify = justification::kashida, .most_lines = 1}};
+        {.width = 2.9, .align = line_alignment::justify, .justify = justification::kashida, .max_lines = 1}};
     bool strokes = false;  // which are no ellipsis
     for (const placed_glyph& g : filled.run.glyphs) strokes = strokes || g.id == 0x640;
     CHECK(strokes);
@@ -333,7 +333,7 @@ TEST_CASE("a grapheme is found below a point among those of its cluster, and its
     CHECK(ligature.laid().grapheme_at(3, {0.0, 0.0}).last == 5);
     CHECK(ligature.laid().grapheme_at(99, {}).last == 0);
     CHECK_FALSE(ligature.laid().in_columns());
-    const laid_out elided{"abcdef", {.width = 2.0, .most_lines = 1, .ellipsis = "."}};
+    const laid_out elided{"abcdef", {.width = 2.0, .max_lines = 1, .ellipsis = "."}};
     CHECK(elided.laid().grapheme_at(5, {1.9, 0.0}).last == 6);
     const laid_out empty{""};
     CHECK(empty.laid().grapheme_at(0, {}).last == 0);

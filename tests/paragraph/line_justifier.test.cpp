@@ -238,8 +238,8 @@ TEST_CASE("a line without spaces is filled by strokes that overlap, up to so man
     CHECK(p.strokes() == 2);
     CHECK(p.run.lines[0].advance == Approx(2300.0));
     p.again(6.0, justification::kashida);
-    CHECK(p.strokes() == line_justifier::most_strokes);
-    CHECK(p.run.lines[0].advance == Approx(1500.0 + 500.0 * line_justifier::most_strokes));
+    CHECK(p.strokes() == line_justifier::max_strokes);
+    CHECK(p.run.lines[0].advance == Approx(1500.0 + 500.0 * line_justifier::max_strokes));
 }
 
 TEST_CASE("a word is shaped with its strokes whole, also before a hyphen", "[paragraph]")

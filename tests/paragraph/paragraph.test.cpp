@@ -296,7 +296,7 @@ TEST_CASE("into the width that it was measured at a text fits, whatever is round
         CHECK(lines == 7);
         double width = 0.0;
         for (const text_line& line : run.lines) width = line.advance > width ? line.advance : width;
-        REQUIRE(words.lay_out({.width = width / font.units_per_em(), .most_lines = 7, .ellipsis = ".."}, run));
+        REQUIRE(words.lay_out({.width = width / font.units_per_em(), .max_lines = 7, .ellipsis = ".."}, run));
         CHECK(run.lines.size() == lines);
         for (const placed_glyph& g : run.glyphs) CHECK(g.id != '.');
     }
@@ -304,11 +304,11 @@ TEST_CASE("into the width that it was measured at a text fits, whatever is round
 
 TEST_CASE("what is dropped leaves an ellipsis at the end, in the middle or at the start", "[paragraph]")
 {
-    laid p{"one two three\nfour", {.width = 4.0, .most_lines = 1, .ellipsis = ".."}};
+    laid p{"one two three\nfour", {.width = 4.0, .max_lines = 1, .ellipsis = ".."}};
     CHECK(p.lines() == text_lines{"one tw.."});
-    p.again({.width = 3.3, .most_lines = 2, .ellipsis = ".."});
+    p.again({.width = 3.3, .max_lines = 2, .ellipsis = ".."});
     CHECK(p.lines() == text_lines{"one two ", "thre.."});
-    p.again({.width = 3.3, .most_lines = 2});
+    p.again({.width = 3.3, .max_lines = 2});
     CHECK(p.lines() == text_lines{"one two ", "three"});
     p.again({.width = 4.0, .wrap = wrap_mode::none, .ellipsis = ".."});
     CHECK(p.lines() == text_lines{"one tw..", "four"});
@@ -321,7 +321,7 @@ TEST_CASE("what is dropped leaves an ellipsis at the end, in the middle or at th
     p.again({.width = 0.7, .wrap = wrap_mode::none, .ellipsis = ".."});
     CHECK(p.line(0) == "..");  // nothing else fits, nor does it
     for (const char* end : {"\n", "\n\n", "\n \n"}) {
-        const laid empty{std::string{"one"} + end, {.most_lines = 1, .ellipsis = ".."}};
+        const laid empty{std::string{"one"} + end, {.max_lines = 1, .ellipsis = ".."}};
         CHECK(empty.line(0) == "one");  // nothing is dropped but empty lines
     }
     const laid left{u"\u05D0\u05D1\u05D2", {.width = 2.0, .wrap = wrap_mode::none, .ellipsis = ".."}};
@@ -340,7 +340,7 @@ TEST_CASE("an elided line is never wider than its room, if the ellipsis fits", "
                     for (const double tab : {0.0, 4.0}) {
                         p.again({.width = width,
                                  .wrap = wrap,
-                                 .most_lines = most,
+                                 .max_lines = most,
                                  .ellipsis = "..",
                                  .elide = place,
                                  .tab_width = tab});
@@ -407,7 +407,7 @@ TEST_CASE("a text is measured as it is laid out, without writing it", "[paragrap
 {
     laid p{mixed};
     for (const double width : {2.0, 5.0, 30.0}) {
-        const paragraph_options options{.width = width, .most_lines = 7, .ellipsis = "..", .indent = 0.25};
+        const paragraph_options options{.width = width, .max_lines = 7, .ellipsis = "..", .indent = 0.25};
         const auto size = p.words.measure(options);
         REQUIRE(size);
         const std::size_t lines = p.words.lines().size();
@@ -623,7 +623,7 @@ TEST_CASE("a paragraph survives a memory that gives nothing, wherever it stops",
         glyph_run run{source};
         error e = words.set(mixed).error();
         if (!e) e = words.lay_out({.width = 1.0, .wrap = wrap_mode::word_or_grapheme, .ellipsis = ".."}, run).error();
-        if (!e) e = words.lay_out({.width = 3.0, .most_lines = 2, .ellipsis = ".."}, run).error();
+        if (!e) e = words.lay_out({.width = 3.0, .max_lines = 2, .ellipsis = ".."}, run).error();
         if (e) CHECK(e == error::out_of_memory);
         return e;
     };

@@ -23,7 +23,7 @@ TEST_CASE("options of a paragraph that are out of range are named", "[paragraph]
                                         {{.width = nan}, "width"},
                                         {{.height = -1.0}, "height"},
                                         {{.height = inf}, "height"},
-                                        {{.most_lines = 0}, "most_lines"},
+                                        {{.max_lines = 0}, "max_lines"},
                                         {{.line_spacing = nan}, "line_spacing"},
                                         {{.indent = inf}, "indent"},
                                         {{.tab_width = -1.0}, "tab_width"},

@@ -250,7 +250,7 @@ TEST_CASE("without a width total_fit ends lines where the text demands it", "[pa
     CHECK(broken(total_fit{.emergency_stretch = 0.1}, pieces, {}) == ends_of{3});
     pieces[1].end = piece_end::line;
     CHECK(broken(total_fit{}, pieces, {}) == ends_of{2, 3});
-    CHECK(broken(total_fit{}, pieces, {.most_lines = 1}) == ends_of{2});
+    CHECK(broken(total_fit{}, pieces, {.max_lines = 1}) == ends_of{2});
     CHECK(broken(total_fit{}, {}, {}).empty());
 }
 

@@ -49,7 +49,7 @@ TEST_CASE("no line, no ellipsis and no caret parts a stack of Khmer or Burmese",
             for (double width = 0.1; width < 8.0; width += 0.1) {
                 REQUIRE(words.lay_out({.width = width, .wrap = wrap}, run));
                 for (const laid_line& line : words.lines()) CHECK_FALSE(is_inner(line.first));
-                REQUIRE(words.lay_out({.width = width, .wrap = wrap, .most_lines = 1, .ellipsis = "."}, run));
+                REQUIRE(words.lay_out({.width = width, .wrap = wrap, .max_lines = 1, .ellipsis = "."}, run));
                 std::size_t shown = 0;
                 for (const placed_glyph& g : run.glyphs) shown += g.id != '.' ? 1u : 0u;
                 if (shown < text.size()) CHECK_FALSE(is_inner(shown));

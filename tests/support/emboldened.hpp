@@ -63,7 +63,7 @@ struct emboldened {
 
     [[nodiscard]] typemesh::height_range heights() const noexcept { return solid.heights(); }
     [[nodiscard]] typemesh::height_range heights(const solid_type& s) const noexcept
-        requires typemesh::tells_heights<Solid>
+        requires typemesh::has_heights<Solid>
     {
         return s.points.empty() ? solid.heights() : solid.heights(s.data);
     }
@@ -80,13 +80,13 @@ struct emboldened {
     [[nodiscard]] typemesh::solid_outline outline(const solid_type& s) const noexcept
     {
         if (s.points.empty() || !(by > 0.0f)) return {s.points, s.starts};
-        if constexpr (typemesh::tells_outline<Solid>)
+        if constexpr (typemesh::has_outline<Solid>)
             return solid.outline(s.data);
         else
             return {s.data.points, s.data.starts};
     }
     [[nodiscard]] std::uint64_t hard_edges(const solid_type& s) const noexcept
-        requires typemesh::tells_hard_edges<Solid>
+        requires typemesh::has_hard_edges<Solid>
     {
         return solid.hard_edges(s.data);
     }

@@ -83,7 +83,7 @@ lit_mesh lawful(const Plan& plan, const typemesh::frame& f = typemesh::right_han
     }
     CHECK(next == m.vertices.size());
     CHECK(next_index == m.indices.size());
-    for (std::size_t p = plan.parts().size(); p < most_parts; ++p) CHECK(plan.range(all_parts[p]).vertex_count == 0);
+    for (std::size_t p = plan.parts().size(); p < max_parts; ++p) CHECK(plan.range(all_parts[p]).vertex_count == 0);
     return m;
 }
 

@@ -41,7 +41,7 @@ struct slow_joins {
     long double mitre_limit = 0;      ///< 0: none, every corner is mitred
     long double round_tolerance = 0;  ///< in cells, of the chords of a round join at `width`; 0: not rounded
     long double width = 0;            ///< in cells
-    int most_turns = 32;
+    int max_turns = 32;
 
     /// The corner's turn is cut into this many equal ones; a power of two.
     [[nodiscard]] int turns(long double turn) const
@@ -52,7 +52,7 @@ struct slow_joins {
             const long double c = std::cos(turn / n / 2);
             return 1 <= mitre_limit * c && !(round_tolerance > 0 && width * (1 - c) > round_tolerance);
         };
-        while (!is_enough() && n < most_turns) n *= 2;
+        while (!is_enough() && n < max_turns) n *= 2;
         return n;
     }
 };

@@ -62,9 +62,9 @@ inline typemesh::contours linked(const typemesh::contours& cap)
 ///     CHECK(laws.broken() == "");
 class swept_laws {
 public:
-    static constexpr double most_beyond_band = 1.5;  ///< cells
-    static constexpr double most_off_level = 1.5;    ///< cells, of the edges at a level
-    static constexpr double most_off_plane = 4.0;    ///< cells, of a node from the plane of a face
+    static constexpr double max_beyond_band = 1.5;  ///< cells
+    static constexpr double max_off_level = 1.5;    ///< cells, of the edges at a level
+    static constexpr double max_off_plane = 4.0;    ///< cells, of a node from the plane of a face
 
     swept_laws(const typemesh::region& r, const typemesh::swept_region& s) : region_{r}, swept_{s}
     {
@@ -199,8 +199,8 @@ private:
             sides_.push_back({t.b, t.c, cell});
             sides_.push_back({t.c, t.a, cell});
         }
-        law(beyond_band_ <= most_beyond_band, "a triangle reaches out of its band");
-        law(off_plane_ <= most_off_plane, "a triangle leaves the plane of its face");
+        law(beyond_band_ <= max_beyond_band, "a triangle reaches out of its band");
+        law(off_plane_ <= max_off_plane, "a triangle leaves the plane of its face");
         std::sort(sides_.begin(), sides_.end());
     }
 
@@ -277,7 +277,7 @@ private:
             law(std::equal(listed.begin(), listed.end(), parting.begin(), parting.end(), is_same),
                 "the edges at a level are not what parts its bands");
         }
-        law(off_level_ <= most_off_level, "an edge at a level is not at its distance");
+        law(off_level_ <= max_off_level, "an edge at a level is not at its distance");
     }
     /// Whether the triangle belongs to the edge's face, or that face is too narrow to have any in this band.
     [[nodiscard]] bool is_of_face(const side_of& p, std::uint32_t edge) const

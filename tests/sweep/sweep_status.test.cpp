@@ -26,7 +26,7 @@ TEST_CASE("a sweep status keeps the order of its items through thousands of inse
             return static_cast<std::uint32_t>((seed = seed * 6'364'136'223'846'793'005u + 1'442'695'040'888'963'407u) >>
                                               33);
         };
-        std::size_t most_steps = 0;
+        std::size_t max_steps = 0;
         for (int i = 0; i < 20'000; ++i) {
             const bool grow = i % 8000 < 5000 ? random() % 4 != 0 : random() % 4 == 0;
             if (grow && !unused.empty()) {
@@ -38,7 +38,7 @@ TEST_CASE("a sweep status keeps the order of its items through thousands of inse
                     ++steps;
                     return other != 0 && height[other] < height[item];
                 });
-                most_steps = (std::max)(most_steps, steps);
+                max_steps = (std::max)(max_steps, steps);
                 const auto at = std::lower_bound(expected.begin(), expected.end(), height[item],
                                                  [&](std::uint32_t a, std::uint32_t h) { return height[a] < h; });
                 REQUIRE(under == (at == expected.begin() ? 0 : *(at - 1)));
@@ -58,7 +58,7 @@ TEST_CASE("a sweep status keeps the order of its items through thousands of inse
             CHECK(item == e);
         }
         CHECK(status.above(item) == 0);
-        CHECK(most_steps < 150);  // of up to 3000
+        CHECK(max_steps < 150);  // of up to 3000
     }
 }
 

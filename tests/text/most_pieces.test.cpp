@@ -74,7 +74,7 @@ TEST_CASE("a glyph that falls into more pieces than allowed is refused alone, an
 {
     recorded_outlines font = hostile_font();
     text_mesher mesher{font};
-    const text_options limited{.most_pieces = few_pieces};
+    const text_options limited{.max_pieces = few_pieces};
     text_report report;
     const full_mesh rest = build(mesher, run_of(with_star), limited, &report);
     CHECK(report.refused == 1);
@@ -83,7 +83,7 @@ TEST_CASE("a glyph that falls into more pieces than allowed is refused alone, an
     CHECK(report.first_refusal.count == few_pieces);
     char words[160];
     CHECK(std::string(describe(report.first_refusal, words)) ==
-          "glyph 1, cluster 8: The contours cross more often than most_pieces allows. (the limit: 1000)");
+          "glyph 1, cluster 8: The contours cross more often than max_pieces allows. (the limit: 1000)");
     CHECK(test::same_bits(rest, build(mesher, run_of(good), limited)));
 
     const full_mesh all = build(mesher, run_of(with_star), {}, &report);
@@ -104,7 +104,7 @@ TEST_CASE("one cache keeps a glyph refused under one limit and built under anoth
             text_report report;
             const bool limits = (i % 2 == 0) == refused_first;
             const full_mesh m =
-                build(mesher, run, limits ? text_options{.most_pieces = few_pieces} : text_options{}, &report);
+                build(mesher, run, limits ? text_options{.max_pieces = few_pieces} : text_options{}, &report);
             CHECK(report.refused == (limits ? 1u : 0u));
             if (!limits) CHECK(test::same_bits(m, whole));
         }
@@ -119,9 +119,9 @@ TEST_CASE("a group of merged glyphs that falls into more pieces than allowed is 
     const glyph_run run =
         run_of({{letter, 0, {0, 0}}, {upright, 1, {1000, 0}}, {level, 2, {1000, 0}}, {letter, 3, {2000, 0}}});
     text_report report;
-    (void)build(mesher, run, {.most_pieces = few_pieces}, &report);
+    (void)build(mesher, run, {.max_pieces = few_pieces}, &report);
     CHECK(report.complete());  // each is simple
-    const full_mesh rest = build(mesher, run, {.most_pieces = few_pieces, .merge = true}, &report);
+    const full_mesh rest = build(mesher, run, {.max_pieces = few_pieces, .merge = true}, &report);
     CHECK(report.refused == 1);
     CHECK(report.first_refusal == error::too_many_pieces);
     CHECK(report.first_refusal.glyph == upright);
@@ -139,7 +139,7 @@ TEST_CASE("trim() gives back what refused glyphs and groups took, and the next t
     const glyph_run simple = run_of(good);
     const glyph_run crossing =
         run_of({{star, 0, {0, 0}}, {upright, 1, {1000, 0}}, {level, 2, {1000, 0}}, {letter, 3, {2000, 0}}});
-    const text_options limited{.most_pieces = few_pieces, .merge = true};
+    const text_options limited{.max_pieces = few_pieces, .merge = true};
     test::counting_memory memory, modest_memory;
     text_mesher mesher{font, memory.source()}, modest{font, modest_memory.source()};
     const full_mesh before = build(mesher, simple, limited);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// A font must not be able to ask for any number of points: glyphs with more than most_points are refused alone.
+// A font must not be able to ask for any number of points: glyphs with more than max_points are refused alone.
 
 #include "support/catch.hpp"
 #include "support/counting_memory.hpp"
@@ -13,7 +13,7 @@
 
 using namespace typemesh;
 
-namespace most_points_test {
+namespace max_points_test {
 
 /// Glyph 0 is a square, glyph 1 has four large arcs, glyph 2 never stops drawing small squares, nearly.
 struct boundless_font {
@@ -60,16 +60,16 @@ glyph_run all_three()
     return run;
 }
 
-}  // namespace most_points_test
+}  // namespace max_points_test
 
-using namespace most_points_test;
+using namespace max_points_test;
 
 TEST_CASE("a glyph with more points than allowed is refused alone, and the rest is built", "[text]")
 {
     boundless_font font;
     test::counting_memory counted;
     text_mesher mesher{font, counted.source()};
-    const text_options limited{.tolerance = 1.0 / 16'000, .most_points = 400};
+    const text_options limited{.tolerance = 1.0 / 16'000, .max_points = 400};
     const glyph_run run = all_three();
     const auto plan = mesher.plan(run, limited);
     REQUIRE(plan);

@@ -187,7 +187,7 @@ TEST_CASE("a glyph too large for 16 bits is split, and the greatest index is 65,
     auto plan = mesher.plan(run);
     REQUIRE(plan);
     REQUIRE(plan->size().vertices == 3 * 6 * 24'000);  // 4N + 2H, all points hard
-    check_chunks(*plan, text_chunks::most_for_16_bits);
+    check_chunks(*plan, text_chunks::max_for_16_bits);
 
     text_chunks chunks;
     REQUIRE(chunks.cut(*plan));

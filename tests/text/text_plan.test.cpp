@@ -131,7 +131,7 @@ TEST_CASE("glyphs that changed are written into the old mesh, and nothing else i
     text_mesher mesher{font};
     const text_options options{.texture_over = texture_box::glyph};
     full_mesh m;
-    std::array<mesh_range, most_parts> before;
+    std::array<mesh_range, max_parts> before;
     {
         const auto old = mesher.plan("oEiE", options);
         m = test::written<full_mesh>(*old);

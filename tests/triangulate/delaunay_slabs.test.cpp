@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// The way of constrained_delaunay that is O(n log n) whatever the region is, taken for everything: most_flips = 0.
+// The way of constrained_delaunay that is O(n log n) whatever the region is, taken for everything: max_flips = 0.
 
 #include <typemesh/fill/fill.hpp>
 #include <typemesh/triangulate/constrained_delaunay.hpp>
@@ -14,7 +14,7 @@ using namespace typemesh;
 
 namespace {
 
-constexpr constrained_delaunay slabs_alone{.most_flips = 0};
+constexpr constrained_delaunay slabs_alone{.max_flips = 0};
 
 /// What is wrong with the triangles of this filled shape, or how they differ from those that flips make.
 std::string difference(const test::shape& s, std::size_t& touching)
@@ -117,9 +117,9 @@ TEST_CASE("when flips are spent on the way slabs make the same triangles", "[tri
     for (const test::shape& s : {test::shape{"circle", {test::circle(5000, 1e8)}}, test::circle_with_holes(3000, 100),
                                  test::shape{"parabola", {test::parabola(3000, true)}}}) {
         const auto expected = test::mesh_of(s, slabs_alone).triangles;
-        for (const std::uint32_t most_flips : {1u, 2u, 3u, 1000u}) {
-            INFO(s.name << ", " << most_flips << " flips a triangle");
-            CHECK((test::mesh_of(s, {.most_flips = most_flips}).triangles == expected));
+        for (const std::uint32_t max_flips : {1u, 2u, 3u, 1000u}) {
+            INFO(s.name << ", " << max_flips << " flips a triangle");
+            CHECK((test::mesh_of(s, {.max_flips = max_flips}).triangles == expected));
         }
     }
 }

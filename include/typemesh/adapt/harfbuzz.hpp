@@ -394,6 +394,6 @@ private:
 };
 
 static_assert(outline_source<harfbuzz_font> && shaper<harfbuzz_font> && item_shaper<harfbuzz_font>);
-static_assert(knows_ligature_carets<harfbuzz_font>);
+static_assert(has_ligature_carets<harfbuzz_font>);
 
 }  // namespace typemesh::inline TYPEMESH_ABI

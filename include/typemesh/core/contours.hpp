@@ -14,7 +14,7 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// How many points a glyph's contours may have, unless the caller says otherwise: see text_options::most_points.
+/// How many points a glyph's contours may have, unless the caller says otherwise: see text_options::max_points.
 inline constexpr std::uint32_t default_most_points = 1'000'000;
 
 /// Where a straight edge comes from: its first point lies at t0 of `curve`, its second at t1. t0 > t1 where the contour
@@ -41,8 +41,8 @@ struct contours {
     buffer<std::uint32_t> starts;
     array_view<const curve> curves;  ///< not owned: the outline's
     typemesh::grid grid;
-    double tolerance = 0.0;                    ///< in cells: how far the edges may be from their curves; 0: unknown
-    std::uint32_t most_points = 0xFFFF'FFFFu;  ///< discretise() refuses to put in more; clear() leaves this alone
+    double tolerance = 0.0;                   ///< in cells: how far the edges may be from their curves; 0: unknown
+    std::uint32_t max_points = 0xFFFF'FFFFu;  ///< discretise() refuses to put in more; clear() leaves this alone
 
     /// What is to become of corners that touch, in regions made of these loops and of what moves away from them; see
     /// fill/corner_parting.hpp. clear() leaves this alone.

@@ -130,8 +130,8 @@ struct [[nodiscard]] error {
         case bad_outline: return "The outline is malformed: a contour must begin with move().";
         case outline_not_finite: return "The outline holds a coordinate that is not a finite number.";
         case outline_beyond_grid: return "The outline is too large for the integer grid.";
-        case too_many_pieces: return "The contours cross more often than most_pieces allows.";
-        case too_many_points: return "The outline has more points than most_points allows.";
+        case too_many_pieces: return "The contours cross more often than max_pieces allows.";
+        case too_many_points: return "The outline has more points than max_points allows.";
         case crossing_contours: return "Contours of the outline cross, touch or overlap.";
         case nothing_left: return "Nothing is left of the glyph: it is thinner than what is taken off.";
         case edges_not_moved: return "The glyph's edges cannot be moved: once moved, they cross on the grid.";

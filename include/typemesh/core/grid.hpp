@@ -64,10 +64,10 @@ struct grid {
         return g;
     }
 
-    /// Halves `cells` until an em has no more than `most_per_em`; it has more than half as many if it had before.
-    void coarsen(double most_per_em) noexcept
+    /// Halves `cells` until an em has no more than `max_per_em`; it has more than half as many if it had before.
+    void coarsen(double max_per_em) noexcept
     {
-        while (cells * units_per_em > most_per_em && cells > 0x1p-40) {
+        while (cells * units_per_em > max_per_em && cells > 0x1p-40) {
             cells *= 0.5;
             span = 0.5 * span + 8.0;
         }

@@ -28,7 +28,7 @@ namespace typemesh::inline TYPEMESH_ABI {
 /// From "Study of mesh generation and optimization techniques applied to parametric forms", J. Vandenbergh, 2020.
 struct adaptive_subdivision {
     static constexpr bool keeps_no_tolerance = true;
-    static constexpr std::uint32_t most_levels = 20;  ///< larger `levels` are taken as this
+    static constexpr std::uint32_t max_levels = 20;  ///< larger `levels` are taken as this
 
     /// A length that must be given: one that suits 64 units per em is 32 times too fine for 2048.
     struct stated {
@@ -73,8 +73,8 @@ struct adaptive_subdivision {
             cubic q;
             std::uint32_t level;  // halvings so far
         };
-        const std::uint32_t deepest = levels < 1 ? 1 : levels > most_levels ? most_levels : levels;
-        piece waiting[most_levels + 1];  // right halves, the next one last
+        const std::uint32_t deepest = levels < 1 ? 1 : levels > max_levels ? max_levels : levels;
+        piece waiting[max_levels + 1];  // right halves, the next one last
         std::uint32_t count = 0;
         waiting[count++] = {q, 0};
         double t = 0.0;

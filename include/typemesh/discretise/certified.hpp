@@ -291,9 +291,9 @@ private:
         /// Where the piece from u may end, at v or before. Errors grow with the square of the length.
         [[nodiscard]] piece_end longest_good(double u, double v, double sure) const noexcept
         {
-            constexpr int most_tries = 8;
+            constexpr int max_tries = 8;
             constexpr double least_shrink = 0.25, less_than_computed = 0.998;
-            for (int tries = 0; v - u > sure && tries <= most_tries; ++tries) {
+            for (int tries = 0; v - u > sure && tries <= max_tries; ++tries) {
                 const double excess = chords_.excess(u, v);
                 if (excess <= 1.0) return {v, tries == 0};
                 v = u + (v - u) * greater(less_than_computed / std::sqrt(std::sqrt(excess)), least_shrink);
@@ -354,7 +354,7 @@ private:
     /// cubic, a few steps at first: hardly any of them is a stop.
     [[nodiscard]] static int find_stops(const cubic& q, double (&stops)[4]) noexcept
     {
-        constexpr int most_steps = 64, early = 10;
+        constexpr int max_steps = 64, early = 10;
         // Of the longest leg's square: after the early steps B'/3 moves by less than 2^-8 of that leg.
         constexpr double hardly_slow = 0x1p-14;
         const point d0 = q.p1 - q.p0, l1 = q.p2 - q.p1, l2 = q.p3 - q.p2;
@@ -388,7 +388,7 @@ private:
             double low = border[i], high = border[i + 1];
             const bool rising = slope(low) < 0.0;
             if (rising == (slope(high) < 0.0)) continue;
-            for (int step = 0; step < most_steps; ++step) {
+            for (int step = 0; step < max_steps; ++step) {
                 const double mid = 0.5 * (low + high);
                 if (step == early && speed(mid) > longest * hardly_slow) break;
                 if (!(mid > low && mid < high)) break;

@@ -23,7 +23,7 @@ namespace detail {
 class contour_writer {
 public:
     explicit contour_writer(contours& out) noexcept
-        : out_{out}, most_{out.most_points < most ? std::size_t{out.most_points} + 1 : most}
+        : out_{out}, most_{out.max_points < most ? std::size_t{out.max_points} + 1 : most}
     {
     }
 
@@ -108,7 +108,7 @@ private:
         if (failed_) return;
         more = more < most_ - room_ ? more : most_ - room_;
         if (more == 0) {
-            failed_ = out_.most_points < most ? error{error::too_many_points, out_.most_points} : error::too_large;
+            failed_ = out_.max_points < most ? error{error::too_many_points, out_.max_points} : error::too_large;
             return;
         }
         if (out_.points.append(more) == nullptr || out_.edges.append(more) == nullptr) {
@@ -200,7 +200,7 @@ struct curve_emitter {
 template <discretiser D>
 class contour_flattener {
 public:
-    static constexpr std::uint32_t most_halvings = 31;
+    static constexpr std::uint32_t max_halvings = 31;
 
     contour_flattener(const outline& curves, const D& how, double tolerance, const grid& g,
                       array_view<const std::uint8_t> halvings, contour_writer& writer) noexcept
@@ -222,7 +222,7 @@ public:
         bool left = flatten(first, end, 0);
         const auto contour = curves_.curves.view().subspan(first, end - first);
         if (writer_.is_flat() && has_curved_area(contour, cells_)) [[unlikely]] {
-            for (std::uint32_t finer = 1; finer < most_halvings && !writer_.failed(); ++finer) {
+            for (std::uint32_t finer = 1; finer < max_halvings && !writer_.failed(); ++finer) {
                 const bool last = !(halved(finer) > snap_);
                 writer_.drop_contour();
                 left = flatten(first, end, finer);
@@ -242,7 +242,7 @@ private:
             emitted_points emitted;
             const curve_emitter put{writer_, cells_, emitted};
             const std::uint32_t times = finer + (halvings_.empty() ? 0u : halvings_[i]);
-            const double allowed = times == 0 ? rest_ : halved(times < most_halvings ? times : most_halvings);
+            const double allowed = times == 0 ? rest_ : halved(times < max_halvings ? times : max_halvings);
             if (q.degree == 1)
                 put(q.p[1], 1.0);
             else if (q.degree == 2)
@@ -295,7 +295,7 @@ private:
 /// that error can be kept, and more points would follow the grid's steps instead of the curve.
 ///
 /// Fails  error::bad_tolerance: not positive and finite
-///        error::too_many_points (out.most_points), error::out_of_memory, error::too_large (2^32 - 1 points or curves
+///        error::too_many_points (out.max_points), error::out_of_memory, error::too_large (2^32 - 1 points or curves
 ///        and more); `out` is then empty
 /// Cost   the discretiser's, and a few nanoseconds per point; nothing is allocated once `out` has grown
 template <discretiser D>

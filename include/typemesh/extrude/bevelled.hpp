@@ -376,9 +376,9 @@ private:
         const auto sides_of = data.of<side_point>().view();
         if (!light.prepare(filled, sides_of, data.swept, scratch)) return error::out_of_memory;
         const double em = filled.grid().cells * filled.grid().units_per_em;
-        const double most_apart =
-            with_mapping(texture, [em]<class Mapping>() noexcept { return Mapping::most_apart(em); });
-        bevel_vertices vertices{data, light, {crease_cosine(crease_degrees), most_apart}};
+        const double max_apart =
+            with_mapping(texture, [em]<class Mapping>() noexcept { return Mapping::max_apart(em); });
+        bevel_vertices vertices{data, light, {crease_cosine(crease_degrees), max_apart}};
         bevel_rims rims{levels.view().front().arrives, levels.view().back().leaves};
         rims.own_cap = levels.view().size() == 1;
         if (frame != none) {

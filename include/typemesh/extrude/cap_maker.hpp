@@ -29,7 +29,7 @@ namespace typemesh::inline TYPEMESH_ABI {
 /// The library passes one in. Your own are for an extruder's tests, or for calling the stage by itself.
 template <class C>
 concept cap_maker = requires(C& caps, const region& r, triangle_list& out) {
-    { caps.triangles() } noexcept -> std::same_as<array_view<const triangle>>;
+    { caps.triangles() } noexcept -> std::convertible_to<array_view<const triangle>>;
     { caps(r, out) } noexcept -> std::same_as<error>;
     { caps.loops() } noexcept -> std::same_as<contours&>;
     { caps.fill(out) } noexcept -> std::same_as<result<region>>;

@@ -40,7 +40,7 @@ struct ignore_surface {
     constexpr void operator()(std::uint32_t, std::uint32_t, std::uint32_t) const noexcept {}
 };
 
-/// The output that `makes_own_caps` is checked with.
+/// The output that `has_front_triangles` is checked with.
 struct ignore_places {
     constexpr void operator()(grid_point, grid_point, grid_point) const noexcept {}
 };
@@ -131,30 +131,30 @@ concept extruder = (detail::plans_by_itself<E> || detail::plans_with_data<E> || 
                        { e.heights() } noexcept -> std::same_as<height_range>;
                        { e.template vertices<attribute::position>(p, s, at, put) } noexcept;
                        { e.triangles(p, s, first, put) } noexcept;
-                       requires part_count_of<E> >= 1 && part_count_of<E> <= most_parts;
+                       requires part_count_of<E> >= 1 && part_count_of<E> <= max_parts;
                    };
 
 /// An extruder that reports how many of a solid's contour points are doubled because their walls meet hard.
 template <class E>
-concept tells_hard_edges = extruder<E> && requires(const E& e, const solid_of<E>& s) {
+concept has_hard_edges = extruder<E> && requires(const E& e, const solid_of<E>& s) {
     { e.hard_edges(s) } noexcept -> std::convertible_to<std::uint64_t>;
 };
 
 /// An extruder that tells the heights of each solid.
 template <class E>
-concept tells_heights = extruder<E> && requires(const E& e, const solid_of<E>& s) {
+concept has_heights = extruder<E> && requires(const E& e, const solid_of<E>& s) {
     { e.heights(s) } noexcept -> std::same_as<height_range>;
 };
 
 /// An extruder whose caps are not the region's own.
 template <class E>
-concept makes_own_caps = extruder<E> && requires(const E& e, const solid_of<E>& s, ignore_places put) {
+concept has_front_triangles = extruder<E> && requires(const E& e, const solid_of<E>& s, ignore_places put) {
     { e.seen_from_front(s, put) } noexcept;
 };
 
 /// An extruder whose solids grow beyond their regions.
 template <class E>
-concept tells_outline = extruder<E> && requires(const E& e, const solid_of<E>& s) {
+concept has_outline = extruder<E> && requires(const E& e, const solid_of<E>& s) {
     { e.outline(s) } noexcept -> std::same_as<solid_outline>;
 };
 
@@ -183,7 +183,7 @@ template <extruder E, cap_maker Caps>
     }();
     if (!made) return made.error();
     const solid_plan plan{*made};
-    for (std::size_t p = part_count_of<E>; p < most_parts; ++p) {
+    for (std::size_t p = part_count_of<E>; p < max_parts; ++p) {
         TYPEMESH_ASSERT(plan.sizes.vertices.of[p] == 0 && plan.sizes.triangles.of[p] == 0,
                         "an extruder planned vertices or triangles of a part beyond its part_count");
     }
@@ -194,7 +194,7 @@ template <extruder E, cap_maker Caps>
 template <extruder E>
 [[nodiscard]] height_range heights_of(const E& how, [[maybe_unused]] const solid_of<E>& s) noexcept
 {
-    if constexpr (tells_heights<E>)
+    if constexpr (has_heights<E>)
         return how.heights(s);
     else
         return how.heights();
@@ -219,14 +219,14 @@ template <extruder E>
     if constexpr (requires { how.has_own_caps(); })
         return how.has_own_caps();
     else
-        return makes_own_caps<E>;
+        return has_front_triangles<E>;
 }
 
 /// What seen_from_front() tells of a solid, or else the region's triangles.
 template <extruder E, class Put>
 void each_seen_from_front(const E& how, const solid_of<E>& s, Put&& put) noexcept
 {
-    if constexpr (makes_own_caps<E>)
+    if constexpr (has_front_triangles<E>)
         how.seen_from_front(s, put);
     else
         for (const triangle t : s.triangles) put(s.points[t.a], s.points[t.b], s.points[t.c]);

@@ -156,7 +156,7 @@ public:
         return visit([](auto, const auto& how) noexcept { return how.heights(); });
     }
     [[nodiscard]] height_range heights(const solid& s) const noexcept
-        requires(tells_heights<Solids> || ...)
+        requires(has_heights<Solids> || ...)
     {
         return visit([&s](auto at, const auto& how) noexcept { return heights_of(how, of<at>(s)); });
     }
@@ -172,16 +172,16 @@ public:
     }
     template <class Put>
     void seen_from_front(const solid& s, Put&& put) const noexcept
-        requires(makes_own_caps<Solids> || ...)
+        requires(has_front_triangles<Solids> || ...)
     {
         visit([&](auto at, const auto& how) noexcept { each_seen_from_front(how, of<at>(s), put); });
     }
     /// The chosen one's, or the region's own.
     [[nodiscard]] solid_outline outline(const solid& s) const noexcept
-        requires(tells_outline<Solids> || ...)
+        requires(has_outline<Solids> || ...)
     {
         return visit([&s]<class Solid>(auto at, const Solid& how) noexcept {
-            if constexpr (tells_outline<Solid>)
+            if constexpr (has_outline<Solid>)
                 return how.outline(of<at>(s));
             else
                 return solid_outline{s.points, s.starts};
@@ -189,10 +189,10 @@ public:
     }
     /// Of the chosen one; none if it does not count them.
     [[nodiscard]] std::uint64_t hard_edges(const solid& s) const noexcept
-        requires(tells_hard_edges<Solids> || ...)
+        requires(has_hard_edges<Solids> || ...)
     {
         return visit([&s]<class Solid>(auto at, const Solid& how) noexcept -> std::uint64_t {
-            if constexpr (tells_hard_edges<Solid>)
+            if constexpr (has_hard_edges<Solid>)
                 return how.hard_edges(of<at>(s));
             else
                 return 0;

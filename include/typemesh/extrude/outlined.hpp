@@ -130,7 +130,7 @@ struct outlined {
     static constexpr bool has_letter = !std::is_same_v<Letter, no_letter>;
     static constexpr std::size_t ring_parts = part_count_of<Ring>;
     static constexpr std::size_t part_count = ring_parts + (has_letter ? part_count_of<Letter> : 0);
-    static_assert(part_count <= most_parts,
+    static_assert(part_count <= max_parts,
                   "typemesh: an outlined{} has the parts of its ring and of its letter, which are eight at most: only "
                   "one of the two can be bevelled");
     using plan_data = outlined_data<Ring, Letter>;
@@ -197,7 +197,7 @@ struct outlined {
     // What the two extruders tell of the ring and of the letter.
 
     [[nodiscard]] height_range heights(const solid_with<plan_data>& s) const noexcept
-        requires(has_letter || tells_heights<Ring>)
+        requires(has_letter || has_heights<Ring>)
     {
         const height_range a = heights_of(ring, s.data.ring);
         if (!has_letter || s.data.letter.points.empty()) return a;
@@ -218,7 +218,7 @@ struct outlined {
     [[nodiscard]] solid_outline outline(const solid_with<plan_data>& s) const noexcept
     {
         if (s.points.empty()) return {s.points, s.starts};
-        if constexpr (tells_outline<Ring>) {
+        if constexpr (has_outline<Ring>) {
             const solid_outline own = ring.outline(s.data.ring);
             if (own.points.data() != s.data.ring.points.data()) return own;
         }
@@ -228,7 +228,7 @@ struct outlined {
 
     /// As the two extruders count them.
     [[nodiscard]] std::uint64_t hard_edges(const solid_with<plan_data>& s) const noexcept
-        requires tells_hard_edges<Ring> && (!has_letter || tells_hard_edges<Letter>)
+        requires has_hard_edges<Ring> && (!has_letter || has_hard_edges<Letter>)
     {
         std::uint64_t all = ring.hard_edges(s.data.ring);
         if constexpr (has_letter) all += letter.hard_edges(s.data.letter);
@@ -248,7 +248,7 @@ struct outlined {
     {
         if (is_of_ring(p)) return ring.triangles(p, s.data.ring, first, put);
         first_vertices own;
-        for (std::size_t i = ring_parts; i < most_parts; ++i) own.of[i - ring_parts] = first.of[i];
+        for (std::size_t i = ring_parts; i < max_parts; ++i) own.of[i - ring_parts] = first.of[i];
         letter.triangles(of_letter(p), s.data.letter, own, put);
     }
 
@@ -259,7 +259,7 @@ private:
     template <class E>
     static height_range heights_of(const E& how, const solid_of<E>& s) noexcept
     {
-        if constexpr (tells_heights<E>)
+        if constexpr (has_heights<E>)
             if (!s.points.empty()) return how.heights(s);
         return how.heights();
     }
@@ -267,7 +267,7 @@ private:
     template <class E>
     static bool grows([[maybe_unused]] const E& how, [[maybe_unused]] const inner_solid<E>& of) noexcept
     {
-        if constexpr (tells_outline<E>) {
+        if constexpr (has_outline<E>) {
             const auto made = of.read();
             return !made.points.empty() && how.outline(made).points.data() != made.points.data();
         }

@@ -13,7 +13,7 @@ namespace typemesh::inline TYPEMESH_ABI {
 
 /// One number for each part.
 struct part_counts {
-    std::uint32_t of[most_parts] = {};  ///< by the part as a number
+    std::uint32_t of[max_parts] = {};  ///< by the part as a number
 
     [[nodiscard]] constexpr std::uint32_t operator[](part p) const noexcept { return of[number_of(p)]; }
     [[nodiscard]] constexpr std::uint32_t& operator[](part p) noexcept { return of[number_of(p)]; }
@@ -22,13 +22,13 @@ struct part_counts {
     friend constexpr part_counts operator+(const part_counts& a, const part_counts& b) noexcept
     {
         part_counts sum;
-        for (std::size_t i = 0; i < most_parts; ++i) sum.of[i] = a.of[i] + b.of[i];
+        for (std::size_t i = 0; i < max_parts; ++i) sum.of[i] = a.of[i] + b.of[i];
         return sum;
     }
     friend constexpr part_counts operator-(const part_counts& a, const part_counts& b) noexcept
     {
         part_counts rest;
-        for (std::size_t i = 0; i < most_parts; ++i) rest.of[i] = a.of[i] - b.of[i];
+        for (std::size_t i = 0; i < max_parts; ++i) rest.of[i] = a.of[i] - b.of[i];
         return rest;
     }
     friend constexpr bool operator==(const part_counts&, const part_counts&) noexcept = default;
@@ -45,14 +45,14 @@ struct part_counts {
     [[nodiscard]] constexpr part_counts starts(std::uint32_t first = 0) const noexcept
     {
         part_counts begin;
-        for (std::size_t i = 0; i < most_parts; first += of[i++]) begin.of[i] = first;
+        for (std::size_t i = 0; i < max_parts; first += of[i++]) begin.of[i] = first;
         return begin;
     }
 
 private:
     static constexpr std::size_t number_of(part p) noexcept
     {
-        TYPEMESH_ASSERT(static_cast<std::size_t>(p) < most_parts, "there is no part of that number: there are eight");
+        TYPEMESH_ASSERT(static_cast<std::size_t>(p) < max_parts, "there is no part of that number: there are eight");
         return static_cast<std::size_t>(p);
     }
 };

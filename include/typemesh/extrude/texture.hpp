@@ -115,7 +115,7 @@ struct wall_place {
 //                                `doubled` of all side_points of a region, which are lit but not measured, and
 //                                returns how many are doubled. measure_sides() does it for lengths.
 //     M::after_seam(along)       `along` of the wall after a seam, from that of the wall before it
-//     M::most_apart(em)          how far apart in `along` corners of a bevel that share a vertex may be; negative: any
+//     M::max_apart(em)          how far apart in `along` corners of a bevel that share a vertex may be; negative: any
 //                                way. em: in cells
 //     M{at}.uv(place)            when written
 //     M{at}.tangent(axes, place)
@@ -165,7 +165,7 @@ public:
         return doubled;
     }
     [[nodiscard]] static float after_seam(float along) noexcept { return along; }
-    [[nodiscard]] static constexpr double most_apart(double) noexcept { return -1.0; }
+    [[nodiscard]] static constexpr double max_apart(double) noexcept { return -1.0; }
 
     explicit box_mapping(const placement& at) noexcept : planar_{texture_mapping::box, at}, tangents_{at.frame} {}
 
@@ -189,7 +189,7 @@ public:
         return detail::measure_sides(filled, sides);
     }
     [[nodiscard]] static float after_seam(float) noexcept { return 0.0f; }
-    [[nodiscard]] static constexpr double most_apart(double em) noexcept { return em / 1024.0; }
+    [[nodiscard]] static constexpr double max_apart(double em) noexcept { return em / 1024.0; }
 
     explicit em_mapping(const placement& at) noexcept : tangents_{at.frame}, walls_{at} {}
 
@@ -220,7 +220,7 @@ public:
         return doubled;
     }
     [[nodiscard]] static float after_seam(float) noexcept { return 0.0f; }
-    [[nodiscard]] static constexpr double most_apart(double) noexcept { return 0x1p-10; }
+    [[nodiscard]] static constexpr double max_apart(double) noexcept { return 0x1p-10; }
 
     explicit cylindrical_mapping(const placement& at) noexcept : tangents_{at.frame} {}
 

@@ -7,7 +7,7 @@
 #include <typemesh/core/error.hpp>
 #include <typemesh/core/fill_rule.hpp>
 #include <typemesh/core/impl/same.hpp>
-#include <typemesh/core/most_pieces.hpp>
+#include <typemesh/core/max_pieces.hpp>
 #include <typemesh/core/region.hpp>
 #include <typemesh/core/result.hpp>
 #include <typemesh/core/touching.hpp>
@@ -47,7 +47,7 @@ public:
     /// Cost   a resolve() for each round, of which there is nearly always one
     template <class = void>  // see resolve()
     [[nodiscard]] result<region> operator()(contours& loops, buffer<curve>& curves, workspace& space,
-                                            std::uint32_t most_pieces = default_most_pieces) noexcept;
+                                            std::uint32_t max_pieces = default_most_pieces) noexcept;
 
     /// How far the diamonds reach, in cells, where they are as small as they can be.
     [[nodiscard]] static double reach(const grid& g) noexcept { return smallest(g); }
@@ -142,11 +142,11 @@ private:
 
 template <class>
 result<region> corner_parting::operator()(contours& loops, buffer<curve>& curves, workspace& space,
-                                          std::uint32_t most_pieces) noexcept
+                                          std::uint32_t max_pieces) noexcept
 {
     corners = 0;
     still_touching = false;
-    const resolve_options how{.most_pieces = most_pieces};
+    const resolve_options how{.max_pieces = max_pieces};
     const std::int32_t first = smallest(loops.grid);
     if (loops.corners == touching::keep) return resolve(loops, fill_rule::non_zero, space, how);
     bool has_room = true;  // for the frame

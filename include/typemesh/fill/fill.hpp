@@ -18,7 +18,7 @@ namespace typemesh::inline TYPEMESH_ABI {
 ///
 ///     how    for contours that meet: see resolve()
 ///
-/// Fails  error::too_many_pieces, for contours that meet: more than how.most_pieces points, crossings or pieces
+/// Fails  error::too_many_pieces, for contours that meet: more than how.max_pieces points, crossings or pieces
 ///        error::too_large, error::out_of_memory; `loops` is then unchanged
 /// Cost   O(n log n), plus that of resolve() where contours meet
 template <class = void>  // see resolve()

@@ -68,19 +68,19 @@ public:
     ///
     /// Fails  as resolve() and corner_parting do
     template <class = void>  // see resolve()
-    [[nodiscard]] result<region> join(workspace& space, std::uint32_t most_pieces, corner_parting& parting) noexcept
+    [[nodiscard]] result<region> join(workspace& space, std::uint32_t max_pieces, corner_parting& parting) noexcept
     {
         loops_.curves = curves_.view();
         parting = {};
-        const auto made = resolve(loops_, fill_rule::non_zero, space, {.most_pieces = most_pieces});
+        const auto made = resolve(loops_, fill_rule::non_zero, space, {.max_pieces = max_pieces});
         if (!made || !made->is_touching() || loops_.corners == touching::keep) return made;
-        return parting(loops_, curves_, space, most_pieces);
+        return parting(loops_, curves_, space, max_pieces);
     }
     template <class = void>
-    [[nodiscard]] result<region> join(workspace& space, std::uint32_t most_pieces = default_most_pieces) noexcept
+    [[nodiscard]] result<region> join(workspace& space, std::uint32_t max_pieces = default_most_pieces) noexcept
     {
         corner_parting unread;
-        return join(space, most_pieces, unread);
+        return join(space, max_pieces, unread);
     }
 
     /// How many curves the members have; further ones are those of corners that were parted or joined.

@@ -3,7 +3,7 @@
 
 #include <typemesh/core/contours.hpp>
 #include <typemesh/core/fill_rule.hpp>
-#include <typemesh/core/most_pieces.hpp>
+#include <typemesh/core/max_pieces.hpp>
 #include <typemesh/core/region.hpp>
 #include <typemesh/core/result.hpp>
 #include <typemesh/core/workspace.hpp>
@@ -28,8 +28,8 @@ struct resolve_effort {
 
 /// The options of resolve().
 struct resolve_options {
-    std::uint32_t most_pieces = default_most_pieces;  ///< see resolve()
-    resolve_effort* effort = nullptr;                 ///< receives what was done, unless null
+    std::uint32_t max_pieces = default_most_pieces;  ///< see resolve()
+    resolve_effort* effort = nullptr;                ///< receives what was done, unless null
 };
 
 namespace detail {
@@ -49,7 +49,7 @@ public:
         if (error e = cut_by_sweep(is_cut)) return e;
         if (!is_cut)
             if (error e = cut_by_snap_rounding()) return e;
-        if (a_.count > how_.most_pieces) return error{error::too_many_pieces, how_.most_pieces};
+        if (a_.count > how_.max_pieces) return error{error::too_many_pieces, how_.max_pieces};
         return {};
     }
 
@@ -76,12 +76,12 @@ private:
     [[nodiscard]] error cut_by_sweep(bool& is_cut) noexcept
     {
         constexpr std::size_t bytes_per_piece = 144;  // of the arrangement (84) and its sweep
-        constexpr int most_sweeps = 2;
+        constexpr int max_sweeps = 2;
         const std::size_t n = loops_.points.size(), most = n + n / 8 + 48;
         if (!scratch_.reserve(bytes_per_piece * most) || !sort_points(loops_, space_) ||
             !a_.reserve(scratch_, static_cast<std::uint32_t>(most)) || !a_.from_contours(loops_, space_))
             return error::out_of_memory;
-        for (int i = 0; i < most_sweeps && !is_cut; ++i) {
+        for (int i = 0; i < max_sweeps && !is_cut; ++i) {
             resolving_sweep sweep{a_, rule_};
             if (!sweep.run(space_)) return error::out_of_memory;
             report(0);
@@ -96,7 +96,7 @@ private:
     {
         scratch_.keep();
         a_ = {};
-        snap_rounding rounding{loops_, how_.most_pieces};
+        snap_rounding rounding{loops_, how_.max_pieces};
         if (error e = rounding.run(rule_, space_, scratch_, a_)) return e;
         for (;;) {
             resolving_sweep sweep{a_, rule_};
@@ -105,9 +105,9 @@ private:
             if (!sweep.again) return {};
             if (!sweep.full) return error::crossing_contours;
             // The capacity grows by half until it is twice what may be needed: no valid result takes more.
-            if (a_.capacity / 2 > rounding.most_pieces() + 64)
-                return error{error::too_many_pieces, rounding.most_pieces()};
-            a_.most_active = no_number;
+            if (a_.capacity / 2 > rounding.max_pieces() + 64)
+                return error{error::too_many_pieces, rounding.max_pieces()};
+            a_.max_active = no_number;
             if (!a_.reserve(scratch_, a_.capacity + a_.capacity / 2) || !a_.put_in_order(space_))
                 return error::out_of_memory;
         }
@@ -151,8 +151,8 @@ private:
 /// within about a cell of an edge that is not its own, which is nearly always. Crossings are rounded half up in x and
 /// y, so a mirrored or rotated figure may be rounded differently.
 ///
-/// Fails  error::too_many_pieces: more than most_pieces points, crossings or pieces; returned as soon as it is known,
-///        after O(most_pieces log n) steps; more than 2^30 count as 2^30. error::too_large: more than 2^29 points.
+/// Fails  error::too_many_pieces: more than max_pieces points, crossings or pieces; returned as soon as it is known,
+///        after O(max_pieces log n) steps; more than 2^30 count as 2^30. error::too_large: more than 2^29 points.
 ///        error::out_of_memory. `loops` is then unchanged. (error::crossing_contours would be a mistake in here.)
 /// Cost   O((n + k) log n) for n points and k crossings, which may be n^2 / 2: 50 to 70 ns per piece for letters. Where
 ///        snap rounding is needed, about five times as much, the first sweep included, and about sqrt(n + k) steps per
@@ -170,7 +170,7 @@ private:
 {
     const std::size_t n = loops.points.size();
     if (n > std::size_t{1} << 29) return error::too_large;
-    if (n > how.most_pieces) return error{error::too_many_pieces, how.most_pieces};
+    if (n > how.max_pieces) return error{error::too_many_pieces, how.max_pieces};
     detail::resolving work{loops, rule, space, how};
     if (error e = work.cut()) return e;
     bool all_accepted = true;

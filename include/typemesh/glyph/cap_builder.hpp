@@ -7,7 +7,7 @@
 #include <typemesh/core/curve.hpp>
 #include <typemesh/core/fill_rule.hpp>
 #include <typemesh/core/grid.hpp>
-#include <typemesh/core/most_pieces.hpp>
+#include <typemesh/core/max_pieces.hpp>
 #include <typemesh/core/outline.hpp>
 #include <typemesh/core/region.hpp>
 #include <typemesh/core/result.hpp>
@@ -32,9 +32,9 @@ namespace typemesh::inline TYPEMESH_ABI {
 /// By which rule a cap_builder fills, and its limits.
 struct cap_settings {
     fill_rule rule = fill_rule::non_zero;
-    std::uint32_t most_pieces = default_most_pieces;  ///< that contours which cross may be cut into; see resolve()
-    std::uint32_t most_points = default_most_points;  ///< that curves may be flattened into
-    touching corners = touching::keep;                ///< what part() does
+    std::uint32_t max_pieces = default_most_pieces;  ///< that contours which cross may be cut into; see resolve()
+    std::uint32_t max_points = default_most_points;  ///< that curves may be flattened into
+    touching corners = touching::keep;               ///< what part() does
 };
 
 /// Makes caps: the region that curves or contours fill, with its triangles. Owns the contours, the order of their
@@ -71,7 +71,7 @@ public:
     {
         effort_ = {};
         triangles_.clear();
-        loops_.most_points = how.most_points;
+        loops_.max_points = how.max_points;
         loops_.corners = how.corners;
         with.observe(stage::discretise);
         if (const auto done = flatten(curves, with.flatten, tolerance, cells); !done) return done.error();
@@ -93,7 +93,7 @@ public:
         parting = {};
         if (!built.is_touching() || loops_.corners == touching::keep) return built;
         with.observe(stage::fill);
-        const auto made = parting(loops_, curves, space_, how.most_pieces);
+        const auto made = parting(loops_, curves, space_, how.max_pieces);
         triangles_.clear();
         if (!made || made->points().empty()) return made;
         with.observe(stage::triangulate);
@@ -117,7 +117,7 @@ public:
         return fill(how, cut, nobody);
     }
 
-    /// Flattens the outline's curves into loops(), into no more than loops().most_points: see discretise().
+    /// Flattens the outline's curves into loops(), into no more than loops().max_points: see discretise().
     [[nodiscard]] result<void> flatten(const outline& curves, discretiser_ref how, double tolerance, const grid& cells,
                                        array_view<const std::uint8_t> halvings = {}) noexcept
     {
@@ -198,7 +198,7 @@ private:
     {
         observe(stage::fill);
         resolved_ = {};
-        const auto made = typemesh::resolve(loops_, how.rule, space_, filter, {how.most_pieces, &resolved_});
+        const auto made = typemesh::resolve(loops_, how.rule, space_, filter, {how.max_pieces, &resolved_});
         if (!made || made->points().empty()) return made;
         observe(stage::triangulate);
         if (const auto done = cap(*made, cut); !done) return done.error();
@@ -210,12 +210,12 @@ private:
     /// is then simple.
     ///
     /// Cost   each round as much as the first; there are hardly ever two, and never more than 12. The last one begins
-    ///        when the contours have been cut into more pieces than `most_pieces`, or than four times those of the
+    ///        when the contours have been cut into more pieces than `max_pieces`, or than four times those of the
     ///        first round and 2,048. Doubtful intersections are then accepted.
     [[nodiscard]] result<region> refine(const outline& curves, double tolerance, const grid& cells,
                                         const cap_settings& how, const cap_policies& with) noexcept
     {
-        constexpr std::uint32_t most_rounds = 12, few_pieces = 2048, times_as_many = 4;
+        constexpr std::uint32_t max_rounds = 12, few_pieces = 2048, times_as_many = 4;
         workspace::scope scratch{space_};
         crossing_refinement refinement;
         if (!refinement.open(scratch, curves, tolerance, cells)) return error::out_of_memory;
@@ -223,7 +223,7 @@ private:
         for (;;) {
             const std::uint64_t spent = effort_.pieces;
             const bool last =
-                effort_.rounds == most_rounds || spent > times_as_many * first + few_pieces || spent > how.most_pieces;
+                effort_.rounds == max_rounds || spent > times_as_many * first + few_pieces || spent > how.max_pieces;
             const auto filter = last ? intersection_filter_ref{} : intersection_filter_ref{refinement};
             const auto made = resolve(how, with.cut, filter, with.observe);
             if (spent == 0) first = resolved_.pieces;

@@ -3,7 +3,7 @@
 
 #include <typemesh/core/contours.hpp>
 #include <typemesh/core/grid.hpp>
-#include <typemesh/core/most_pieces.hpp>
+#include <typemesh/core/max_pieces.hpp>
 #include <typemesh/core/outline.hpp>
 #include <typemesh/core/result.hpp>
 #include <typemesh/core/touching.hpp>
@@ -24,15 +24,15 @@ namespace typemesh::inline TYPEMESH_ABI {
 
 /// What a glyph is built with, besides the policies.
 struct glyph_settings {
-    double tolerance = 0.0;                           ///< the largest distance between curve and mesh, in em
-    std::optional<fill_rule> fill = {};               ///< instead of the outline source's own
-    std::uint32_t most_pieces = default_most_pieces;  ///< that contours which cross may be cut into; see resolve()
-    std::uint32_t most_points = default_most_points;  ///< that curves may be flattened into; and how many curves
-    touching corners = touching::keep;                ///< what becomes of corners that touch
+    double tolerance = 0.0;                          ///< the largest distance between curve and mesh, in em
+    std::optional<fill_rule> fill = {};              ///< instead of the outline source's own
+    std::uint32_t max_pieces = default_most_pieces;  ///< that contours which cross may be cut into; see resolve()
+    std::uint32_t max_points = default_most_points;  ///< that curves may be flattened into; and how many curves
+    touching corners = touching::keep;               ///< what becomes of corners that touch
 
     /// An em of the grid has no more cells, unless corners are kept as they are: a power of two, which goes by how far
     /// from the origin glyphs are written, so that floats tell neighbouring cells apart.
-    double most_cells = 0x1p40;
+    double max_cells = 0x1p40;
 };
 
 /// What a glyph is recorded from: an outline_source, or what else has a record(), as font_ref's faces have.
@@ -62,7 +62,7 @@ public:
     {
         glyph_draft made;
         with.observe(stage::outline);
-        error e = record(font, id, outline_, how.most_points).error();
+        error e = record(font, id, outline_, how.max_points).error();
         if (!e) e = try_to_build(font.units_per_em(), how, with, made);
         if (e && !concerns_the_glyph_alone(e)) return e;
         if (e) made = {};
@@ -79,7 +79,7 @@ public:
     {
         parting_ = {};
         with.observe(stage::outline);
-        if (const auto done = record(font, id, outline_, how.most_points); !done) return done.error();
+        if (const auto done = record(font, id, outline_, how.max_points); !done) return done.error();
         return fill_outline(font.units_per_em(), how, with);
     }
 
@@ -114,8 +114,8 @@ private:
         const auto fitting = grid::fitting(units_per_em, outline_.bounds);
         if (!fitting) return fitting.error();
         grid cells = *fitting;
-        if (how.corners != touching::keep) cells.coarsen(how.most_cells);
-        const cap_settings filled{how.fill.value_or(outline_.rule), how.most_pieces, how.most_points, how.corners};
+        if (how.corners != touching::keep) cells.coarsen(how.max_cells);
+        const cap_settings filled{how.fill.value_or(outline_.rule), how.max_pieces, how.max_points, how.corners};
         const auto made = caps_.build(outline_, how.tolerance * units_per_em, cells, filled, with);
         return made ? caps_.part(*made, outline_.curves, filled, with, parting_) : made;
     }

@@ -44,7 +44,7 @@ struct cache_statistics {
 ///     auto mesher = text_mesher{font}.with(cached_in{cache, 1});     // 1: your number for this font
 ///
 /// Glyphs are distinguished by id and glyph_context: font, variation, the look's face and map, tolerance, fill rule,
-/// most_pieces, most_points, policies with their options. Blank glyphs and refusals are kept as well, so nothing is
+/// max_pieces, max_points, policies with their options. Blank glyphs and refusals are kept as well, so nothing is
 /// tried twice.
 ///
 /// What find() and keep() return is pinned: it stays, unchanged and in place, until release(), whatever others do. The

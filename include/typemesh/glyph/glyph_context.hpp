@@ -18,9 +18,9 @@ struct glyph_context {
     std::uint64_t variation = 0;  ///< what the font itself reports of its variation and face; see variation_of()
     std::uint64_t tolerance = 0;  ///< the bits of the double
     std::uint64_t fill = 0;       ///< 0: the outline source's own rule; else one more than the rule
-    std::uint64_t most_pieces = 0;
-    std::uint64_t most_points = 0;
-    std::uint64_t corners = 0;  ///< 0: as they are drawn; else which way, and the bits of glyph_settings::most_cells
+    std::uint64_t max_pieces = 0;
+    std::uint64_t max_points = 0;
+    std::uint64_t corners = 0;  ///< 0: as they are drawn; else which way, and the bits of glyph_settings::max_cells
     policy_key discretiser, triangulator, extruder, step;  ///< one for each kind of policy
 
     /// Whether all policies can be told from others of their types: see cacheable_policy.
@@ -41,8 +41,8 @@ struct glyph_context {
         mix(variation);
         mix(tolerance);
         mix(fill);
-        mix(most_pieces);
-        mix(most_points);
+        mix(max_pieces);
+        mix(max_points);
         mix(corners);
         for (const policy_key* p : {&discretiser, &triangulator, &extruder, &step}) {
             mix(reinterpret_cast<std::uintptr_t>(p->type));
@@ -63,10 +63,10 @@ struct glyph_context {
     c.variation = variation;
     c.tolerance = option_bits{how.tolerance}.words[0];
     c.fill = how.fill ? 1 + static_cast<std::uint64_t>(*how.fill) : 0;
-    c.most_pieces = how.most_pieces;
-    c.most_points = how.most_points;
+    c.max_pieces = how.max_pieces;
+    c.max_points = how.max_points;
     if (how.corners != touching::keep)
-        c.corners = option_bits{how.most_cells}.words[0] | static_cast<std::uint64_t>(how.corners);
+        c.corners = option_bits{how.max_cells}.words[0] | static_cast<std::uint64_t>(how.corners);
     c.discretiser = with.flatten.key();
     c.triangulator = with.cut.key();
     c.extruder = with.raise.key();

@@ -18,7 +18,7 @@ namespace typemesh::inline TYPEMESH_ABI {
 ///
 /// Fails  error::out_of_memory
 template <class S>
-concept knows_ligature_carets = requires(const S& s, std::uint32_t face, glyph_id id, bool down, buffer<double>& to) {
+concept has_ligature_carets = requires(const S& s, std::uint32_t face, glyph_id id, bool down, buffer<double>& to) {
     { s.ligature_carets(face, id, down, to) } noexcept -> std::same_as<error>;
 };
 

@@ -257,10 +257,10 @@ private:
     /// are covered.
     [[nodiscard]] error cut_cells(std::uint32_t band) noexcept
     {
-        constexpr int most_attempts = 64;
+        constexpr int max_attempts = 64;
         const std::size_t cells = out_.cells.size(), triangles = out_.triangles.size();
         repair_.begin(first_node_);
-        for (int attempt = 1;; attempt = attempt < most_attempts ? attempt + 1 : 0) {
+        for (int attempt = 1;; attempt = attempt < max_attempts ? attempt + 1 : 0) {
             changed_ = false;
             if (error e = try_to_cut(band, attempt != 0)) return e;
             if (!changed_) return band == 0 ? cover_.add(front_, given_, out_) : error{};

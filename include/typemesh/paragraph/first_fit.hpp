@@ -19,7 +19,7 @@ struct first_fit {
     {
         bool fresh = true;
         std::uint32_t lines = 0;
-        for (std::size_t begin = 0; begin < pieces.size() && lines < room.most_lines; ++lines) {
+        for (std::size_t begin = 0; begin < pieces.size() && lines < room.max_lines; ++lines) {
             begin = end_of(pieces, begin, room.start(fresh), room);
             fresh = pieces[begin - 1].end == piece_end::paragraph;
             if (!ends.push_back(static_cast<std::uint32_t>(begin))) return error::out_of_memory;

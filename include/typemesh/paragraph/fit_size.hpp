@@ -43,11 +43,11 @@ struct size_trial {
 ///
 ///     width     along the lines: in columns down
 ///     height    across them, from the first line's ascender to the last one's descender
-///     options   width and ellipsis do not count; with most_lines it fits into so many
+///     options   width and ellipsis do not count; with max_lines it fits into so many
 ///
 /// Breakers that may make more lines of a wider room, as total_fit may, can leave a larger size that would fit.
 ///
-/// Fails  error::bad_option: width or height are not positive and finite, the text demands more than most_lines, or
+/// Fails  error::bad_option: width or height are not positive and finite, the text demands more than max_lines, or
 ///        there is none, as before set(); and
 ///        as paragraph::measure() does
 /// Cost   some 30 calls of measure()
@@ -64,7 +64,7 @@ result<double> fit_size(Paragraph& words, double width, double height, const par
     // On as few lines as the text demands: it fits for certain so, and no larger size is less high.
     const auto natural = words.measure(trial.options);
     if (!natural) return natural.error();
-    if (!trial.is_whole()) return error::bad("most_lines");
+    if (!trial.is_whole()) return error::bad("max_lines");
     double high = height / natural->height, low = high;
     if (!(natural->height > 0.0) || !is_finite(high)) high = low = width / natural->width;
     if (natural->width * low > width) low = width / natural->width;

@@ -16,7 +16,7 @@ namespace typemesh::inline TYPEMESH_ABI {
 ///
 ///     b.break_lines(pieces, room, ends)   appends for each line the index of the piece behind its last one. Each line
 ///                                         has at least one piece; the last one ends with the last piece, or is number
-///                                         room.most_lines. No line ends behind a piece whose end is `never`, every
+///                                         room.max_lines. No line ends behind a piece whose end is `never`, every
 ///                                         line that holds a piece of `line` or `paragraph` ends with it.
 ///
 /// Fails  error::out_of_memory

@@ -21,7 +21,7 @@ struct line_room {
     double least_tab = 0.0;              ///< stops that are nearer to the pen are passed over
     std::span<const double> stops = {};  ///< tab stops of their own before those, ascending, times `stop_unit`
     double stop_unit = 1.0;
-    std::uint32_t most_lines = 0xFFFF'FFFFu;  ///< breakers need not find more
+    std::uint32_t max_lines = 0xFFFF'FFFFu;  ///< breakers need not find more
 
     /// Where the pen stands when a line begins.
     [[nodiscard]] double start(bool begins_paragraph) const noexcept { return begins_paragraph ? indent : 0.0; }

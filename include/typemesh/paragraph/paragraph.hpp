@@ -249,7 +249,7 @@ private:
                  .least_tab = least_tab(digit_),
                  .stops = options.tab_stops,
                  .stop_unit = em,
-                 .most_lines = options.most_lines};
+                 .max_lines = options.max_lines};
         shaped_.truncate(own_clusters_, own_glyphs_);
         justifier_.clear();
         const auto pieces = break_lines(options);

@@ -66,8 +66,8 @@ struct paragraph_options {
     line_alignment align = line_alignment::start;
     justification justify = justification::automatic;  ///< for line_alignment::justify
     vertical_anchor anchor = vertical_anchor::first_baseline;
-    double height = 0.0;                      ///< of the box that top, middle and bottom refer to
-    std::uint32_t most_lines = 0xFFFF'FFFFu;  ///< further ones are dropped, 0 is refused
+    double height = 0.0;                     ///< of the box that top, middle and bottom refer to
+    std::uint32_t max_lines = 0xFFFF'FFFFu;  ///< further ones are dropped, 0 is refused
     text_view ellipsis = {};  ///< for what is dropped or too wide, "..." where a glyph is missing; empty: none
     ellipsis_place elide = ellipsis_place::end;
     line_box boxes = line_box::content;
@@ -82,7 +82,7 @@ struct paragraph_options {
 {
     if (!(options.width > 0.0)) return error::bad("width");
     if (!is_finite(options.height) || options.height < 0.0) return error::bad("height");
-    if (options.most_lines == 0) return error::bad("most_lines");
+    if (options.max_lines == 0) return error::bad("max_lines");
     if (!is_finite(options.line_spacing)) return error::bad("line_spacing");
     if (!is_finite(options.indent)) return error::bad("indent");
     if (!is_finite(options.tab_width) || options.tab_width < 0.0) return error::bad("tab_width");

@@ -235,14 +235,14 @@ inline error total_fit::break_lines(std::span<const break_piece> pieces, const l
     if (!is_finite(emergency_stretch) || emergency_stretch < 0.0) return error::bad("emergency_stretch");
     const std::size_t before = ends.size();
     bool fresh = true;
-    for (std::size_t first = 0; first < pieces.size() && ends.size() - before < room.most_lines;) {
+    for (std::size_t first = 0; first < pieces.size() && ends.size() - before < room.max_lines;) {
         std::size_t last = first + 1;
         while (last < pieces.size() && !pieces[last - 1].ends_line()) ++last;
         if (error e = detail::best_lines{*this, pieces, room, fresh, first, last}(ends)) return e;
         fresh = pieces[last - 1].end == piece_end::paragraph;
         first = last;
     }
-    if (ends.size() - before > room.most_lines) ends.truncate(before + room.most_lines);
+    if (ends.size() - before > room.max_lines) ends.truncate(before + room.max_lines);
     return {};
 }
 

@@ -125,7 +125,7 @@ public:
         error e;
         const std::size_t before = carets.size();
         call(face, [&]<class Source>(Source& source) noexcept {
-            if constexpr (knows_ligature_carets<Source>) e = source.ligature_carets(0, id, down, carets);
+            if constexpr (has_ligature_carets<Source>) e = source.ligature_carets(0, id, down, carets);
         });
         for (double& place : carets.view().subspan(before)) place *= units_per_em() / units_per_em(face);
         return e;

@@ -82,7 +82,7 @@ template <class Font>
 [[nodiscard]] bool find_carets(const Font& font, const glyph_run& run, const picked_cluster& c, std::size_t wanted,
                                bool down, buffer<double>& carets) noexcept
 {
-    if constexpr (knows_ligature_carets<Font>) {
+    if constexpr (has_ligature_carets<Font>) {
         if (c.glyphs != 1) return false;
         const placed_glyph& g = run.glyphs[c.glyph];
         const look drawn = run.looks.empty() ? look{} : run.looks[g.look];

@@ -57,7 +57,7 @@ struct text_chunk {
 /// They are valid as long as the plan is; after that, cut() again.
 class text_chunks {
 public:
-    static constexpr std::uint32_t most_for_16_bits = 0xFFFF;  ///< 0xFFFF itself stays free: it means "restart"
+    static constexpr std::uint32_t max_for_16_bits = 0xFFFF;  ///< 0xFFFF itself stays free: it means "restart"
 
     explicit text_chunks(memory source = heap()) noexcept : chunks_{source}, pieces_{source} {}
 
@@ -66,7 +66,7 @@ public:
     /// Fails  error::bad_option: most < 3; error::too_large: more than 2^32 - 1 vertices or indices;
     ///        error::out_of_memory; there are then no chunks
     template <extruder Extruder>
-    result<void> cut(const text_plan<Extruder>& plan, std::uint32_t most = most_for_16_bits) noexcept
+    result<void> cut(const text_plan<Extruder>& plan, std::uint32_t most = max_for_16_bits) noexcept
     {
         clear();
         if (most < 3) return error::bad("most");

@@ -3,7 +3,7 @@
 
 #include <typemesh/core/contours.hpp>
 #include <typemesh/core/fill_rule.hpp>
-#include <typemesh/core/most_pieces.hpp>
+#include <typemesh/core/max_pieces.hpp>
 #include <typemesh/core/touching.hpp>
 #include <typemesh/discretise/quality.hpp>
 #include <typemesh/layout/layout.hpp>
@@ -51,11 +51,11 @@ struct text_options {
 
     /// A glyph (or a group of merged ones) whose contours cross so often that their edges are cut into more pieces is
     /// left out and reported: error::too_many_pieces. This bounds memory; a hostile glyph may still take ten seconds.
-    std::uint32_t most_pieces = default_most_pieces;
+    std::uint32_t max_pieces = default_most_pieces;
 
     /// A glyph with more curves, or whose curves take more points at this tolerance, is left out and reported:
     /// error::too_many_points. This bounds the memory that a font can ask for: 0.3 kB a point, 1.5 kB with bevels.
-    std::uint32_t most_points = default_most_points;
+    std::uint32_t max_points = default_most_points;
 
     output_unit unit = output_unit::em;
     double size = 1.0;            ///< multiplies the unit: how large an em is in your world

@@ -238,7 +238,7 @@ public:
     }
     /// H: see contour_points().
     [[nodiscard]] std::uint64_t hard_edges() const noexcept
-        requires tells_hard_edges<Extruder>
+        requires has_hard_edges<Extruder>
     {
         std::uint64_t hard = 0;
         for (const drawn_glyph& r : fresh().records) hard += extruder_.hard_edges(r.built->planned<Extruder>().form);

@@ -47,7 +47,7 @@ struct constrained_delaunay {
 
     /// How many flips per triangle may be spent before divide and conquer takes over; 1 to 3 are usual, and 0 leaves
     /// everything to it. Affects time only, never the triangles.
-    std::uint32_t most_flips = 4;
+    std::uint32_t max_flips = 4;
 
     /// See option_bits: the triangles are the same whatever the option says.
     [[nodiscard]] static option_bits cache_key() noexcept { return {}; }
@@ -109,7 +109,7 @@ private:
         triangle* const write = out.append(r.triangle_count());
         if (write == nullptr) return error::out_of_memory;
         error e = error::crossing_contours;
-        attempts left{0, r.is_touching() ? 0 : std::uint64_t{most_flips} * r.triangle_count()};
+        attempts left{0, r.is_touching() ? 0 : std::uint64_t{max_flips} * r.triangle_count()};
         for (const std::int64_t straightness : {2, 8})  // within 27 degrees, within 7
             if (e == error::crossing_contours && left.budget != 0 && left.kept <= worth_it)
                 e = by_flips<true>(r, {}, space, write, straightness, left);

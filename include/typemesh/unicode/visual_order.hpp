@@ -21,13 +21,15 @@ struct visual_run {
     std::uint8_t level = 0;  ///< odd: read to the left
 };
 
-/// Rule L2 of UAX #9: puts what a line consists of, each of one `level`, from left to right; it stands in the order in
-/// which it is read. Cost: O(n) for each of the levels, 126 at most
-template <class Run>
-void order_visually(array_view<Run> line) noexcept
+/// Rule L2 of UAX #9: puts the parts of a line, each with a `level`, from left to right. Before, they stand in the
+/// order in which they are read. `parts` is a std::span, or anything else with data() and size(). Cost: O(n) for each
+/// of the levels, 126 at most
+template <class Parts>
+void order_visually(Parts&& parts) noexcept
 {
+    const array_view line{parts.data(), parts.size()};
     unsigned highest = 0;
-    for (const Run& run : line) highest = run.level > highest ? run.level : highest;
+    for (const auto& run : line) highest = run.level > highest ? run.level : highest;
     for (unsigned level = highest; level > 0; --level)
         for (std::size_t first = 0; first < line.size(); ++first) {
             std::size_t last = first;

@@ -15,10 +15,10 @@ namespace typemesh::inline TYPEMESH_ABI {
 /// so on (see extruder.hpp).
 enum class part : std::uint8_t { front, back, side, front_bevel, back_bevel };
 
-inline constexpr std::size_t most_parts = 8;  ///< that an extruder may have
+inline constexpr std::size_t max_parts = 8;  ///< that an extruder may have
 
 /// Every part that a mesh may have. Those that its extruder does not have are empty; text_plan::parts() omits them.
-inline constexpr part all_parts[most_parts] = {part::front,      part::back, part::side, part::front_bevel,
-                                               part::back_bevel, part{5},    part{6},    part{7}};
+inline constexpr part all_parts[max_parts] = {part::front,      part::back, part::side, part::front_bevel,
+                                              part::back_bevel, part{5},    part{6},    part{7}};
 
 }  // namespace typemesh::inline TYPEMESH_ABI

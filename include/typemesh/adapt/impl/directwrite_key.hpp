@@ -30,9 +30,9 @@ public:
         mix(static_cast<std::uint64_t>(face->GetSimulations()));
         const auto on_axes = varied(face);
         if (!on_axes) return;
-        directwrite_axis_value axes[most_axes] = {};
+        directwrite_axis_value axes[max_axes] = {};
         const UINT32 count = on_axes->GetFontAxisValueCount();
-        if (count > most_axes || FAILED(on_axes->GetFontAxisValues(axes, count))) {
+        if (count > max_axes || FAILED(on_axes->GetFontAxisValues(axes, count))) {
             is_known_ = false;
             return;
         }
@@ -47,9 +47,9 @@ public:
     /// memory, or from a caller's own loader) are unknown: a loader's keys mean nothing once it is gone.
     void mix_files(IDWriteFontFace* face) noexcept
     {
-        IDWriteFontFile* files[most_files] = {};
+        IDWriteFontFile* files[max_files] = {};
         UINT32 count = 0;
-        if (FAILED(face->GetFiles(&count, nullptr)) || count == 0 || count > most_files ||
+        if (FAILED(face->GetFiles(&count, nullptr)) || count == 0 || count > max_files ||
             FAILED(face->GetFiles(&count, files))) {
             is_known_ = false;
             return;
@@ -78,7 +78,7 @@ public:
     }
 
 private:
-    static constexpr UINT32 most_axes = 64, most_files = 8, longest_path = 1024;
+    static constexpr UINT32 max_axes = 64, max_files = 8, longest_path = 1024;
 
     /// checkSumAdjustment, over the whole file; 0 where there is none.
     static std::uint64_t checksum(IDWriteFontFace* face) noexcept

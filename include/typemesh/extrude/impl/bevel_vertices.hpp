@@ -25,8 +25,8 @@ namespace typemesh::inline TYPEMESH_ABI {
 class bevel_vertices {
 public:
     struct sharing {
-        double crease = 1.0;       ///< the cosine of the crease angle
-        double most_apart = -1.0;  ///< the largest difference of `along`; negative: any
+        double crease = 1.0;      ///< the cosine of the crease angle
+        double max_apart = -1.0;  ///< the largest difference of `along`; negative: any
     };
 
     bevel_vertices(bevel_data& data, const bevel_light& light, sharing how) noexcept
@@ -88,7 +88,7 @@ private:
     static constexpr std::uint32_t none = ~std::uint32_t{0};
 
     /// How many corners at a node are tried: thousands may meet where a round shape closes, each with its own vertex.
-    static constexpr std::uint32_t most_tried = 64;
+    static constexpr std::uint32_t max_tried = 64;
 
     /// The cosine of 30 degrees, rounded up: normals that differ by less from one are near to the sum of all, and so
     /// are the faces that they stand for, if those are near their own normals.
@@ -168,7 +168,7 @@ private:
             here.corners = none;
             here.age = age_;
         }
-        std::uint32_t left = most_tried;
+        std::uint32_t left = max_tried;
         for (std::uint32_t c = here.corners; c != none && left-- != 0; c = data_.corners[c].next) {
             if (data_.corners[c].edge != edge) continue;
             vertex = data_.corners[c].vertex;
@@ -176,7 +176,7 @@ private:
         }
         const bevel_light::lit lit = light_.at(edge, swept_.nodes[at]);
         std::uint32_t found = here.corners;
-        for (left = most_tried; found != none && !share(data_.corners[found].vertex, lit);)
+        for (left = max_tried; found != none && !share(data_.corners[found].vertex, lit);)
             found = --left != 0 ? data_.corners[found].next : none;
         if (found != none) {
             vertex = data_.corners[found].vertex;
@@ -228,7 +228,7 @@ private:
         if (dot(normals.first, lit.outward) < how_.crease) return false;
         if (!is_near_ && !normals.stays_near(lit.outward, lit.face)) return false;
         const double apart = as_double(data_.of<bevel_vertex>()[vertex].along) - lit.along;
-        return how_.most_apart < 0.0 || std::fabs(apart) <= how_.most_apart;
+        return how_.max_apart < 0.0 || std::fabs(apart) <= how_.max_apart;
     }
 
     [[nodiscard]] bool is_outward() const noexcept { return frame_ != none; }

@@ -25,14 +25,14 @@ public:
         if (!(scale.tolerance > 0.0)) return 8;
         const double radius = scale.width > scale.depth ? scale.width : scale.depth;
         const double steps = std::ceil(quarter / 2.0 / std::sqrt(2.0 * scale.tolerance / radius));
-        return steps < 4.0 ? 4u : steps > most_steps ? most_steps : static_cast<std::uint32_t>(steps);
+        return steps < 4.0 ? 4u : steps > max_steps ? max_steps : static_cast<std::uint32_t>(steps);
     }
 
     /// Adds the points; a convex one's t is 1 - cos, its h sin of the angle, and a concave one's sin and 1 - cos.
     static void add(std::uint32_t steps, bool convex, profile_points& out) noexcept
     {
         out.add({0.0f, 0.0f});
-        for (std::uint32_t i = 1; i < steps && i <= most_steps; ++i) {
+        for (std::uint32_t i = 1; i < steps && i <= max_steps; ++i) {
             const double angle = quarter * i / steps;
             const auto high = static_cast<float>(std::sin(angle)), low = static_cast<float>(1.0 - std::cos(angle));
             out.add(convex ? profile_point{low, high} : profile_point{high, low});
@@ -42,7 +42,7 @@ public:
 
 private:
     static constexpr double quarter = 1.57079632679489661923;
-    static constexpr std::uint32_t most_steps = profile_points::most - 1;
+    static constexpr std::uint32_t max_steps = profile_points::most - 1;
 };
 
 }  // namespace typemesh::inline TYPEMESH_ABI

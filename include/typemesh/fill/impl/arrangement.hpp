@@ -93,11 +93,11 @@ struct arrangement {
     grid_point* spare = nullptr;     // of the same capacity
     std::uint32_t* first = nullptr;  // of each point: the first segment that starts there, the others follow by `next`
     std::uint32_t point_count = 0;
-    const contours* loops = nullptr;        // where the segments come from
-    bool is_bent = false;                   // some segment does not lie on its contour edge
-    std::uint32_t most_active = no_number;  // the largest number of segments on the sweep line
-    bool is_rounded = false;                // made by snap_rounding: nothing is left to be bent
-    bool is_touching = false;               // the boundary of the filled area passes through some point more than once
+    const contours* loops = nullptr;       // where the segments come from
+    bool is_bent = false;                  // some segment does not lie on its contour edge
+    std::uint32_t max_active = no_number;  // the largest number of segments on the sweep line
+    bool is_rounded = false;               // made by snap_rounding: nothing is left to be bent
+    bool is_touching = false;              // the boundary of the filled area passes through some point more than once
 
     struct edge {
         grid_point from, to;

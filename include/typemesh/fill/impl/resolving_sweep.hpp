@@ -110,7 +110,7 @@ public:
 private:
     [[nodiscard]] bool open(workspace::scope& scratch) noexcept
     {
-        const std::uint32_t most = a_.count < a_.most_active ? a_.count : a_.most_active;
+        const std::uint32_t most = a_.count < a_.max_active ? a_.count : a_.max_active;
         const std::uint32_t starts = a_.is_rounded ? most : most / 4 + 32;
         const std::size_t edges = std::size_t{most} + 1, cuts = a_.capacity - a_.count;
         ends_ = scratch.take<std::uint32_t>(edges);

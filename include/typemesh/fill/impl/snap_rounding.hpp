@@ -40,19 +40,19 @@ namespace typemesh::inline TYPEMESH_ABI::detail {
 ///        arrangements dynamically (1998)
 class snap_rounding {
 public:
-    static constexpr std::uint32_t most_ever = 1u << 30;  ///< pieces that 32-bit numbers can count, with a margin
+    static constexpr std::uint32_t max_ever = 1u << 30;  ///< pieces that 32-bit numbers can count, with a margin
 
-    /// `most_pieces` is taken as most_ever at most.
-    explicit snap_rounding(const contours& loops, std::uint32_t most_pieces) noexcept
-        : loops_{&loops}, most_{most_pieces < most_ever ? most_pieces : most_ever}
+    /// `max_pieces` is taken as max_ever at most.
+    explicit snap_rounding(const contours& loops, std::uint32_t max_pieces) noexcept
+        : loops_{&loops}, most_{max_pieces < max_ever ? max_pieces : max_ever}
     {
     }
 
-    [[nodiscard]] std::uint32_t most_pieces() const noexcept { return most_; }
+    [[nodiscard]] std::uint32_t max_pieces() const noexcept { return most_; }
 
     /// Finds all cuts, and makes the pieces an arrangement that lies in `scratch`, which holds nothing else.
     ///
-    /// Fails  error::too_many_pieces: more than `most_pieces` crossings or cuts; as soon as that is known
+    /// Fails  error::too_many_pieces: more than `max_pieces` crossings or cuts; as soon as that is known
     ///        error::out_of_memory
     [[nodiscard]] error run(fill_rule rule, workspace& space, workspace::scope& scratch, arrangement& a) noexcept
     {
@@ -223,7 +223,7 @@ private:
         scratch.keep(pieces, places);
         a.loops = loops_;
         // Three pieces of an edge at a time: vertical ones along which it falls, and those before and after them.
-        a.most_active = 3 * static_cast<std::uint32_t>(edges_.size());
+        a.max_active = 3 * static_cast<std::uint32_t>(edges_.size());
         return a.adopt(scratch, pieces, made, places, point_count) ? error{} : error{error::out_of_memory};
     }
 

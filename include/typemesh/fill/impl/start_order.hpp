@@ -23,7 +23,7 @@ public:
     /// Takes memory for `most` segments in one point; false when memory runs out.
     [[nodiscard]] bool open(workspace::scope& scratch, std::uint32_t most) noexcept
     {
-        most_starts_ = most;
+        max_starts_ = most;
         rays_ = scratch.take<ray>(most);
         starts_ = scratch.take<std::uint32_t>(std::size_t{most} + 2);
         return rays_ != nullptr && starts_ != nullptr;
@@ -50,7 +50,7 @@ public:
         }
         std::uint32_t count = 0;
         for (std::uint32_t i = starting; i != no_number; i = all[i].next) {
-            if (count == most_starts_) {
+            if (count == max_starts_) {
                 full = true;
                 return 0;
             }
@@ -129,7 +129,7 @@ private:
     std::int32_t mask_;  // of winding numbers
     ray* rays_ = nullptr;
     std::uint32_t* starts_ = nullptr;
-    std::uint32_t most_starts_ = 0;
+    std::uint32_t max_starts_ = 0;
     bool cancelled_ = false, uneven_ = false;  // in this point
     bool whole_ = true;                        // all joined so far in this direction are edges of the contours
 };

@@ -57,7 +57,7 @@ struct refinement_effort {
 ///       digits.
 class crossing_refinement {
 public:
-    static constexpr std::uint8_t most_halvings = 6;
+    static constexpr std::uint8_t max_halvings = 6;
     static constexpr double farthest = 4.0;  ///< how far an intersection may be from the curves' own, in tolerances
 
     /// False when memory runs out. `curves` must outlive this.
@@ -173,10 +173,10 @@ private:
     /// True when this makes the curve finer.
     [[nodiscard]] bool want(std::uint32_t i, std::uint32_t levels) noexcept
     {
-        if (outline_->curves[i].degree == 1 || halvings_[i] == most_halvings) return false;
+        if (outline_->curves[i].degree == 1 || halvings_[i] == max_halvings) return false;
         if (strip(i) <= 2.0 * snap) return false;
         const std::uint32_t sum = halvings_[i] + levels;
-        const auto capped = static_cast<std::uint8_t>(sum < most_halvings ? sum : most_halvings);
+        const auto capped = static_cast<std::uint8_t>(sum < max_halvings ? sum : max_halvings);
         if (wanted_[i] < capped) wanted_[i] = capped;
         return true;
     }
@@ -184,7 +184,7 @@ private:
     [[nodiscard]] static std::uint32_t levels_for(double excess) noexcept
     {
         std::uint32_t levels = 1;
-        for (; excess > 2.0 && levels < most_halvings; excess *= 0.5) ++levels;
+        for (; excess > 2.0 && levels < max_halvings; excess *= 0.5) ++levels;
         return levels;
     }
 

@@ -95,11 +95,11 @@ constinit const solid_ref::calls solid_ref::table<E>::of = [] {
                nullptr,
                nullptr,
                [](const void* how) noexcept { return heights_name_of(*static_cast<const E*>(how)); }};
-    if constexpr (tells_heights<E>)
+    if constexpr (has_heights<E>)
         made.heights_of = [](const void* how, const built_glyph& built) noexcept {
             return static_cast<const E*>(how)->heights(built.planned<E>().form);
         };
-    if constexpr (tells_outline<E>)
+    if constexpr (has_outline<E>)
         made.outline_of = [](const void* how, const built_glyph& built) noexcept {
             return static_cast<const E*>(how)->outline(built.planned<E>().form);
         };

@@ -58,7 +58,7 @@ public:
     [[nodiscard]] bool mend(const buffer<std::uint32_t>& ring, buffer<swept_node>& nodes,
                             const IsAtLevel& is_at_level) noexcept
     {
-        constexpr std::size_t most_detours = 1024;
+        constexpr std::size_t max_detours = 1024;
         bool nudged = false;
         detour best;
         std::int64_t least = reach;
@@ -79,7 +79,7 @@ public:
             }
         }
         if (nudged) return true;
-        if (best.a != best.b && detours_.size() < most_detours) return detours_.push_back(best);
+        if (best.a != best.b && detours_.size() < max_detours) return detours_.push_back(best);
         return unite(ring, nodes, is_at_level);
     }
 
@@ -116,10 +116,10 @@ private:
     [[nodiscard]] bool unite(const buffer<std::uint32_t>& ring, const buffer<swept_node>& nodes,
                              const IsAtLevel& is_at_level) noexcept
     {
-        constexpr std::size_t most_united = 64;
+        constexpr std::size_t max_united = 64;
         unit best{0, 0};
         std::int64_t least = 4 * 4 + 1;
-        for (std::size_t i = 0; i < ring.size() && united_.size() < most_united; ++i) {
+        for (std::size_t i = 0; i < ring.size() && united_.size() < max_united; ++i) {
             const std::uint32_t a = ring[i], b = ring[i + 1 == ring.size() ? 0 : i + 1];
             const std::int64_t apart = squared_distance(nodes[a].at, nodes[b].at);
             const float later = nodes[a].distance - nodes[b].distance;

@@ -61,7 +61,7 @@ public:
     }
 
 private:
-    static constexpr int most_halvings = 5;
+    static constexpr int max_halvings = 5;
 
     [[nodiscard]] const moving_line& line_of(std::uint32_t s) const noexcept
     {
@@ -93,7 +93,7 @@ private:
         do {
             step = of_half(step);
             ++count;
-        } while (count < most_halvings &&
+        } while (count < max_halvings &&
                  (step * limit < enough || (tolerance > 0.0 && rule.width * (1.0 - step) > tolerance)));
         return count;
     }
@@ -192,7 +192,7 @@ private:
 
     wavefront& of_;
     kinetic_triangles& mesh_;
-    fixed_vector along_[1 << most_halvings];
+    fixed_vector along_[1 << max_halvings];
     std::uint32_t steps_ = 0;
 };
 

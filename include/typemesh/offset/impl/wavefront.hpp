@@ -65,7 +65,7 @@ public:
     [[nodiscard]] bool start(std::int64_t limit) noexcept
     {
         times_.limit = limit;
-        most_flips_ = flips_a_triangle * (mesh.triangles.size() + 16);
+        max_flips_ = flips_a_triangle * (mesh.triangles.size() + 16);
         if (!queue_.reserve(2 * mesh.triangles.size())) return false;
         for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) schedule(t);
         return !has_failed();
@@ -82,7 +82,7 @@ public:
             if (!t.alive || t.stamp != next.stamp) continue;
             times_.now = next.time;
             happen(next);
-            if (has_failed() || flips_ > most_flips_ || hole_is_lost_) return false;
+            if (has_failed() || flips_ > max_flips_ || hole_is_lost_) return false;
         }
         return true;
     }
@@ -427,7 +427,7 @@ private:
         const std::uint32_t around = mesh.set_corner(before, v, after);
         pass(mesh.segments[before].from, at, node);
         pass(mesh.segments[after].to, at, node);
-        if (around > most_around) relieve(after);
+        if (around > max_around) relieve(after);
         mesh.around(after, [&](std::uint32_t h) noexcept { schedule(h / 3); });
     }
 
@@ -436,7 +436,7 @@ private:
     void relieve(std::uint32_t after) noexcept
     {
         failed_ |= !mesh.thin_out(
-            after, most_around / 2, [&](std::uint32_t h) noexcept { return is_convex(h); },
+            after, max_around / 2, [&](std::uint32_t h) noexcept { return is_convex(h); },
             [&](std::uint32_t t) noexcept { schedule(t); }, look_);
     }
     /// Whether the triangle of half-edge h and the next one around its origin make a convex quadrilateral.
@@ -472,7 +472,7 @@ private:
         if (first_loss_ < 0 && times_.now >= speck) first_loss_ = times_.now;
     }
 
-    static constexpr std::uint32_t most_around = 64;
+    static constexpr std::uint32_t max_around = 64;
 
     collapse_times times_;
     collapse_queue queue_;
@@ -481,7 +481,7 @@ private:
     std::int64_t level_ = 0;
     std::int64_t first_loss_ = -1, last_loss_ = -1;
     std::uint32_t lost_ = 0;
-    std::size_t most_flips_ = 0, flips_ = 0, events_ = 0, schedules_ = 0;
+    std::size_t max_flips_ = 0, flips_ = 0, events_ = 0, schedules_ = 0;
     bool failed_ = false;
     bool hole_is_lost_ = false;  ///< holes grow, so only rounding can do that, and a point has no place in the topology
 };

@@ -32,7 +32,7 @@ public:
     ///     glyphs   of the cluster, as they are set
     ///
     /// Fails  error::out_of_memory; nothing is kept then
-    template <knows_ligature_carets Font>
+    template <has_ligature_carets Font>
     error find(const Font& font, array_view<const shaped_glyph> glyphs, const wanted& which) noexcept
     {
         double all = 0.0, pen = 0.0;

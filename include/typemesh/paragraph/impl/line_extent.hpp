@@ -18,8 +18,8 @@ template <item_shaper Font>
 [[nodiscard]] line_metrics extent_of(Font& font, const shaped_text& shaped, array_view<const line_slice> slices,
                                      const line_metrics& plain) noexcept
 {
-    constexpr bool knows_faces = requires(direction d) { font.metrics(d, 0u); };
-    if (shaped.styles.empty() && !knows_faces) return plain;
+    constexpr bool has_faces = requires(direction d) { font.metrics(d, 0u); };
+    if (shaped.styles.empty() && !has_faces) return plain;
     line_metrics found, own = plain;
     std::uint32_t face = 0;
     bool any = false;
@@ -38,9 +38,8 @@ template <item_shaper Font>
         for (std::uint32_t k = s.first; k < s.last; ++k) {
             const text_cluster& c = shaped.cluster(k);
             if (c.glyph_count == 0) add(c, shaped.items()[c.item].face);
-            for (std::uint32_t g = c.glyph; knows_faces && g < c.glyph + c.glyph_count; ++g)
-                add(c, shaped.glyph(g).face);
-            if (!knows_faces && c.glyph_count != 0) add(c, 0);
+            for (std::uint32_t g = c.glyph; has_faces && g < c.glyph + c.glyph_count; ++g) add(c, shaped.glyph(g).face);
+            if (!has_faces && c.glyph_count != 0) add(c, 0);
         }
     return any ? found : plain;
 }

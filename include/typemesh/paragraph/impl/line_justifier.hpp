@@ -23,7 +23,7 @@ public:
     void clear() noexcept { model_ = no_cluster; }
 
     /// Makes a line wider by `gap`. Returns by how much: 0 where nothing can grow, less than `gap` where a line without
-    /// spaces would need more than most_strokes in a word.
+    /// spaces would need more than max_strokes in a word.
     ///
     /// Fails  error::out_of_memory, and as the shaper does, which shapes U+0640
     template <item_shaper Shaper>
@@ -59,7 +59,7 @@ public:
         return excess <= shrink * spaces * rounding ? 0.0 - line.justify(shaped, 0.0 - excess) : 0.0;
     }
 
-    static constexpr std::uint32_t most_strokes = 4;  ///< in a word
+    static constexpr std::uint32_t max_strokes = 4;  ///< in a word
 
 private:
     /// Where strokes may stand: before a cluster of a slice.
@@ -197,12 +197,12 @@ private:
         for (const elongation& own : elongations_) round += own.stroke;
         if (!(round > 0.0)) return;
         const double rounds = gap / round;
-        const auto whole = rounds < most_strokes ? static_cast<std::uint32_t>(rounds) : most_strokes;
+        const auto whole = rounds < max_strokes ? static_cast<std::uint32_t>(rounds) : max_strokes;
         const bool overlap = !has_spaces(line, shaped);
         double all = whole * round;
         for (elongation& own : elongations_) {
             own.count = whole;
-            if (whole == most_strokes || !(all + (overlap ? 0.0 : own.stroke) <= gap)) continue;
+            if (whole == max_strokes || !(all + (overlap ? 0.0 : own.stroke) <= gap)) continue;
             ++own.count;
             all += own.stroke;
         }

@@ -447,7 +447,7 @@ private:
     template <item_shaper Shaper>
     error find_carets([[maybe_unused]] Shaper& shaper, [[maybe_unused]] std::size_t first) noexcept
     {
-        if constexpr (knows_ligature_carets<Shaper>) {
+        if constexpr (has_ligature_carets<Shaper>) {
             for (std::size_t i = first; i < clusters_.size(); ++i) {
                 const text_cluster& c = clusters_[i];
                 std::uint32_t inner = 0;  // graphemes behind the first

@@ -101,11 +101,11 @@ template <class Key>
     return a;
 }
 
-inline constexpr std::size_t most_for_buckets = 2048;  // points; beyond, the radix sort is faster (measured)
+inline constexpr std::size_t max_for_buckets = 2048;  // points; beyond, the radix sort is faster (measured)
 
 /// One pass into buckets by the leading bits, then insertion sort: for points of glyphs. Where many points share a
 /// bucket (as points in one column do), that bucket is sorted on its own first; where very many do, radix sort takes
-/// over. Returns where the sorted keys are: `a` or `b`. Needs 1 <= n <= most_for_buckets.
+/// over. Returns where the sorted keys are: `a` or `b`. Needs 1 <= n <= max_for_buckets.
 template <class Key>
 [[nodiscard]] Key* bucket_sort(Key* a, Key* b, std::size_t n, std::uint32_t index_bits,
                                std::uint32_t place_bits) noexcept
@@ -114,7 +114,7 @@ template <class Key>
     const auto bucket_bits = static_cast<std::uint32_t>(std::bit_width(n));  // 1 to 2 buckets per point
     const std::size_t buckets = std::size_t{1} << bucket_bits;
     const std::uint32_t shift = Key::right_of(place_bits > bucket_bits ? place_bits - bucket_bits : 0, index_bits);
-    std::uint16_t first[4 * most_for_buckets];
+    std::uint16_t first[4 * max_for_buckets];
     std::memset(first, 0, buckets * sizeof first[0]);
     for (std::size_t i = 0; i < n; ++i) ++first[a[i].word >> shift];
     std::uint32_t sum = 0, sizes = 0;
@@ -146,7 +146,7 @@ template <class Key>
         insertion_sort(keys, n);
         return keys;
     }
-    if (n <= most_for_buckets) return bucket_sort(keys, spare, n, index_bits, place_bits);
+    if (n <= max_for_buckets) return bucket_sort(keys, spare, n, index_bits, place_bits);
     return radix_sort(keys, spare, n, index_bits, place_bits);
 }
 
@@ -189,7 +189,7 @@ template <std::int32_t grid_point::* coordinate>
     detail::coordinate_range y_range{(std::numeric_limits<std::int32_t>::min)(),
                                      (std::numeric_limits<std::int32_t>::max)()};
     const bool fits = x_bits + y_range.bits() + index_bits <= 64;
-    if (n > detail::most_for_buckets || !fits)  // else a smaller range of y gains nothing
+    if (n > detail::max_for_buckets || !fits)  // else a smaller range of y gains nothing
         y_range = detail::range_of<&grid_point::y>(points);
     const std::uint32_t y_bits = y_range.bits();
 

@@ -21,7 +21,7 @@ namespace typemesh::inline TYPEMESH_ABI {
 /// From  W. Pugh, Skip lists: a probabilistic alternative to balanced trees (1990)
 class sweep_status {
     static constexpr std::uint32_t lanes_from = 16;  ///< items without a lane; 8 to 48 are equally fast
-    static constexpr std::uint32_t most_lanes = 11;  ///< every fourth item rises to the next: 4^11 items
+    static constexpr std::uint32_t max_lanes = 11;   ///< every fourth item rises to the next: 4^11 items
 
     struct place {
         std::uint32_t link[2];  // below, above
@@ -34,18 +34,18 @@ class sweep_status {
     };
 
 public:
-    /// Takes memory for the items 1 to `most_items`, about 18 bytes per item; false when memory runs out.
-    [[nodiscard]] bool open(workspace::scope& scratch, std::size_t most_items) noexcept
+    /// Takes memory for the items 1 to `max_items`, about 18 bytes per item; false when memory runs out.
+    [[nodiscard]] bool open(workspace::scope& scratch, std::size_t max_items) noexcept
     {
-        places_ = scratch.take<place>(most_items + 1);
+        places_ = scratch.take<place>(max_items + 1);
         if (places_ == nullptr) return false;
         places_[0] = {{0, 0}, 0};
-        if (most_items <= lanes_from) return true;
-        stop_count_ = most_lanes + 1 + static_cast<std::uint32_t>(most_items / 3);
+        if (max_items <= lanes_from) return true;
+        stop_count_ = max_lanes + 1 + static_cast<std::uint32_t>(max_items / 3);
         stops_ = scratch.take<stop>(stop_count_);
         if (stops_ == nullptr) return false;
-        for (std::uint32_t lane = 1; lane <= most_lanes; ++lane) stops_[lane] = {0, {lane, lane}, lane - 1};
-        next_stop_ = most_lanes + 1;
+        for (std::uint32_t lane = 1; lane <= max_lanes; ++lane) stops_[lane] = {0, {lane, lane}, lane - 1};
+        next_stop_ = max_lanes + 1;
         return true;
     }
 
@@ -110,7 +110,7 @@ private:
         random_ ^= random_ << 13;  // xorshift: G. Marsaglia, Xorshift RNGs (2003)
         random_ ^= random_ >> 17;
         random_ ^= random_ << 5;
-        const std::uint32_t height = static_cast<std::uint32_t>(std::countr_zero(random_ | 1u << (2 * most_lanes))) / 2;
+        const std::uint32_t height = static_cast<std::uint32_t>(std::countr_zero(random_ | 1u << (2 * max_lanes))) / 2;
         std::uint32_t down = 0;
         for (std::uint32_t lane = 1; lane <= height; ++lane) {
             std::uint32_t s = free_stop_;
@@ -131,14 +131,14 @@ private:
     }
 
     place* places_ = nullptr;
-    stop* stops_ = nullptr;  // 1 to most_lanes: the heads
+    stop* stops_ = nullptr;  // 1 to max_lanes: the heads
     std::uint32_t stop_count_ = 0;
     std::uint32_t next_stop_ = 0;
     std::uint32_t free_stop_ = 0;
     std::uint32_t size_ = 0;
     std::uint32_t lanes_ = 0;
     std::uint32_t random_ = 0x9E37'79B9u;
-    std::uint32_t found_[most_lanes + 1] = {};
+    std::uint32_t found_[max_lanes + 1] = {};
 };
 
 }  // namespace typemesh::inline TYPEMESH_ABI

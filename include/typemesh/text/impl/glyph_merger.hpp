@@ -18,7 +18,7 @@
 namespace typemesh::inline TYPEMESH_ABI {
 
 /// Merges the glyphs of a text whose outlines meet, group by group; where a step or the extruder makes them grow
-/// (tells_outline in extruder.hpp), those that meet when they have grown:
+/// (has_outline in extruder.hpp), those that meet when they have grown:
 ///
 ///      .--..-.     .--.                    .-----.     .--.        A group is a chain of glyphs of which each
 ///      |a ||b| ..  |d |        ->          |     | ..  |d |        shares a point with the next; all others are
@@ -199,7 +199,7 @@ private:
         }
         with.observe(stage::fill);
         const std::size_t own_curves = union_.curve_count();
-        const auto joined = union_.join(caps_.space(), how.most_pieces, parting);
+        const auto joined = union_.join(caps_.space(), how.max_pieces, parting);
         if (!joined) return joined.error();
         with.observe(stage::triangulate);
         if (const auto done = caps_.cap(*joined, with.cut); !done) return done.error();

@@ -97,8 +97,8 @@ private:
         std::uint32_t most;
         part now = part::front;
         piece open = {{}, 0, 0, to.used_.size(), to.triangles_.size()};
-        std::uint32_t lowest[most_parts] = {};   // of the vertices that the open piece uses, in each part of which it
-        std::uint32_t highest[most_parts] = {};  // uses any
+        std::uint32_t lowest[max_parts] = {};   // of the vertices that the open piece uses, in each part of which it
+        std::uint32_t highest[max_parts] = {};  // uses any
         error failure = {};
 
         error begin(mesh_size) noexcept { return {}; }
@@ -124,7 +124,7 @@ private:
             if (to.place_[v] != unused) return;
             to.place_[v] = 0;
             ++open.used_count;
-            std::size_t k = most_parts - 1;
+            std::size_t k = max_parts - 1;
             while (v < first.of[k]) --k;
             if (open.sizes.vertices.of[k]++ == 0) lowest[k] = highest[k] = v;
             if (v < lowest[k]) lowest[k] = v;
@@ -142,7 +142,7 @@ private:
             }
             std::uint32_t* place = to.place_.data();
             std::uint32_t number = 0;
-            for (std::size_t k = 0; k < most_parts; ++k) {
+            for (std::size_t k = 0; k < max_parts; ++k) {
                 if (open.sizes.vertices.of[k] == 0) continue;
                 for (std::uint32_t v = lowest[k]; v <= highest[k]; ++v) {
                     if (place[v] == unused) continue;

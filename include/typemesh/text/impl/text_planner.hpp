@@ -74,7 +74,7 @@ private:
         return e;
     }
 
-    /// Plans for glyphs that are written up to `reach` em from the origin: see glyph_settings::most_cells.
+    /// Plans for glyphs that are written up to `reach` em from the origin: see glyph_settings::max_cells.
     error plan_once(const call& now, double reach) noexcept;
 
     /// Why a text can be written with none of these options, or none.
@@ -237,11 +237,11 @@ inline glyph_settings text_planner::settings_of(const text_options& options, dou
 {
     glyph_settings how{.tolerance = options.tolerance,
                        .fill = options.fill,
-                       .most_pieces = options.most_pieces,
-                       .most_points = options.most_points};
+                       .max_pieces = options.max_pieces,
+                       .max_points = options.max_points};
     if (options.corners == touching::keep) return how;
     how.corners = options.corners;
-    how.most_cells = cells_told_apart(reach, options.frame.is_along_axes());
+    how.max_cells = cells_told_apart(reach, options.frame.is_along_axes());
     return how;
 }
 

@@ -35,11 +35,11 @@ public:
         em_ = static_cast<std::int64_t>(cells < 0x1p25 ? cells : 0x1p25);
         const double span = g.span > 0.0 && g.span < farthest ? g.span : farthest;
         most_ = static_cast<std::int64_t>(static_cast<double>(em_) * span * 0x1p-16) + (em_ != 0 ? 1 : 0);
-        most_low_ = (most_ >> (low - 1)) + (em_ != 0 ? 1 : 0);
+        max_low_ = (most_ >> (low - 1)) + (em_ != 0 ? 1 : 0);
     }
 
     /// A triangle whose doubled area is this or more is not low.
-    [[nodiscard]] std::int64_t doubled_area_of_low() const noexcept { return most_low_; }
+    [[nodiscard]] std::int64_t doubled_area_of_low() const noexcept { return max_low_; }
 
     /// The level of a counter-clockwise triangle, given its doubled area.
     [[nodiscard]] std::uint32_t level(grid_point a, grid_point b, grid_point c,
@@ -65,7 +65,7 @@ public:
     [[nodiscard]] bool is_low(grid_point a, grid_point b, grid_point c) const noexcept
     {
         const std::int64_t doubled_area = orientation(a, b, c);
-        return doubled_area < most_low_ && level(a, b, c, doubled_area) >= low;
+        return doubled_area < max_low_ && level(a, b, c, doubled_area) >= low;
     }
 
 private:
@@ -73,7 +73,7 @@ private:
 
     std::int64_t em_;  // in cells; 0: unknown
     std::int64_t most_;
-    std::int64_t most_low_;
+    std::int64_t max_low_;
 };
 
 }  // namespace typemesh::inline TYPEMESH_ABI

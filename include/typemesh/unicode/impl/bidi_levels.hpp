@@ -24,7 +24,7 @@ namespace detail {
 
 /// Resolves the levels of one paragraph: rules P2 to I2 of UAX #9. Linear in its length, whatever is nested in it.
 class bidi_resolver {
-    static constexpr std::uint8_t most_level = 125;  // max_depth of BD2
+    static constexpr std::uint8_t max_level = 125;  // max_depth of BD2
     static constexpr std::uint32_t none = 0xFFFF'FFFF;
 
     /// Neighbouring characters of one level, without those that rule X9 removes.
@@ -154,7 +154,7 @@ private:
     void open_embedding(unsigned odd, bidi_class override_to) noexcept
     {
         const std::uint8_t level = next_level(odd);
-        if (level <= most_level && overflow_isolates_ == 0 && overflow_embeddings_ == 0)
+        if (level <= max_level && overflow_isolates_ == 0 && overflow_embeddings_ == 0)
             stack_[++depth_] = {level, override_to, false};
         else if (overflow_isolates_ == 0)
             ++overflow_embeddings_;
@@ -172,7 +172,7 @@ private:
     void open_isolate(unsigned odd) noexcept
     {
         const std::uint8_t level = next_level(odd);
-        if (level <= most_level && overflow_isolates_ == 0 && overflow_embeddings_ == 0) {
+        if (level <= max_level && overflow_isolates_ == 0 && overflow_embeddings_ == 0) {
             ++valid_isolates_;
             stack_[++depth_] = {level, bidi_class::on, true};
         } else
@@ -272,7 +272,7 @@ private:
     bidi_class* gathered_ = nullptr;
     opened_bracket* opened_ = nullptr;
 
-    status stack_[most_level + 2];
+    status stack_[max_level + 2];
     std::size_t depth_ = 0;
     std::size_t overflow_isolates_ = 0, overflow_embeddings_ = 0, valid_isolates_ = 0;
 };
