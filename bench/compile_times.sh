@@ -51,7 +51,7 @@ measure() {
     done | awk -v name="$name" '
         NR == 1 || $1 < yardstick { yardstick = $1 }
         NR == 1 || $2 < least { least = $2 }
-        END { printf "%-64s %6.2f s %6.2f yardsticks", name, least, least / yardstick }'
+        END { printf "%-66s %6.2f s %6.2f yardsticks", name, least, least / yardstick }'
     memory=$(awk '$1 == "TOTAL" { print $NF }' report.txt)
     size made.o | awk -v memory="${memory:-?}" 'NR == 2 { printf " %6s %5d kB of code\n", memory, $1 / 1000 }'
 }
@@ -70,7 +70,7 @@ measure() {
             chosen) name="the same, flat, extruded or bevelled at run time" ;;
         esac
         measure "$name, -O2" $flags -O2 $each.cpp
-        measure "$name, -O2, with typemesh::compiled" $flags -O2 -DTYPEMESH_COMPILED $each.cpp
+        measure "  with typemesh::compiled" $flags -O2 -DTYPEMESH_COMPILED $each.cpp
     done
     measure "what typemesh::compiled adds to a build, once, -O2" $flags -O2 -DTYPEMESH_COMPILED "$root/include/typemesh/compiled/harfbuzz.cpp"
 }
