@@ -88,8 +88,8 @@ def write_kernels(rows, folder, foot):
             programs.setdefault(r['program'], collections.OrderedDict()).setdefault(r['name'], {})[r['counter']] = r['value']
     if not programs:
         return
-    parts = ['# The parts of typemesh, beside their floors\n\nThe programs `bench/*.bench.cpp`, each of which says in its first lines what its columns '
-             'mean. Compare ratios, not times.\n']
+    parts = ['# The parts of typemesh, beside their floors\n\nThese are the programs `bench/*.bench.cpp`. The first lines of each '
+             'explain its columns. Compare ratios, not times.\n']
     for program, named in programs.items():
         groups = collections.OrderedDict()  # rows with the same counters in one table
         for name, counters in named.items():

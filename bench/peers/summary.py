@@ -177,12 +177,12 @@ def headlines(found, least, judged, own):
 
 
 NOTES = """
-Times are of the processor; of node the shorter of that and the wall's; of OpenSCAD the whole process's, of which an empty model takes most.
+Times are processor times. For node it is the shorter of processor and wall time. For OpenSCAD it is the whole process; an empty model takes most of it.
 The chord error is the distance of the boundary of a letter's front from the font's own curves, over ASCII and Latin to U+024F: what 9 of \
 10 chords of curves stay below, and the largest of all letters that are right. It is of Liberation Sans, of Inter for the text with \
 overlaps; texts in further fonts are shown with Liberation Sans' at that setting.
 A peer with a fixed number of steps a curve is exact on small curves and coarse on large ones: it is as exact as typemesh in 9 of 10 \
-chords long before it is in the largest error. Both are told; typemesh's tolerance bounds the largest.
+chords long before it is in the largest error. Both are listed; typemesh's tolerance bounds the largest.
 FTGL and osgText place letters that they keep: no mesh of the text is written. They do not shape, nor do VTK, Coin, Blender and three.js: \
 these map characters to glyphs, in Arabic, too. typemesh's time beside them has HarfBuzz's shaping in it.
 Coin crashes on texts beyond ASCII: those letters count as lost. Its outlines are hinted, which moves them by up to 0.03 em. VTK has a face \

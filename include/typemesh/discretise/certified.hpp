@@ -155,10 +155,10 @@ private:
             const double tt = tolerance_ * tolerance_;
             if (bend_ < four_samples_do * tt)  // in this form because a root would come late
                 between(detail::share_table<4>{chords_, from, to, tolerance_}, from, to);
+            else if (bend_ < eight_samples_do * tt)
+                between(detail::share_table<8>{chords_, from, to, tolerance_}, from, to);
             else
-                between(
-                    detail::share_table<8, 16>{chords_, from, to, tolerance_, bend_ < eight_samples_do * tt ? 8 : 16},
-                    from, to);
+                between(detail::share_table<16>{chords_, from, to, tolerance_}, from, to);
         }
 
         template <class Shares>

@@ -76,7 +76,8 @@ struct quadratic_chords {
         return inverse_fourth_root(static_cast<float>(hh * hh * kk / (16.0 * tt * dot(c, c) + 1e-300)) + 1e-30f);
     }
 
-    void sample(float* density, int samples, double from, double step, double tolerance) const noexcept
+    template <int samples>
+    void sample(float* density, double from, double step, double tolerance) const noexcept
     {
         const double size = std::abs(b.x) + std::abs(b.y) + std::abs(a.x) + std::abs(a.y);
         const double one = 1.0 / (size * size);
@@ -176,7 +177,8 @@ struct cubic_chords {
         return u < one && one < v ? one : u < other && other < v ? other : u;
     }
 
-    void sample(float* density, int samples, double from, double step, double tolerance) const noexcept
+    template <int samples>
+    void sample(float* density, double from, double step, double tolerance) const noexcept
     {
         // In units of 8 tolerances, which needs no root and no value of the curve that would come late.
         double one = 1.0 / (8.0 * tolerance), wide = step;
@@ -243,20 +245,17 @@ private:
 ///
 /// Samples lie in the middle of equal intervals of t; within one the density is taken as linear, with the slope between
 /// its neighbours. The inverse takes two steps of a fixed-point iteration, which avoids a root.
-///
-/// There are `least` or `most` samples: code is made once for both.
-template <int least, int most = least>
+template <int samples>
 class share_table {
 public:
-    static_assert(least > 0 && least % 4 == 0 && most % 4 == 0);
+    static_assert(samples > 0 && samples % 4 == 0);
 
     template <class Chords>
-    share_table(const Chords& chords, double from, double to, double tolerance, int samples = least) noexcept
-        : samples_{samples}, start_{from}, step_{(to - from) / samples}
+    share_table(const Chords& chords, double from, double to, double tolerance) noexcept
+        : start_{from}, step_{(to - from) / samples}
     {
-        samples = this->samples();
         float density[count + 2];
-        chords.sample(density + 1, samples, from + 0.5 * step_, step_, tolerance);
+        chords.template sample<samples>(density + 1, from + 0.5 * step_, step_, tolerance);
         density[0] = 2.0f * density[1] - density[2];
         density[samples + 1] = 2.0f * density[samples] - density[samples - 1];
         for (int j = 0; j < samples; ++j) {
@@ -277,13 +276,13 @@ public:
     }
 
     /// The number of pieces that the curve needs, approximately; not rounded.
-    [[nodiscard]] float whole() const noexcept { return sum_[samples()]; }
+    [[nodiscard]] float whole() const noexcept { return sum_[samples]; }
 
     /// Increases with the share, which runs from 0 to whole().
     [[nodiscard]] double t_of(float share) const noexcept
     {
         int i = 0;
-        for (int j = 1, n = samples(); j < n; ++j) i += share > sum_[j] ? 1 : 0;  // no branch to mispredict
+        for (int j = 1; j < samples; ++j) i += share > sum_[j] ? 1 : 0;  // no branch to mispredict
         const float even = (share - sum_[i]) * inverse_[i];
         float x = even + lean_[i] * (even - even * even);
         x = even + lean_[i] * (x - x * x);
@@ -294,16 +293,13 @@ public:
     {
         const float place = static_cast<float>((t - start_) / step_);
         int j = static_cast<int>(place);
-        j = j > samples() - 1 ? samples() - 1 : j;
+        j = j > samples - 1 ? samples - 1 : j;
         const float x = place - static_cast<float>(j);
         return sum_[j] + (x - lean_[j] * (x - x * x)) / inverse_[j];
     }
 
 private:
-    [[nodiscard]] int samples() const noexcept { return least == most ? least : samples_; }
-
-    static constexpr std::size_t count = most;
-    int samples_;
+    static constexpr std::size_t count = samples;
     double start_, step_;
     float sum_[count + 1], inverse_[count], lean_[count];
 };
