@@ -20,8 +20,8 @@ namespace typemesh::inline TYPEMESH_ABI {
 ///
 /// Quadratics are raised to cubics first. The tolerance argument is ignored, and no tolerance is kept: an S-shaped half
 /// whose segments cross becomes a line at once, and so does a half that looks straight at its midpoint. `best` promises
-/// 0.005 of 64 units. On real fonts, the worst chords of cubics exceed that error 37 times, those of quadratics 5
-/// times. `certified` keeps its tolerance.
+/// 0.005 of 64 units. On real fonts, the worst chord is off by 37 times that for cubics and by 5 times for quadratics.
+/// `certified` keeps its tolerance.
 ///
 /// Values of t are exact (multiples of 2^-levels). A curve gets at most 2^levels points; degenerate curves end early.
 ///

@@ -34,7 +34,7 @@ concept triangulator = requires(const T& t, const region& r, workspace& space, t
 ///                                   not a verdict: the loops then go through fill. The error's count may be 1: two
 ///                                   equal points were in the way, and so far no other fault was found.
 ///
-/// It may refuse anything. It must accept only loops that do not cross, touch or overlap, and whose interior lies on
+/// It may refuse anything. It may accept only loops that do not cross, touch or overlap, and whose interior lies on
 /// the left of every edge under both the even-odd and the non-zero rule (see fill/orient.hpp).
 template <class T>
 concept proving_triangulator =

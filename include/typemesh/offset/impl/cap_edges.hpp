@@ -106,9 +106,8 @@ private:
     std::uint32_t first_join_curve_;
 };
 
-/// Appends a curve for each join. It turns from the direction of the edge before the corner (or the mean with the join
-/// before it) to that of the edge after it (or the mean with the next join). Only directions matter: it lies at the
-/// corner.
+/// Appends a curve for each join. It starts along the edge before the corner (or along the mean with the previous join)
+/// and ends along the edge after it (or the mean with the next join). Only directions matter: it lies at the corner.
 [[nodiscard]] inline bool add_join_curves(const region& r, bool round, const swept_region& swept,
                                           buffer<curve>& curves) noexcept
 {

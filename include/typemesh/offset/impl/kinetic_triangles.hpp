@@ -93,7 +93,7 @@ public:
     /// Replaces the diagonal under half-edge h with the other diagonal of its quadrilateral; their ends c and d differ.
     ///
     ///         c                 c
-    ///       /   \             / | \        triangle t of h keeps a, that of its twin keeps b
+    ///       /   \             / | \        triangle t of h keeps a, the twin's triangle keeps b
     ///     a --h-- b    >    a   |   b
     ///       \   /             \ | /
     ///         d                 d
