@@ -10,27 +10,27 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// The recursive subdivision of the thesis, exactly as published, for those who want its meshes again.
+/// The recursive subdivision of the thesis, exactly as published. Use it to reproduce the meshes of the thesis.
 ///
-///          P2 ______ P3         A curve is halved. Each half becomes a line if
+///          P2 ______ P3         A curve is halved. A half becomes a line if
 ///           /  ----  \            - its segments P1-P4 and P2-P3 come closer to each other than `distance`, or
 ///          / /  M   \ \           - the lines P1-M and M-P4 through its midpoint turn by less than `angle`, or
-///        P1 ---------- P4         - it is the result of the `levels`-th halving,
-///                               and is halved again otherwise. The whole curve is always halved once.
+///        P1 ---------- P4         - it is the result of the `levels`-th halving.
+///                               Otherwise it is halved again. The whole curve is always halved once.
 ///
-/// Quadratics are raised to cubics first. The given tolerance is ignored, and none is kept: an S-shaped half whose
-/// segments cross becomes a line at once, and so does any half that looks straight at its midpoint. `best` promises
-/// 0.005 of 64 units; on real fonts the worst chords of cubics are off by 37 times that, of quadratics by 5 times.
+/// Quadratics are raised to cubics first. The tolerance argument is ignored, and no tolerance is kept: an S-shaped half
+/// whose segments cross becomes a line at once, and so does a half that looks straight at its midpoint. `best` promises
+/// 0.005 of 64 units. On real fonts, the worst chord is off by 37 times that for cubics and by 5 times for quadratics.
 /// `certified` keeps its tolerance.
 ///
-/// Values of t are exact (multiples of 2^-levels). At most 2^levels points per curve; degenerate curves end early.
+/// Values of t are exact (multiples of 2^-levels). A curve gets at most 2^levels points; degenerate curves end early.
 ///
 /// From "Study of mesh generation and optimization techniques applied to parametric forms", J. Vandenbergh, 2020.
 struct adaptive_subdivision {
     static constexpr bool keeps_no_tolerance = true;
-    static constexpr std::uint32_t max_levels = 20;  ///< larger `levels` are taken as this
+    static constexpr std::uint32_t max_levels = 20;  ///< larger `levels` are clamped to this
 
-    /// A length that must be given: one that suits 64 units per em is 32 times too fine for 2048.
+    /// A length without a default: a value that suits 64 units per em is 32 times too fine for 2048.
     struct stated {
         double value;
 
@@ -38,7 +38,7 @@ struct adaptive_subdivision {
         constexpr operator double() const noexcept { return value; }
     };
 
-    std::uint32_t levels = 5;  ///< r in the thesis; 0 is taken as 1
+    std::uint32_t levels = 5;  ///< r in the thesis; 0 counts as 1
     stated distance;           ///< in the curve's own unit: font units
     double angle = 0.01;       ///< in radians
 

@@ -11,30 +11,30 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// The default discretiser: as few chords as the tolerance allows, or nearly, and every one of them proven.
+/// The default discretiser: (almost) as few chords as the tolerance allows, and a proof for every chord.
 ///
-///             o---------o         Points are placed so that pieces have equal shares of the integral of
-///         o                 o     sqrt(|B' x B''| / (8 tolerance |B'|)): pieces of equal error, shorter where the
-///       o                    o    curve bends. Then every piece is measured; one that is too long is shortened and
-///      o                     o    the rest divided anew.
+///             o---------o         Points divide the integral of sqrt(|B' x B''| / (8 tolerance |B'|)) equally: all
+///         o                 o     pieces have equal error, and pieces are shorter where the curve bends more. Then
+///       o                    o    every piece is measured. If one is too long, it is shortened, and the rest of the
+///      o                     o    curve is divided again.
 ///
-/// Promise  No point of the curve is farther than `tolerance` from its own chord, whatever the curve: loops, cusps,
-///          curves that double back beyond their ends, coincident control points, zero length. It keeps 2^-20 less, as
-///          a margin for rounding; this holds for tolerances above 2^-28 of the coordinates.
-/// Count    Over real fonts within 1 % of the least possible (for points on the curve); hairpins and the S-curves of
-///          handwriting may take 2 %. Never more than Wang's bound, except for corners.
+/// Promise  No point of the curve is farther than `tolerance` from its own chord. This holds for every curve: loops,
+///          cusps, curves that double back beyond their ends, coincident control points, zero length. The target is
+///          2^-20 tighter, as a margin for rounding; the margin suffices for tolerances above 2^-28 of the coordinates.
+/// Count    On real fonts within 1 % of the minimum (for points on the curve); up to 2 % for hairpins and the S-curves
+///          of handwriting. Never more than Wang's bound, except for corners.
 /// Corners  Where the curve stops and turns (core/impl/tangent.hpp: B' vanishes, t taken as float), a point is emitted
 ///          even if the tolerance does not need it: walls need a hard corner there.
-/// Limit    65,536 points per piece between corners. Only tolerances below 2^-31 of the curve's size would need more,
-///          which discretise() never asks for: its grid is coarser. Beyond the limit points are at equal steps of t,
-///          and the tolerance is not kept.
-/// Cost     At 1/800 em up to one and a half times that of equal steps of t for quadratics, two to three times that for
-///          cubics; no allocation, no transcendental function.
+/// Limit    65,536 points per piece between corners. Only tolerances below 2^-31 of the curve's size would need more.
+///          discretise() never passes these: its grid is coarser. Beyond the limit, points lie at equal steps of t, and
+///          the tolerance is not kept.
+/// Cost     At 1/800 em, up to 1.5 times the cost of equal steps of t for quadratics, two to three times for cubics; no
+///          allocation, no transcendental function.
 ///
-/// Curves must be finite and `tolerance` positive.
+/// Precondition: the curve is finite and `tolerance` is positive.
 ///
-/// This work is based on: R. Goldman, Pyramid Algorithms (2003), 5.6.3, for Wang's bound, by which no piece shorter
-/// than sqrt(8 tolerance / (d(d-1) max|second difference|)) needs measuring; R. Levien, "Flattening quadratic Beziers"
+/// This work is based on: R. Goldman, Pyramid Algorithms (2003), 5.6.3, for Wang's bound: pieces shorter than
+/// sqrt(8 tolerance / (d(d-1) max|second difference|)) need no measurement; R. Levien, "Flattening quadratic Beziers"
 /// (2019), for the density.
 struct certified {
     static constexpr double shortest_step = 0x1p-16;  ///< of t
@@ -88,7 +88,7 @@ struct certified {
 private:
     static constexpr double kept_share = 1.0 - 0x1p-20;  // of the tolerance; the rest is a margin for rounding
 
-    // Wang's bound is n pieces or fewer where bend <= pieces(n) * tolerance^2; no root is needed. The bend is the
+    // By Wang's bound, n pieces suffice if bend <= pieces(n) * tolerance^2; this test needs no root. The bend is the
     // largest squared second difference of the control points, times (d(d-1)/8)^2 for degree d.
     static constexpr double quadratic_bend = 0.0625, cubic_bend = 0.5625;
     [[nodiscard]] static constexpr double pieces(int n) noexcept { return double(n) * n * n * n; }
@@ -99,13 +99,13 @@ private:
 
     [[nodiscard]] static double greater(double a, double b) noexcept { return a > b ? a : b; }
 
-    /// The inner points where Wang's bound is `most`, 3 or 4, without a table: most curves of text. The errors of the
-    /// two halves tell how many points each needs, and a density that slopes from one to the other where these are.
-    /// Gives up where they come out badly, and where a cubic bends the other way.
+    /// Emits the inner points without a table if Wang's bound is `most` (3 or 4), as for most curves of text. The
+    /// errors of the two halves give the number of points; a density that slopes between the halves places them. Fails
+    /// if a chord comes out too long, or if a cubic changes its bending direction.
     template <class Chords, class Put>
     static bool few(const Chords& chords, int most, Put& put) noexcept
     {
-        constexpr float worth_trying = 0.93f;  // pieces below Wang's bound; this and the next are fitted to fonts
+        constexpr float worth_trying = 0.93f;  // pieces below Wang's bound; this and the next value are fitted to fonts
         constexpr float two_do = 2.04f;        // pieces, by the estimate
         if (chords.turns_over()) return false;
         const float left = chords.inverse_share(0.0, 0.5), right = chords.inverse_share(0.5, 1.0);
@@ -149,11 +149,11 @@ private:
         {
         }
 
-        /// The inner points of (from, to), with a finer table where more points will be needed.
+        /// Emits the inner points of (from, to). Uses a finer table for curves that need more points.
         void between(double from, double to) const noexcept
         {
             const double tt = tolerance_ * tolerance_;
-            if (bend_ < four_samples_do * tt)  // in this form because a root would come late
+            if (bend_ < four_samples_do * tt)  // not with a root: its result would come late
                 between(detail::share_table<4>{chords_, from, to, tolerance_}, from, to);
             else if (bend_ < eight_samples_do * tt)
                 between(detail::share_table<8>{chords_, from, to, tolerance_}, from, to);
@@ -172,11 +172,11 @@ private:
                                                                    : 2;
             const double count = static_cast<double>(pieces), length = to - from;
             const double cc = count * count, ll = length * length;  // powers, because the root of wang4 would come late
-            if (!(cc * cc < wang4 * (ll * ll)))                     // no fewer than Wang's bound: nothing to prove
+            if (!(cc * cc < wang4 * (ll * ll)))                     // at least Wang's bound: no proof needed
                 return place_evenly(from, to, sure_step(wang4));
             const float share = whole / static_cast<float>(pieces);
 
-            constexpr int chunk = 16;  // points are placed, measured and emitted in three loops: faster than in one
+            constexpr int chunk = 16;  // three loops (place, measure, emit) are faster than one
             double t[chunk + 1];
             t[0] = from;
             for (int done = 0;;) {
@@ -200,7 +200,7 @@ private:
         struct progress {
             double t;     // the last point
             float spent;  // the curve's share up to there
-            int pieces;   // that the rest is divided into
+            int pieces;   // the rest is divided into so many pieces
         };
 
         template <class Shares>
@@ -211,7 +211,7 @@ private:
             place(shares, from, to);
         }
 
-        /// Pieces no longer than this are good.
+        /// Pieces of this length or less are always good.
         [[nodiscard]] static double sure_step(double wang4) noexcept
         {
             return greater(1.0 / std::sqrt(std::sqrt(wang4)), shortest_step);
@@ -227,8 +227,8 @@ private:
             }
         }
 
-        /// A chord across an inflection can be long, because the curve is first on one side of it, then on the other:
-        /// two reaches if the inflection is in its middle. Relies on that, and gives up where it gains nothing.
+        /// A chord across an inflection can be long, because the curve lies first on one side of it, then on the other.
+        /// It spans two reaches if the inflection is in its middle. Fails if this saves nothing or a chord is too long.
         template <class Shares>
         bool place_across(const Shares& shares, double from, double middle, double to) const noexcept
         {
@@ -261,7 +261,7 @@ private:
             return true;
         }
 
-        /// One piece at a time: the longest that is good, but not longer than its share of the rest.
+        /// Places one piece at a time: the longest good one, but not longer than its share of the rest.
         template <class Shares>
         void place_carefully(const Shares& shares, progress at, double to, double sure) const noexcept
         {
@@ -288,7 +288,7 @@ private:
             bool as_aimed;
         };
 
-        /// Where the piece from u may end, at v or before. Errors grow with the square of the length.
+        /// The end of the piece that starts at u: v or an earlier t. Errors grow with the square of the length.
         [[nodiscard]] piece_end longest_good(double u, double v, double sure) const noexcept
         {
             constexpr int max_tries = 8;
@@ -307,8 +307,8 @@ private:
         Put& put_;
     };
 
-    /// For a quadratic that turns by more than 90 degrees. It can only stop where its derivative is at right angles to
-    /// the second one.
+    /// For a quadratic that turns by more than 90 degrees. It can stop only where its first derivative is perpendicular
+    /// to its second.
     template <class Put>
     static void turning(const quadratic& q, double tolerance, Put& put) noexcept
     {
@@ -348,14 +348,14 @@ private:
         put(q.p3, 1.0);
     }
 
-    /// Where the derivative vanishes between the ends, in ascending order; at most 3.
+    /// Finds where the derivative vanishes between the ends, in ascending order; at most 3 values.
     ///
     /// |B'|^2 has its minima where B' * B'' = 0, a cubic equation. Its roots are bisected between the extremes of that
-    /// cubic, a few steps at first: hardly any of them is a stop.
+    /// cubic, with a few steps at first: hardly any root is a stop.
     [[nodiscard]] static int find_stops(const cubic& q, double (&stops)[4]) noexcept
     {
         constexpr int max_steps = 64, early = 10;
-        // Of the longest leg's square: after the early steps B'/3 moves by less than 2^-8 of that leg.
+        // As a fraction of the longest leg's square: after the early steps B'/3 moves by less than 2^-8 of that leg.
         constexpr double hardly_slow = 0x1p-14;
         const point d0 = q.p1 - q.p0, l1 = q.p2 - q.p1, l2 = q.p3 - q.p2;
         const point d1 = l1 - d0, d2 = (l2 - l1) - d1;  // B'/3 = d0 + 2 d1 t + d2 t^2

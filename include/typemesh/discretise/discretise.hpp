@@ -19,7 +19,7 @@ namespace typemesh::inline TYPEMESH_ABI {
 
 namespace detail {
 
-/// Appends points and their edges to contours; consecutive points at one grid point become one.
+/// Appends points and their edges to contours. Consecutive points that snap to one grid point become one.
 class contour_writer {
 public:
     explicit contour_writer(contours& out) noexcept
@@ -27,7 +27,7 @@ public:
     {
     }
 
-    /// Reserves what the last call of this kind used, and at least `wanted` points.
+    /// Reserves the capacity that `out` kept from earlier calls, and at least `wanted` points.
     void begin(std::size_t wanted) noexcept
     {
         const std::size_t kept =
@@ -44,7 +44,7 @@ public:
     /// From here on the boundary follows another curve.
     void begin_curve(std::uint32_t curve) noexcept { leaving_ = {curve, 0.0f, 1.0f}; }
 
-    /// The boundary arrives at p, its curve's point at t.
+    /// The boundary reaches p, the point of its curve at t.
     void arrive(grid_point p, float t) noexcept
     {
         if (failed_) return;
@@ -57,7 +57,7 @@ public:
         push(p);
     }
 
-    /// True if something is left of the contour.
+    /// Returns whether the contour has any points left.
     bool end_contour() noexcept
     {
         if (failed_) return false;
@@ -70,8 +70,7 @@ public:
         return false;
     }
 
-    /// Whether all points since begin_contour() are collinear, or none are left. False after a failure, when there are
-    /// none to examine.
+    /// Whether all points since begin_contour() are collinear, or there are none. After a failure the result is false.
     [[nodiscard]] bool is_flat() const noexcept
     {
         if (failed_) return false;
@@ -83,7 +82,7 @@ public:
     /// Removes the points since begin_contour().
     void drop_contour() noexcept { size_ = first_; }
 
-    /// Gives back what was claimed and not used.
+    /// Releases the capacity that was claimed but not used.
     void end() noexcept
     {
         out_.points.truncate(size_);
@@ -121,7 +120,7 @@ private:
     }
 
     contours& out_;
-    std::size_t most_;  // one more than allowed: a contour's last point is its first until it ends
+    std::size_t most_;  // one more than allowed: until a contour ends, its last point repeats its first
     grid_point* points_ = nullptr;
     contour_edge* edges_ = nullptr;
     std::size_t size_ = 0, room_ = 0, first_ = 0;
@@ -147,12 +146,13 @@ private:
     return sum;
 }
 
-/// What a discretiser has emitted of one curve so far. Only for TYPEMESH_ASSERT: without it nothing is kept.
+/// The points that a discretiser has emitted for one curve so far. Only for TYPEMESH_ASSERT: without it nothing is
+/// kept.
 struct emitted_points {
     point last = {};
     double t = 0.0;
 
-    /// Takes another point; false unless t increases, to 1 at most.
+    /// Adds a point. The result is false if t does not increase or exceeds 1.
     [[nodiscard]] bool take(point p, double at) noexcept
     {
         const bool goes_on = t < at && at <= 1.0;
@@ -160,14 +160,14 @@ struct emitted_points {
         t = at;
         return goes_on;
     }
-    /// Whether the last point is the end of its curve, to within a cell of the grid.
+    /// Whether the last point is the end of its curve, within one cell of the grid.
     [[nodiscard]] bool ended_at(point end, const grid& g) const noexcept
     {
         return t >= 1.0 && std::abs(last.x - end.x) * g.cells < 1.0 && std::abs(last.y - end.y) * g.cells < 1.0;
     }
 };
 
-/// Snaps what a discretiser emits of one curve to the grid, and passes it to the writer.
+/// Snaps the points of one curve to the grid and passes them to the writer.
 struct curve_emitter {
     contour_writer& writer;
     const grid& cells;
@@ -215,8 +215,8 @@ public:
     {
     }
 
-    /// Flattens the contour of the curves [first, end), more finely if it would lose its area; false if nothing is
-    /// left.
+    /// Flattens the contour of the curves [first, end), more finely if it would otherwise lose its area. The result is
+    /// false if no points are left.
     [[nodiscard]] bool flatten(std::uint32_t first, std::uint32_t end) noexcept
     {
         bool left = flatten(first, end, 0);
@@ -255,7 +255,7 @@ private:
         return writer_.end_contour();
     }
 
-    /// The tolerance that the discretiser gets after so many halvings.
+    /// The discretiser's tolerance after this many halvings.
     [[nodiscard]] double halved(std::uint32_t times) const noexcept
     {
         const double finer = tolerance_ / static_cast<double>(std::uint32_t{1} << times) - snap_;
@@ -274,30 +274,31 @@ private:
 
 }  // namespace detail
 
-/// Flattens an outline: turns its curves into closed polylines on the grid. Replaces what `out` held; its storage is
-/// reused.
+/// Flattens an outline: turns its curves into closed polylines on the grid. Replaces the content of `out` and reuses
+/// its storage.
 ///
 ///     curves      the outline, in font units; every control point within the reach of `g` (see grid::fitting)
 ///     how         the discretiser
-///     tolerance   how far a polyline may be from its curve, in font units, rounding to the grid included
-///     out         its `curves` refer to the outline, which must live as long as `out` is read. out.tolerance is
+///     tolerance   the maximum distance between a polyline and its curve, in font units, including rounding to the grid
+///     out         its `curves` refer to the outline, so the outline must outlive every use of `out`. out.tolerance is
 ///                 the tolerance, at least twice g.snap_error(), in cells; 0 if the discretiser keeps none
-///     halvings    for every curve, how often the tolerance is halved for it, at most 31 times; empty: never
+///     halvings    for every curve, how often its tolerance is halved, at most 31 times; empty: never
 ///
-/// Consecutive points at one grid point are merged: the edge before keeps the t at which it first got there, the edge
-/// after starts at the t (or the curve) with which the boundary leaves.
+/// Consecutive points at one grid point are merged. The edge before it ends at the t of the first arrival; the edge
+/// after it starts at the t (or the curve) of the last departure.
 ///
-/// A contour whose curves enclose an area usually keeps at least 3 points that are not collinear: where its tolerance
-/// would leave fewer (a dot of two curves that is smaller than the tolerance), the tolerance is halved for this contour
-/// until there are enough or the grid ends it. Contours with fewer than 3 points left enclose nothing and are dropped.
+/// If a contour's curves enclose an area, the contour usually keeps at least 3 points that are not collinear. If its
+/// tolerance would leave fewer (a dot of two curves that is smaller than the tolerance), the tolerance is halved for
+/// this contour until there are enough points or the grid allows no finer step. Contours with fewer than 3 points
+/// enclose nothing and are dropped.
 ///
-/// The discretiser gets `tolerance` less g.snap_error(), but never less than g.snap_error(): no tolerance below twice
-/// that error can be kept, and more points would follow the grid's steps instead of the curve.
+/// The discretiser gets `tolerance` less g.snap_error(), but never less than g.snap_error(). A tolerance below twice
+/// that error cannot be kept: more points would follow the grid's steps instead of the curve.
 ///
 /// Fails  error::bad_tolerance: not positive and finite
-///        error::too_many_points (out.max_points), error::out_of_memory, error::too_large (2^32 - 1 points or curves
-///        and more); `out` is then empty
-/// Cost   the discretiser's, and a few nanoseconds per point; nothing is allocated once `out` has grown
+///        error::too_many_points (out.max_points), error::out_of_memory, error::too_large (2^32 - 1 points or curves or
+///        more); `out` is then empty
+/// Cost   the discretiser's cost, and a few nanoseconds per point; no allocation once `out` has grown
 template <discretiser D>
 result<void> discretise(const outline& curves, const D& how, double tolerance, const grid& g, contours& out,
                         array_view<const std::uint8_t> halvings = {}) noexcept

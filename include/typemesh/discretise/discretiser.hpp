@@ -5,18 +5,19 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// A `put` that does nothing: the concept below is checked with it.
+/// A `put` that does nothing. The concept below is checked with it.
 struct ignore_points {
     constexpr void operator()(point, double) const noexcept {}
 };
 
-/// Flattens one curve: hands out points on it by put(point, t), with 0 < t <= 1 ascending, the last at t = 1 and the
-/// curve's own end. The start is not handed out. Lines never come here.
+/// Flattens one curve: passes points on it to put(point, t), with 0 < t <= 1 ascending. The last point is the end of
+/// the curve, with t = 1. The start is not passed. Lines are never passed to a discretiser.
 ///
-/// The compiler checks the signatures. The author promises the rest: every chord between consecutive points (the start
-/// included) stays within `tolerance` of the curve, and the curve within `tolerance` of its chord. The tolerance is
-/// positive and in the curve's own unit. `put` is noexcept and takes any number of points, but broken fonts hold
-/// curves as large as the grid: cap the count. That t ascends and that the curve's end comes last is asserted.
+/// The compiler checks the signatures. The author promises the rest: every chord between consecutive points (including
+/// the start) stays within `tolerance` of the curve, and the curve within `tolerance` of its chord. The tolerance is
+/// positive and in the curve's unit. `put` is noexcept and takes any number of points. Broken fonts hold curves as
+/// large as the grid, so limit the number of points. Assertions check that t ascends and that the curve's end comes
+/// last.
 ///
 ///     struct thirds {                                             // a discretiser of your own
 ///         static constexpr bool keeps_no_tolerance = true;        // always three
@@ -27,11 +28,11 @@ struct ignore_points {
 ///         }
 ///     };
 ///
-/// A discretiser that keeps no tolerance declares `static constexpr bool keeps_no_tolerance = true;`: it is then not
-/// called again with a finer tolerance where contours come to cross.
+/// A discretiser that keeps no tolerance declares `static constexpr bool keeps_no_tolerance = true;`. It is then not
+/// called again with a finer tolerance if contours start to cross.
 ///
-/// A point where the curve stops and turns (a cusp, a reversal) becomes a hard corner of the walls by itself: the two
-/// tangents there are found from the curve and t (see core/impl/tangent.hpp).
+/// A point where the curve stops and turns (a cusp, a reversal) becomes a hard corner of the walls automatically: the
+/// two tangents there follow from the curve and t (see core/impl/tangent.hpp).
 template <class D>
 concept discretiser = requires(const D& d, const quadratic& q, const cubic& c, double tolerance, ignore_points put) {
     { d(q, tolerance, put) } noexcept;

@@ -10,7 +10,7 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// The four qualities of the thesis, exactly as published, for a font with so many units per em:
+/// The four qualities of the thesis, exactly as published, for a font with `units_per_em` units per em:
 ///
 ///     low      two_lines
 ///     normal   adaptive_subdivision, 5 levels, 0.5 of 64 units per em
@@ -19,7 +19,7 @@ namespace typemesh::inline TYPEMESH_ABI {
 ///
 ///     auto mesher = text_mesher{font}.with(thesis_quality{thesis_quality::high, font.units_per_em()});
 ///
-/// The given tolerance is ignored, and none is kept (see adaptive_subdivision).
+/// The tolerance argument is ignored, and no tolerance is kept (see adaptive_subdivision).
 ///
 /// From "Study of mesh generation and optimization techniques applied to parametric forms", J. Vandenbergh, 2020,
 /// 4.4.3.

@@ -7,7 +7,7 @@ namespace typemesh::inline TYPEMESH_ABI {
 
 /// Every curve becomes two lines that meet at t = 1/2: the lowest quality of the thesis, exactly as published.
 ///
-/// Keeps no tolerance, and ignores the given one: real fonts are off by up to 1/20 em.
+/// It keeps no tolerance and ignores the tolerance argument: real fonts are off by up to 1/20 em.
 struct two_lines {
     static constexpr bool keeps_no_tolerance = true;
     template <class Put>

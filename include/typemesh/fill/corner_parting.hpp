@@ -21,39 +21,39 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// Parts or joins the corners in which the boundary of a region touches itself, so that no two cycles share a point and
-/// none passes through a point twice.
+/// Parts or joins the corners where the boundary of a region touches itself. Afterwards no two cycles share a point,
+/// and no cycle passes through a point twice.
 ///
-///        |::::            |::::            |:::::        A small diamond round each such point is taken from the
-///     ---+----    or    --' .--    or    --' .---        region (part), or added to it (join). What that leaves is
-///     :::|              ::.'             :::/            resolved like any contours, so it is proven like any region.
+///        |::::            |::::            |:::::        A small diamond around each such point is removed from the
+///     ---+----    or    --' .--    or    --' .---        region (part) or added to it (join). The result is resolved
+///     :::|              ::.'             :::/            like any contours, so it is proven like any region.
 ///
-/// The diamond reaches 4 cells far, or 2^-15 em where that is more. Where a gap is so narrow that it ends between the
-/// cells, its sides meet again a little farther on: the next diamond there is twice as large, up to 128 cells or
-/// 2^-10 em. What still touches then is treated the other way: a slit that cannot be opened is filled.
+/// The diamond reaches 4 cells from the point, or 2^-15 em if that is more. If a gap is so narrow that it ends between
+/// the cells, its sides meet again a little farther on. The next diamond there is twice as large, up to 128 cells or
+/// 2^-10 em. Corners that still touch are then treated the other way: a slit that cannot be opened is filled.
 ///
 ///     corner_parting parting;
 ///     auto filled = parting(loops, curves, space);     // loops bound a region whose boundary touches itself
 ///
-/// The new edges are straight: each has a curve of its own, a line, which is appended to `curves`.
+/// The new edges are straight. Each has its own curve, a line, which is appended to `curves`.
 class corner_parting {
 public:
-    /// Replaces `loops`, which have the interior on their left, as those of every region; loops.curves are `curves`.
-    /// loops.corners says what becomes of them; with touching::keep nothing is changed.
+    /// Replaces `loops`. As in every region, they have the interior on their left; loops.curves are `curves`.
+    /// loops.corners selects the treatment; touching::keep changes nothing.
     ///
-    /// The region may be without points: specks smaller than a diamond may vanish.
+    /// The region may be empty: specks smaller than a diamond may vanish.
     ///
-    /// Fails  as resolve() does; `loops` are then void
-    /// Cost   a resolve() for each round, of which there is nearly always one
+    /// Fails  as resolve() does; the content of `loops` is then undefined
+    /// Cost   one resolve() per round; there is nearly always one round
     template <class = void>  // see resolve()
     [[nodiscard]] result<region> operator()(contours& loops, buffer<curve>& curves, workspace& space,
                                             std::uint32_t max_pieces = default_most_pieces) noexcept;
 
-    /// How far the diamonds reach, in cells, where they are as small as they can be.
+    /// The reach of the smallest diamonds, in cells.
     [[nodiscard]] static double reach(const grid& g) noexcept { return smallest(g); }
 
-    std::uint32_t corners = 0;    ///< afterwards: points through which the boundary has passed more than once
-    bool still_touching = false;  ///< afterwards: some could not be treated
+    std::uint32_t corners = 0;    ///< after a call: points through which the boundary passed more than once
+    bool still_touching = false;  ///< after a call: some of them could not be treated
 
 private:
     static constexpr int doublings = 6;
@@ -67,7 +67,7 @@ private:
         return size;
     }
 
-    /// The points through which the loops pass more than once, each once. Null when memory runs out.
+    /// The points through which the loops pass more than once, each listed once. Null if out of memory.
     [[nodiscard]] static grid_point* find(contours& loops, workspace::scope& scratch, workspace& space,
                                           std::uint32_t& found) noexcept
     {
@@ -83,7 +83,7 @@ private:
         return centres;
     }
 
-    /// False when memory runs out.
+    /// False if out of memory.
     static bool add_diamond(contours& loops, buffer<curve>& curves, grid_point at, std::int32_t size) noexcept
     {
         const auto room = [](std::int32_t v) noexcept { return frame - (v < 0 ? -v : v); };
@@ -100,7 +100,7 @@ private:
         return loops.starts.push_back(static_cast<std::uint32_t>(loops.points.size()));
     }
 
-    /// Turns all loops round: within a frame they then bound what lies around the region.
+    /// Reverses all loops. Within a frame they then bound the outside of the region.
     static void turn(contours& loops) noexcept
     {
         for (std::uint32_t k = 0; k < loops.contour_count(); ++k) {
@@ -109,7 +109,7 @@ private:
         }
         loops.forget_order();
     }
-    /// False when memory runs out.
+    /// False if out of memory.
     static bool add_frame(contours& loops) noexcept
     {
         for (const grid_point p : {grid_point{-frame, -frame}, {frame, -frame}, {frame, frame}, {-frame, frame}})

@@ -11,16 +11,16 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// The region that any contours fill under `rule`: by nest() where they do not meet, which is found out on the way and
-/// leaves their points unchanged, else by resolve().
+/// The region that the contours fill under `rule`. If they do not meet, nest() makes it and leaves their points
+/// unchanged; otherwise resolve() makes it. nest() itself finds out whether they meet.
 ///
-/// Replaces `loops`; the result may be a region without points.
+/// Replaces `loops`; the result may be an empty region.
 ///
 ///     how    for contours that meet: see resolve()
 ///
 /// Fails  error::too_many_pieces, for contours that meet: more than how.max_pieces points, crossings or pieces
 ///        error::too_large, error::out_of_memory; `loops` is then unchanged
-/// Cost   O(n log n), plus that of resolve() where contours meet
+/// Cost   O(n log n), plus the cost of resolve() if contours meet
 template <class = void>  // see resolve()
 [[nodiscard]] result<region> fill(contours& loops, fill_rule rule, workspace& space,
                                   const resolve_options& how = {}) noexcept

@@ -12,15 +12,15 @@ namespace typemesh::inline TYPEMESH_ABI {
 
 /// Two edges of the contours, and the grid point where they cross or where one ends on the other.
 ///
-///     a.from ---.__                        The edges are the contours' own, not the pieces that they are cut into.
-///     b.from ____  '--.__                  Edges that only share an end do not intersect in this sense: that point is
-///                '-----x-------- b.to      on the curves of both.
+///     a.from ---.__                        These are the edges of the contours, not the pieces that they are cut into.
+///     b.from ____  '--.__                  Two edges that only share an end do not intersect in this sense: the shared
+///                '-----x-------- b.to      point lies on the curves of both.
 ///                        '---.__ a.to
 struct intersection {
     /// One of the two edges that meet.
     struct edge {
         grid_point from, to;
-        contour_edge source;  ///< the curve that the edge is a chord of
+        contour_edge source;  ///< the edge is a chord of this curve
         /// Whether p is an end of the edge.
         [[nodiscard]] bool ends_in(grid_point p) const noexcept { return from == p || to == p; }
     };
@@ -28,14 +28,14 @@ struct intersection {
     grid_point at;
 };
 
-/// Decides about intersections: filter(m) is whether this one is accepted. It is called for all that lie on the
-/// boundary of the filled area, even after one was rejected.
+/// Accepts or rejects intersections: filter(m) is true if m is accepted. It is called for every intersection on the
+/// boundary of the filled area, even after a rejection.
 template <class J>
 concept intersection_filter = requires(J& filter, const intersection& m) {
     { filter(m) } noexcept -> std::same_as<bool>;
 };
 
-/// Refers to a filter of any type, which must outlive it. By itself it accepts all.
+/// Refers to a filter of any type, which must outlive it. A default-constructed reference accepts everything.
 class intersection_filter_ref {
 public:
     constexpr intersection_filter_ref() noexcept = default;
@@ -47,7 +47,7 @@ public:
     {
     }
 
-    /// Whether it is one by itself.
+    /// Whether it refers to no filter.
     [[nodiscard]] bool accepts_all() const noexcept { return accepts_ == nullptr; }
     [[nodiscard]] bool operator()(const intersection& m) const noexcept
     {
@@ -67,7 +67,7 @@ namespace detail {
     return {from, to, a.loops->edges[s.origin]};
 }
 
-/// Edges that only share an end need no filter.
+/// Whether the intersection of two edges is accepted. Edges that only share an end need no filter.
 [[nodiscard]] inline bool may_intersect(const arrangement& a, const segment& s, const segment& t, grid_point at,
                                         intersection_filter_ref filter) noexcept
 {
@@ -75,19 +75,19 @@ namespace detail {
     return (m.a.ends_in(at) && m.b.ends_in(at)) || filter(m);
 }
 
-/// Filters the intersection where the boundary passes from one segment to another, if it is one.
+/// Filters the point where the boundary passes from one segment to another, if it is an intersection.
 [[nodiscard]] inline bool filter_change(const arrangement& a, const segment& s, const segment& t, grid_point at,
                                         intersection_filter_ref filter) noexcept
 {
     if (s.origin == t.origin) return true;
-    if (s.target == t.origin && a.loops->points[t.origin] == at) return true;  // the contour's next edge: nearly always
+    if (s.target == t.origin && a.loops->points[t.origin] == at) return true;  // the contour's next edge: usual
     return may_intersect(a, s, t, at, filter);
 }
 
-/// Filters the intersections at one point of all edges that bound the filled area; false when memory runs out.
+/// Filters the intersections at each point between all edges that bound the filled area. False if out of memory.
 ///
-/// Where more than 16 edges pass through one point all are accepted: nothing there is accidental, and there would be
-/// many pairs.
+/// If more than 16 edges pass through one point, all are accepted: nothing there is accidental, and there would be many
+/// pairs.
 [[nodiscard]] inline bool filter_touches(const arrangement& a, workspace& space, intersection_filter_ref filter,
                                          bool& all_accepted) noexcept
 {

@@ -15,23 +15,23 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// The region that contours which do not meet fill under `rule`, whatever their directions and their nesting.
+/// The region that non-meeting contours fill under `rule`, for any directions and any nesting.
 ///
-///     .-----------------.        .-----------------.      non_zero, all three counter-clockwise: the inner ones
-///     |  .-----------.  |        |                 |      have filled places on both sides and are no boundary.
+///     .-----------------.        .-----------------.      non_zero, all three counter-clockwise: the inner contours
+///     |  .-----------.  |        |                 |      have filled area on both sides, so they are not boundary.
 ///     |  |  .-----.  |  |   ->   |                 |      even_odd would keep them all and reverse the middle one.
 ///     |  |  '-----'  |  |        |                 |
 ///     |  '-----------'  |        |                 |
 ///     '-----------------'        '-----------------'
 ///
-/// Works in place: contours that are no boundary are removed from `loops`, those that have the interior on their right
-/// are reversed (points and edges); the others keep their order. The result may be a region without points.
+/// Works in place: contours that are not boundary are removed from `loops`. Contours with the interior on their right
+/// are reversed (points and edges). The others keep their order. The result may be an empty region.
 ///
-/// Fails  error::crossing_contours: two edges cross, touch or overlap (neighbours of a contour may share their common
-///        point and no more), or a contour has one or two points
+/// Fails  error::crossing_contours: two edges cross, touch or overlap (neighbours in a contour may share only their
+///        common point), or a contour has one or two points
 ///        error::out_of_memory
 /// In both cases `loops` is unchanged.
-/// Cost   O(n log n), exact in 64-bit integers; about 100 bytes per point from `space`.
+/// Cost   O(n log n), exact in 64-bit integers; about 100 bytes per point from `space`
 [[nodiscard]] inline result<region> nest(contours& loops, fill_rule rule, workspace& space) noexcept
 {
     workspace::scope scratch{space};

@@ -10,7 +10,7 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// Reverses one contour in place: the neighbours of its first point swap roles, every edge runs against its curve.
+/// Reverses one contour in place: the neighbours of its first point swap roles, and every edge runs against its curve.
 ///
 ///     points  a b c d            ->  d c b a
 ///     edges   ab bc cd da        ->  dc cb ba ad      with t0 and t1 swapped
@@ -27,19 +27,19 @@ inline void reverse_contour(array_view<grid_point> points, array_view<contour_ed
         b = {a.curve, a.t1, a.t0};
         a = turned;
     };
-    const std::size_t closing = edges.size() - 1;  // from the last point to the first: stays in place, turned
+    const std::size_t closing = edges.size() - 1;  // from the last point to the first: stays in place, reversed
     for (std::size_t i = 0, j = closing; i < j--; ++i) exchange_turned(edges[i], edges[j]);
     exchange_turned(edges[closing], edges[closing]);
 }
 
-/// Reverses all contours together if the signed areas that they enclose add up to less than zero: TrueType winds outer
-/// contours clockwise, PostScript counter-clockwise, and a region has its interior on the left.
+/// Reverses all contours together if the sum of their signed areas is negative. TrueType winds outer contours
+/// clockwise, PostScript counter-clockwise; a region has its interior on the left.
 ///
-/// A guess for simple outlines, from exact sums: where contours overlap or disagree in direction it may be wrong; a
-/// proving triangulator then refuses them and fill() finds the truth. O(n), allocates nothing.
+/// This is a guess for simple outlines, from exact sums. It may be wrong if contours overlap or disagree in direction;
+/// a proving triangulator then refuses them, and fill() finds the truth. O(n), no allocation.
 inline void orient(contours& loops) noexcept
 {
-    std::int64_t high = 0, low = 0;  // 2^32 high + low: a sum of 2^32 terms below 2^58 has more than 64 bits
+    std::int64_t high = 0, low = 0;  // 2^32 high + low: a sum of 2^32 terms below 2^58 needs more than 64 bits
     const grid_point* const points = loops.points.data();
     for (std::uint32_t c = 0; c < loops.contour_count(); ++c) {
         const std::size_t begin = loops.starts[c], end = loops.starts[c + 1];

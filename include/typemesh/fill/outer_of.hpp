@@ -16,7 +16,7 @@ namespace typemesh::inline TYPEMESH_ABI {
 
 namespace detail {
 
-/// What outer_of() needs to know about a loop.
+/// The facts about a loop that outer_of() needs.
 struct loop_extent {
     grid_point low, high;     // its box
     std::uint32_t leftmost;   // its lexicographically smallest point
@@ -28,7 +28,7 @@ struct loop_extent {
     const auto points = r.points();
     const std::uint32_t first = r.starts()[loop], end = r.starts()[loop + 1];
     loop_extent made{points[first], points[first], first, 0};
-    std::uint64_t area = 0;  // sums may wrap; the total, below 2^59, cannot
+    std::uint64_t area = 0;  // partial sums may wrap; the total, below 2^59, cannot
     grid_point before = points[end - 1];
     for (std::uint32_t i = first; i < end; ++i) {
         const grid_point p = points[i];
@@ -43,8 +43,8 @@ struct loop_extent {
     return made;
 }
 
-/// Whether the loop winds around the points just left of p: counts crossings of the ray from there to the left, which
-/// meets an edge at its lower end but not at its upper one.
+/// Whether the loop winds around the points just left of p. Counts crossings of the ray from there to the left; the ray
+/// meets an edge at its lower end but not at its upper end.
 [[nodiscard]] inline bool winds_left_of(const region& r, std::uint32_t loop, grid_point p) noexcept
 {
     const auto points = r.points();
@@ -64,8 +64,8 @@ struct loop_extent {
 
 }  // namespace detail
 
-/// Which outer loop each loop of a region belongs to: out[k] is the number of the outer loop that bounds the same
-/// component of the interior as loop k; an outer loop's is its own.
+/// The outer loop of each loop in a region: out[k] is the number of the outer loop that bounds the same component of
+/// the interior as loop k. The result for an outer loop is its own number.
 ///
 ///     +----0----------------+
 ///     |  +--1--+  +--2--+   |      out = 0, 0, 0, 3: loop 3 is an island in the hole 2
@@ -75,12 +75,12 @@ struct loop_extent {
 ///
 ///     out    r.loop_count() numbers
 ///
-/// Just left of a hole's leftmost point lies the interior that the hole is cut out of, touching or not; of all outer
-/// loops around that place it belongs to the smallest.
+/// The interior around a hole lies just left of the hole's leftmost point, even if the hole touches other loops there.
+/// Of all outer loops around that place, the hole belongs to the smallest.
 ///
 /// Fails  error::out_of_memory
-/// Cost   O(n), and for each hole a look at all boxes and the points of the outer loops whose boxes contain it: none if
-///        there is one outer loop
+/// Cost   O(n); for each hole also a test of all boxes, and of the points of the outer loops whose boxes contain it;
+///        neither if there is one outer loop
 /// Space  32 bytes per loop from `space`
 /// Exact  in 64 bits
 [[nodiscard]] inline result<void> outer_of(const region& r, workspace& space, array_view<std::uint32_t> out) noexcept

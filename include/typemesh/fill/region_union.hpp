@@ -18,19 +18,19 @@ namespace typemesh::inline TYPEMESH_ABI {
 
 /// The union of the regions of several glyphs, placed on one grid.
 ///
-///      +----+  +----+             +-------------+       begin(grid)          the grid that all are placed on
-///      | a ++--++ c |     ->      |             |       add(region, ...)      once for each member
-///      |   ++--++   |             |             |       join(space)           what any of them fills
-///      +----+b +----+             +-------------+       member_of(curve)      whose curve an edge comes from
+///      +----+  +----+             +-------------+       begin(grid)          starts a group on this grid
+///      | a ++--++ c |     ->      |             |       add(region, ...)      adds a member
+///      |   ++--++   |             |             |       join(space)           makes the union
+///      +----+b +----+             +-------------+       member_of(curve)      the member that a curve comes from
 ///
-/// The members' curves are copied and renumbered; edges of the union refer to them. Where boundaries of several members
-/// coincide, the edge belongs to the first of these. Crossings between members count as real however shallow they are.
+/// The members' curves are copied and renumbered; edges of the union refer to them. If boundaries of several members
+/// coincide, the edge belongs to the first of these members. Crossings between members count as real, however shallow.
 /// The tolerance is the members' largest. Memory is kept for the next group.
 class region_union {
 public:
     explicit region_union(memory source = heap()) noexcept : loops_{source}, curves_{source}, first_curves_{source} {}
 
-    /// Removes all members. `corners`: what becomes of those of the union that touch.
+    /// Removes all members. `corners` selects the treatment of corners of the union that touch.
     void begin(const grid& onto, touching corners = touching::keep) noexcept
     {
         loops_.clear();
@@ -40,13 +40,13 @@ public:
         first_curves_.clear();
     }
 
-    /// Adds a region, each of whose points p goes to scale * p + (x, y), rounded to the grid.
+    /// Adds a region. Each of its points p is placed at scale * p + (x, y), rounded to the grid.
     ///
-    ///     scale    cells of this grid per cell of the region's own. A power of two where both come from fonts of equal
-    ///              units per em; with 1 nothing is rounded
+    ///     scale    cells of this grid per cell of the region's own grid. It is a power of two if both come from fonts
+    ///              of equal units per em; with 1 nothing is rounded
     ///
     /// Fails  error::outline_beyond_grid: a point would be farther than grid::reach from 0
-    ///        error::too_large: 2^32 - 1 points or curves and more
+    ///        error::too_large: 2^32 - 1 points or curves or more
     ///        error::out_of_memory; the group is then unchanged
     [[nodiscard]] result<void> add(const region& r, double scale, std::int64_t x, std::int64_t y) noexcept
     {
@@ -62,9 +62,9 @@ public:
         return e;
     }
 
-    /// The region that the members fill together, in this group's memory: valid until the next begin().
+    /// The region that the members fill together. It lies in this group's memory and is valid until the next begin().
     ///
-    ///     parting    receives what was done to corners that touch
+    ///     parting    receives the number of corners that touch, and whether some still do
     ///
     /// Fails  as resolve() and corner_parting do
     template <class = void>  // see resolve()
@@ -83,10 +83,10 @@ public:
         return join(space, max_pieces, unread);
     }
 
-    /// How many curves the members have; further ones are those of corners that were parted or joined.
+    /// The number of curves of the members. Curves beyond it belong to corners that were parted or joined.
     [[nodiscard]] std::size_t curve_count() const noexcept { return curves_.size(); }
 
-    /// The member that a curve of the union comes from: 0 for the first that was added.
+    /// The member that a curve of the union comes from: 0 for the first member added.
     [[nodiscard]] std::uint32_t member_of(std::uint32_t curve) const noexcept
     {
         return static_cast<std::uint32_t>(range_of(first_curves_.view(), curve));

@@ -19,7 +19,7 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// What resolve() did, for diagnosis.
+/// The work that resolve() did, for diagnosis.
 struct resolve_effort {
     std::uint32_t sweeps = 0;  ///< over the arrangement; nearly always one
     std::uint32_t rounds = 0;  ///< of snap rounding: none or one
@@ -29,12 +29,12 @@ struct resolve_effort {
 /// The options of resolve().
 struct resolve_options {
     std::uint32_t max_pieces = default_most_pieces;  ///< see resolve()
-    resolve_effort* effort = nullptr;                ///< receives what was done, unless null
+    resolve_effort* effort = nullptr;                ///< receives the work done, unless null
 };
 
 namespace detail {
 
-/// One resolve(), step by step. All intermediate results are scratch memory that ends with it.
+/// One resolve(), step by step. All intermediate results are scratch memory that ends with this object.
 class resolving {
 public:
     resolving(contours& loops, fill_rule rule, workspace& space, const resolve_options& how) noexcept
@@ -42,7 +42,7 @@ public:
     {
     }
 
-    /// Cuts the contours' edges where they cross: by a sweep if that suffices, else by snap rounding.
+    /// Cuts the contours' edges where they cross: by a sweep if that suffices, otherwise by snap rounding.
     [[nodiscard]] error cut() noexcept
     {
         bool is_cut = false;
@@ -53,7 +53,7 @@ public:
         return {};
     }
 
-    /// Traces the boundary of what is filled, and passes all intersections on it to the filter.
+    /// Traces the boundary of the filled area, and passes all intersections on it to the filter.
     [[nodiscard]] error trace(intersection_filter_ref filter, bool& all_accepted) noexcept
     {
         all_accepted = true;
@@ -64,7 +64,7 @@ public:
         return boundary_.trace(a_, scratch_, filter, all_accepted);
     }
 
-    /// Replaces the contours by that boundary.
+    /// Replaces the contours with that boundary.
     [[nodiscard]] result<region> write() noexcept
     {
         if (error e = boundary_.write(a_, loops_, scratch_)) return e;
@@ -72,7 +72,7 @@ public:
     }
 
 private:
-    /// One sweep, or two; `is_cut` is false if these do not suffice.
+    /// Runs one sweep or two; `is_cut` is false if they do not suffice.
     [[nodiscard]] error cut_by_sweep(bool& is_cut) noexcept
     {
         constexpr std::size_t bytes_per_piece = 144;  // of the arrangement (84) and its sweep
@@ -91,7 +91,7 @@ private:
         return {};
     }
 
-    /// Snap rounding, then sweeps with increasing capacity.
+    /// Rounds, then sweeps with increasing capacity.
     [[nodiscard]] error cut_by_snap_rounding() noexcept
     {
         scratch_.keep();
@@ -104,7 +104,7 @@ private:
             report(1);
             if (!sweep.again) return {};
             if (!sweep.full) return error::crossing_contours;
-            // The capacity grows by half until it is twice what may be needed: no valid result takes more.
+            // The capacity grows by half until it is twice the maximum need: no valid result takes more.
             if (a_.capacity / 2 > rounding.max_pieces() + 64)
                 return error{error::too_many_pieces, rounding.max_pieces()};
             a_.max_active = no_number;
@@ -131,40 +131,39 @@ private:
 
 /// The region that any closed polylines fill under `rule`, however they cross, touch, overlap or double back.
 ///
-///      .------.                .------.            Crossings, corners on edges, shared edges, doubled contours,
-///      |   .--|---.            |      '---.        spikes, edges without length, contours of one point, any nesting,
-///      |   |  |   |     ->     |          |        any winding number. In every point where boundaries touch, a cycle
-///      '---|--'   |            '---.      |        stays in its own sector of interior: a hole that touches its outer
-///          '------'                '------'        loop joins it, holes that touch become one, outer loops stay apart.
+///      .------.                .------.            Input may have crossings, corners on edges, shared edges, doubled
+///      |   .--|---.            |      '---.        contours, spikes, edges without length, contours of one point, any
+///      |   |  |   |     ->     |          |        nesting, any winding number. If boundaries touch in a point, each
+///      '---|--'   |            '---.      |        cycle stays in its own sector of interior: a hole joins the outer
+///          '------'                '------'        loop that it touches, touching holes join, outer loops stay apart.
 ///
-/// Replaces `loops`; the result may be a region without points. Edges keep the curve and t that they come from (of
-/// several that coincide, those of the curve with the lowest number), with t0 > t1 where they run against it. Points of
-/// the contours that lie on the boundary stay; points are added where edges are cut, and nowhere else. The region's
-/// points are sorted: see region::order().
+/// Replaces `loops`; the result may be an empty region. Edges keep their curve and t; if several edges coincide, the
+/// curve with the lowest number wins. t0 > t1 if an edge runs against its curve. Points of the contours that lie on the
+/// boundary stay; points are added only where edges are cut. The region's points are sorted: see region::order().
 ///
-/// Crossings are rounded to the grid. The boundary stays within about 1.5 cells of the contours' edges, and farther
-/// than that from all edges every place is filled as the rule says; if all crossings are grid points, everywhere.
+/// Crossings are rounded to the grid. The boundary stays within about 1.5 cells of the contours' edges. Every place
+/// that is farther from all edges is filled as the rule says; if all crossings are grid points, every place is.
 ///
-/// The result, as loops that are each a cyclic sequence of points, depends on the set of edges alone: not on where
-/// contours begin, on their order, or on their direction if all are reversed; under even_odd, nor on the direction of
-/// each. It is the snap rounding of the edges (see snap_rounding.hpp); one fast sweep makes it where no point lies
-/// within about a cell of an edge that is not its own, which is nearly always. Crossings are rounded half up in x and
-/// y, so a mirrored or rotated figure may be rounded differently.
+/// The result, as a set of cyclic sequences of points, depends only on the set of edges. It does not depend on where
+/// contours begin, on their order, or on their direction if all are reversed; under even_odd, not on the direction of
+/// any contour. It is the snap rounding of the edges (see snap_rounding.hpp). One fast sweep suffices if no point lies
+/// within about a cell of another point's edge, which is nearly always true. Crossings are rounded half up in x and y,
+/// so a mirrored or rotated figure may be rounded differently.
 ///
 /// Fails  error::too_many_pieces: more than max_pieces points, crossings or pieces; returned as soon as it is known,
-///        after O(max_pieces log n) steps; more than 2^30 count as 2^30. error::too_large: more than 2^29 points.
-///        error::out_of_memory. `loops` is then unchanged. (error::crossing_contours would be a mistake in here.)
-/// Cost   O((n + k) log n) for n points and k crossings, which may be n^2 / 2: 50 to 70 ns per piece for letters. Where
-///        snap rounding is needed, about five times as much, the first sweep included, and about sqrt(n + k) steps per
-///        edge to find the hot pixels that it passes through; an edge is cut in each of them.
-/// Memory at most 200 bytes per piece from `space`, and a block of 16 kB, which is never smaller. Before the workspace
-///        has seen as many pieces they lie in several blocks: up to 210 bytes per piece where snap rounding is needed,
-///        and 32 kB. The order of the points takes 4 bytes per point in `loops`.
+///        after O(max_pieces log n) steps; a limit above 2^30 counts as 2^30. error::too_large: more than 2^29 points.
+///        error::out_of_memory. `loops` is then unchanged. (error::crossing_contours would be a bug in resolve().)
+/// Cost   O((n + k) log n) for n points and k crossings (k may be n^2 / 2): 50 to 70 ns per piece for letters. Snap
+///        rounding costs about five times as much, including the first sweep, plus about sqrt(n + k) steps per edge to
+///        find the hot pixels on its way; an edge is cut in each of them.
+/// Memory at most 200 bytes per piece from `space`, and a block of 16 kB at least. Until the workspace has seen as many
+///        pieces, they lie in several blocks: up to 210 bytes per piece with snap rounding, and 32 kB. The order of the
+///        points takes 4 bytes per point in `loops`.
 /// Exact  in 64 bits; from equal grid points every compiler makes the same region (except t, which is floating point)
 ///
-/// `filter` is called where edges of the contours cross, or one ends on the other, on the boundary of what they fill
-/// (see intersection.hpp). If it rejects one, the result is a region without points, and `loops` is unchanged. About 15
-/// instructions per point, plus the filter's own.
+/// `filter` is called for intersections on the boundary of the filled area: two contour edges cross, or one ends on the
+/// other (see intersection.hpp). If it rejects one, the result is an empty region, and `loops` is unchanged. The calls
+/// cost about 15 instructions per point, plus the filter's own.
 [[nodiscard]] inline result<region> resolve(contours& loops, fill_rule rule, workspace& space,
                                             intersection_filter_ref filter, const resolve_options& how = {}) noexcept
 {

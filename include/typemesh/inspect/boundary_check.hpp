@@ -10,17 +10,17 @@
 
 namespace typemesh::inline TYPEMESH_ABI::inspect {
 
-/// What keeps loops from being the boundary cycles of an area, as region.hpp promises. They may touch in points, where
-/// each pass keeps to its own sector of interior. Every offending pair of edges is counted.
+/// The faults that keep loops from being the boundary cycles of an area (see region.hpp). Loops may touch in points;
+/// there each pass must keep to its own sector of interior. Every faulty pair of edges is counted.
 struct boundary_check {
-    std::size_t short_loops = 0;      ///< of fewer than three points
-    std::size_t repeated_points = 0;  ///< a point twice in a row
-    std::size_t spikes = 0;           ///< where a loop doubles back
-    std::size_t crossings = 0;        ///< pairs of edges that cross, or touch elsewhere than in a common end
-    std::size_t overlaps = 0;         ///< pairs of edges that are equal, or lie upon each other
-    std::size_t strays = 0;           ///< pairs of edges at a common point, where a cycle leaves its sector
+    std::size_t short_loops = 0;      ///< fewer than three points
+    std::size_t repeated_points = 0;  ///< a point occurs twice in a row
+    std::size_t spikes = 0;           ///< a loop doubles back
+    std::size_t crossings = 0;        ///< pairs of edges that cross, or touch anywhere but in a common end
+    std::size_t overlaps = 0;         ///< pairs of edges that are equal or overlap
+    std::size_t strays = 0;           ///< pairs of edges at a common point where a cycle leaves its sector
 
-    /// The first fault, in words; "" if there is none.
+    /// A description of the first fault; "" if there is none.
     [[nodiscard]] constexpr const char* broken() const noexcept
     {
         if (short_loops != 0) return "a loop has fewer than three points";
@@ -35,8 +35,8 @@ struct boundary_check {
 
 namespace detail {
 
-/// Whether direction d, seen from p, lies strictly between a and b, counter-clockwise from a; if a and b are one
-/// direction, every other one does.
+/// Whether direction d, seen from p, lies strictly between a and b, counter-clockwise from a. If a and b are one
+/// direction, every other direction does.
 [[nodiscard]] constexpr bool turns_through(grid_point p, grid_point a, grid_point d, grid_point b) noexcept
 {
     const auto sector = [&](grid_point q) noexcept {  // 0: along a, 1: left of it, 2: against it, 3: right of it
@@ -60,7 +60,7 @@ struct cycle_edge {
     [[nodiscard]] constexpr std::int32_t right() const noexcept { return (std::max)(a.x, b.x); }
 };
 
-/// Compares two edges, of one loop or of two, that may have a point in common.
+/// Compares two edges of one loop or of two loops.
 constexpr void compare(const cycle_edge& e, const cycle_edge& f, boundary_check& found) noexcept
 {
     if (!meet(e.a, e.b, f.a, f.b)) return;

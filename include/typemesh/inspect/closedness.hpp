@@ -10,30 +10,31 @@
 
 namespace typemesh::inline TYPEMESH_ABI::inspect {
 
-/// How far a mesh is from being closed, with vertices at equal positions welded.
+/// The faults that keep a mesh from being closed. Vertices at equal positions are welded.
 ///
-///           b            The edge a -> b of the left triangle is matched by b -> a of the right one. An unmatched edge
-///          /|\           is open. One with more than two faces is crowded: two solids, or two loops of one, touch
-///         / | \          along it. A mesh in which every edge occurs as often as its reverse is closed: it has an
+///           b            The edge a -> b of the left triangle matches b -> a of the right one. An unmatched edge is
+///          /|\           open. An edge with more than two faces is crowded: two solids, or two loops of one, touch
+///         / | \          along it. A mesh is closed if every edge occurs as often as its reverse: then it has an
 ///        /  |  \         inside.
 ///       c---a---d
 struct closedness {
     std::size_t triangles = 0;        ///< examined
-    std::size_t unmatched_edges = 0;  ///< directed edges that do not occur as often as their reverse
+    std::size_t unmatched_edges = 0;  ///< directed edges that occur more often than their reverse
     std::size_t crowded_edges = 0;    ///< undirected edges with more than two faces
-    std::size_t crowded_slanted = 0;  ///< those among them that are not parallel to the depth axis
+    std::size_t crowded_slanted = 0;  ///< crowded edges that are not parallel to the depth axis
     std::size_t zero_area = 0;        ///< triangles with two corners at one position
-    std::size_t bad_corners = 0;      ///< triangles with a corner that is not a vertex, or not finite
+    std::size_t bad_corners = 0;      ///< triangles with a corner that is no vertex or is not finite
 
-    /// Closed, and every triangle is valid. Crowded edges are no fault in a text whose glyphs or loops touch.
+    /// Whether the mesh is closed and every triangle valid. Crowded edges are no fault in text whose glyphs or loops
+    /// touch.
     [[nodiscard]] constexpr bool is_closed() const noexcept
     {
         return unmatched_edges == 0 && zero_area == 0 && bad_corners == 0;
     }
 };
 
-/// Matches each edge of a mesh with its reverse. Meshes of typemesh are closed glyph by glyph (where merged, group by
-/// group), so both a single glyph's triangles and those of the whole text are.
+/// Matches each edge of a mesh with its reverse. typemesh closes each glyph separately (or each group, if merged), so
+/// both the triangles of one glyph and the whole text are closed.
 ///
 ///     depth_axis    the coordinate (0, 1, 2) along which the text is extruded
 ///

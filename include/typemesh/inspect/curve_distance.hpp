@@ -11,20 +11,20 @@
 
 namespace typemesh::inline TYPEMESH_ABI::inspect {
 
-/// How far a region's boundary is from the curves that it approximates, in cells (region::grid().cells per font unit).
+/// The distance of a region's boundary from its curves, in cells (region::grid().cells per font unit).
 struct curve_distance {
-    std::size_t places = 0;  ///< that were tested: every point, and the midpoint of every edge
-    std::size_t strays = 0;  ///< those farther than allowed from all curves
+    std::size_t places = 0;  ///< tested places: every point, and the midpoint of every edge
+    std::size_t strays = 0;  ///< places that are farther than allowed from all curves
     double farthest = 0.0;   ///< the largest distance: to the curve that the edge names, or where that is more than
                              ///< allowed, to the nearest curve
 };
 
 /// Measures the distance of every boundary point, and of every edge's midpoint, from the curves.
 ///
-///     allowed    in cells: the tolerance that the region was made with, plus 1 % of it for the chords that stand for
-///                the curves, plus 1.5 cells where contours cross (see docs/guarantees.md)
+///     allowed    in cells: the tolerance of the region, plus 1 % of it for the chords that stand for the curves, plus
+///                1.5 cells if contours cross (see docs/guarantees.md)
 ///
-/// Cost   O(n) where edges lie near the curves that they name, O(n * chords) where they do not
+/// Cost   O(n) if edges lie near the curves that they name, O(n * chords) if they do not
 [[nodiscard]] inline curve_distance check_distance(const region& r, const curve_chords& curves, double allowed)
 {
     curve_distance found;

@@ -16,8 +16,7 @@ namespace typemesh::inline TYPEMESH_ABI::inspect {
 
 namespace detail {
 
-/// A sum of products that does not fit into 64 bits, in digits of 2^30 which may be of either sign: for compilers
-/// without a 128-bit type.
+/// A sum of products that exceeds 64 bits, in signed digits of 2^30, for compilers without a 128-bit type.
 struct long_number {
     std::int64_t digits[6] = {};  // lowest first
 
@@ -52,8 +51,8 @@ struct long_number {
 
 }  // namespace detail
 
-/// Where d lies relative to the circle through a, b, c (counter-clockwise): 1 inside, 0 on it, -1 outside. The
-/// textbook's determinant, exact for |coordinate| <= 2^28.
+/// The position of d relative to the circle through a, b, c (counter-clockwise): 1 inside, 0 on it, -1 outside. It is
+/// the textbook determinant, exact for |coordinate| <= 2^28.
 [[nodiscard]] constexpr int circle_side(grid_point a, grid_point b, grid_point c, grid_point d) noexcept
 {
     const std::int64_t ax = std::int64_t{a.x} - d.x, ay = std::int64_t{a.y} - d.y, bx = std::int64_t{b.x} - d.x,
@@ -66,19 +65,19 @@ struct long_number {
     return determinant.sign();
 }
 
-/// The order by which ties are decided: by x, then by y.
+/// The order that decides ties: by x, then by y.
 [[nodiscard]] constexpr bool comes_first(grid_point a, grid_point b) noexcept
 {
     return a.x != b.x ? a.x < b.x : a.y < b.y;
 }
 
-/// Which inner edges do not belong to the constrained Delaunay triangulation.
+/// The inner edges that do not belong to the constrained Delaunay triangulation.
 struct delaunay_check {
-    std::size_t inner_edges = 0;   ///< examined: those with a triangle on both sides
+    std::size_t inner_edges = 0;   ///< examined edges: those with a triangle on both sides
     std::size_t not_delaunay = 0;  ///< edges whose far corner lies inside the circumcircle of the near triangle
-    std::size_t wrong_ties = 0;    ///< of four cocircular corners, the diagonal must end at the smallest, by x, then y
+    std::size_t wrong_ties = 0;    ///< diagonals of four cocircular corners that do not end at the smallest (x, then y)
 
-    /// The first fault, in words; "" if there is none.
+    /// A description of the first fault; "" if there is none.
     [[nodiscard]] constexpr const char* broken() const noexcept
     {
         if (not_delaunay != 0) return "an edge is not Delaunay";
@@ -87,7 +86,7 @@ struct delaunay_check {
     }
 };
 
-/// Tests each edge shared by two triangles. The triangles must pass check_cap() first: see cap_check.hpp.
+/// Tests each edge between two triangles. Precondition: the triangles pass check_cap() (see cap_check.hpp).
 ///
 /// Exact. Cost: O(n log n) for n triangles
 [[nodiscard]] inline delaunay_check check_delaunay(const region& r, std::span<const triangle> triangles)

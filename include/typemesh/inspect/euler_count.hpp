@@ -10,24 +10,24 @@
 
 namespace typemesh::inline TYPEMESH_ABI::inspect {
 
-/// The numbers in Euler's formula, with vertices at equal positions welded.
+/// The numbers in Euler's formula. Vertices at equal positions are welded.
 ///
-///     places - edges + triangles = 2 * solids - 2 * holes        for solids that touch neither themselves nor each
-///                                                                other: an o has one hole, an i is two solids, an 8
-///                                                                has two holes
+///     places - edges + triangles = 2 * solids - 2 * holes        if solids touch neither themselves nor each other:
+///                                                                an o has one hole, an i is two solids, an 8 has
+///                                                                two holes
 struct euler_count {
     std::size_t places = 0;
-    std::size_t edges = 0;  ///< undirected, each once
+    std::size_t edges = 0;  ///< undirected
     std::size_t triangles = 0;
     std::size_t solids = 0;  ///< components connected by edges
 
-    /// Places - edges + triangles: 2 for each solid without holes through it.
+    /// places - edges + triangles: 2 for each solid without holes through it.
     [[nodiscard]] constexpr std::int64_t characteristic() const noexcept
     {
         return static_cast<std::int64_t>(places) - static_cast<std::int64_t>(edges) +
                static_cast<std::int64_t>(triangles);
     }
-    /// How many holes pass through closed solids that do not touch.
+    /// The number of holes through closed solids that do not touch.
     [[nodiscard]] constexpr std::int64_t holes() const noexcept
     {
         return static_cast<std::int64_t>(solids) - characteristic() / 2;

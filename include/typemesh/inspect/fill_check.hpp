@@ -13,20 +13,20 @@
 
 namespace typemesh::inline TYPEMESH_ABI::inspect {
 
-/// Places that were tested, and whether the right ones are filled.
+/// The number of tested places, and how many of them are filled wrongly.
 struct fill_check {
-    std::size_t places = 0;   ///< that were compared
+    std::size_t places = 0;   ///< on the given contours or curves, or too near to them to decide
     std::size_t skipped = 0;  ///< that lie on the given contours or curves, or too near to them to tell
-    std::size_t wrong = 0;    ///< that are filled and should not be, or the reverse
+    std::size_t wrong = 0;    ///< filled by mistake, or left unfilled by mistake
 };
 
-/// Compares what contours fill under a rule with the region made from them, at grid points in rows: by brute force,
-/// from winding numbers.
+/// Compares the area that contours fill under a rule with the region made from them, at grid points in rows: by brute
+/// force, from winding numbers.
 ///
 ///     given     contours, which may cross in any way
 ///     kept      the region's loops: filled where their winding number is 1, not filled where it is 0
-///     rows      this many rows of this many places, over the box of `given`; if that is small, all its grid points
-///     margin    how far from all edges of `given` a place must be to be compared, in cells: 1.5 where crossings are
+///     rows      the number of rows, and of places per row, over the box of `given`; all grid points of a small box
+///     margin    the least distance of a compared place from all edges of `given`, in cells: 1.5 if crossings are
 ///               rounded to the grid. Places on an edge are never compared
 ///
 /// Cost   O(rows^2 * n) for n points
@@ -64,13 +64,13 @@ struct fill_check {
     return found;
 }
 
-/// Compares what a region fills with what the curves themselves fill, by winding numbers, at random places in the
-/// outline's box.
+/// Compares the area that a region fills with the area that the curves fill, by winding numbers, at random places in
+/// the outline's box.
 ///
 ///     given      the curves
 ///     kept       the region's loops
-///     allowed    in cells, as for check_distance(): places nearer to a curve are skipped, for either answer is right
-///     tries      number of places
+///     allowed    in cells, as for check_distance(); places nearer to a curve are skipped: both answers are right there
+///     tries      the number of places
 ///     seed       the same seed gives the same places
 ///
 /// Cost   O(tries * (n + chords))
@@ -78,7 +78,7 @@ struct fill_check {
                                            double allowed, std::size_t tries = 100, std::uint64_t seed = 1)
 {
     fill_check found;
-    std::uint64_t state = seed * 0x9E37'79B9'7F4A'7C15u | 1;  // never 0, where it would stay
+    std::uint64_t state = seed * 0x9E37'79B9'7F4A'7C15u | 1;  // never 0: it would stay 0
     const auto fraction = [&] {
         state ^= state << 13;
         state ^= state >> 7;

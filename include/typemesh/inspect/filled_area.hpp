@@ -16,7 +16,7 @@ namespace typemesh::inline TYPEMESH_ABI::inspect {
 
 namespace detail {
 
-/// An edge from left to right, and how it changes the winding number of what lies above it.
+/// An edge from left to right, and its effect on the winding number above it.
 struct slab_edge {
     grid_point a, b;
     std::int32_t winding_delta = 0;
@@ -27,7 +27,7 @@ struct slab_edge {
     }
 };
 
-/// Where edge p, from 0 at its start to 1 at its end, meets the line of q; false when they are parallel.
+/// The parameter on edge p, 0 at its start and 1 at its end, where p meets the line of q. False if they are parallel.
 [[nodiscard]] inline bool crossing_share(grid_point pa, grid_point pb, grid_point qa, grid_point qb,
                                          long double& share) noexcept
 {
@@ -41,8 +41,8 @@ struct slab_edge {
 
 }  // namespace detail
 
-/// Twice the area that loops fill, in square cells, however they cross: cut into slabs in which no two edges cross.
-/// Rounded, as sums of long doubles are. Cost: O(n^2) and worse.
+/// Twice the area that loops fill, in square cells, however they cross. Cuts the plane into slabs in which no two edges
+/// cross. Rounded like any sum of long doubles. Cost: O(n^2) and worse.
 [[nodiscard]] inline double doubled_filled_area(const std::vector<loop>& loops, fill_rule rule)
 {
     using detail::slab_edge;
@@ -91,19 +91,19 @@ struct slab_edge {
     return static_cast<double>(2 * area);
 }
 
-/// Loops with every edge rerouted through the grid points nearest to where others cross it: what resolving them fills,
-/// unless that makes new crossings.
+/// Loops with every edge rerouted through the grid points nearest to its crossings with others. They fill the same area
+/// as the resolved loops, unless rerouting makes new crossings.
 struct rerouted_loops {
     std::vector<std::vector<grid_point>> all;  ///< the loops, rerouted
-    double bent_length = 0.0;  ///< of the edges that are crossed elsewhere than in a grid point, in cells
+    double bent_length = 0.0;  ///< total length of the edges that are crossed off the grid points, in cells
 
     [[nodiscard]] std::vector<loop> loops() const { return {all.begin(), all.end()}; }
 };
-/// The loops with a point wherever one of their edges is crossed, rounded to the grid.
+/// Inserts a point, rounded to the grid, wherever an edge of the loops is crossed.
 [[nodiscard]] inline rerouted_loops reroute_through_crossings(const std::vector<loop>& loops)
 {
     const std::vector<boxed_edge> edges = boxed_edges(loops);
-    std::vector<std::vector<std::pair<long double, grid_point>>> on(edges.size());  // where each is crossed
+    std::vector<std::vector<std::pair<long double, grid_point>>> on(edges.size());  // the crossings of each edge
     std::vector<bool> bends(edges.size(), false);
     each_close_pair(edges, [&](const boxed_edge& p, const boxed_edge& q) {
         if (side(p.a, p.b, q.a) * side(p.a, p.b, q.b) >= 0 || side(q.a, q.b, p.a) * side(q.a, q.b, p.b) >= 0)

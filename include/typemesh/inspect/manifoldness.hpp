@@ -12,18 +12,19 @@
 
 namespace typemesh::inline TYPEMESH_ABI::inspect {
 
-/// How far a mesh is from being the surface of solids that do not touch, with vertices at equal positions welded.
+/// The faults that keep a mesh from being the surface of solids that do not touch. Vertices at equal positions are
+/// welded.
 ///
-///        \ | /        Every edge has two faces, one on either side, and round every point its faces make one closed
-///       -- p --       fan. At a pinched point there are several: two fans that meet in their tips, say. Programs that
-///        / | \        compute with solids refuse both.
+///        \ | /        Every edge has two faces, one on each side. The faces around every point form a closed fan.
+///       -- p --       At a pinched point they form several fans: for example, two that meet in their tips. Programs
+///        / | \        that compute with solids reject both kinds of fault.
 struct manifoldness {
-    std::size_t open_edges = 0;      ///< undirected edges with one face, or two that run along it in one direction
-    std::size_t crowded_edges = 0;   ///< with more than two faces
-    std::size_t pinched_points = 0;  ///< positions round which the faces make more than one fan
-    std::size_t bad_triangles = 0;   ///< two corners at one position, or one that is not finite or no vertex at all
+    std::size_t open_edges = 0;      ///< undirected edges with one face, or with two faces in one direction
+    std::size_t crowded_edges = 0;   ///< edges with more than two faces
+    std::size_t pinched_points = 0;  ///< positions whose faces form more than one fan
+    std::size_t bad_triangles = 0;   ///< two corners at one position, or a corner that is no vertex or not finite
 
-    /// True if there are none of all four.
+    /// Whether there is no fault of any kind.
     [[nodiscard]] constexpr bool is_manifold() const noexcept
     {
         return open_edges + crowded_edges + pinched_points + bad_triangles == 0;
@@ -38,7 +39,7 @@ template <class Vertex, class Index, class Position>
 {
     struct side {
         std::uint32_t low, high;  // the edge's ends
-        std::uint32_t corner;     // 3 * triangle + where in it the edge begins
+        std::uint32_t corner;     // 3 * triangle + the corner where the edge begins
         bool forwards;            // the triangle runs from low to high
     };
     const welded_places places = weld(mesh);
@@ -63,7 +64,7 @@ template <class Vertex, class Index, class Position>
     }
     std::sort(sides.begin(), sides.end(),
               [](const side& a, const side& b) { return a.low != b.low ? a.low < b.low : a.high < b.high; });
-    // Corners of one point whose triangles share an edge there are of one fan.
+    // Two corners at one point belong to one fan if their triangles share an edge there.
     std::vector<std::uint32_t> fan(at.size());
     std::iota(fan.begin(), fan.end(), 0u);
     const auto fan_of = [&](std::uint32_t corner) {
@@ -83,7 +84,7 @@ template <class Vertex, class Index, class Position>
             fan[fan_of(after(a))] = fan_of(b);
         }
     }
-    std::vector<std::uint32_t> tips;  // a point for each fan
+    std::vector<std::uint32_t> tips;  // one point for each fan
     for (const side& s : sides)
         if (fan_of(s.corner) == s.corner) tips.push_back(at[s.corner]);
     std::sort(tips.begin(), tips.end());

@@ -11,18 +11,18 @@ namespace typemesh::inline TYPEMESH_ABI::inspect {
 /// The size of a mesh, in its own unit.
 struct mesh_measure {
     double area = 0.0;    ///< of all triangles together
-    double volume = 0.0;  ///< that a closed mesh encloses; negative when it is inside out. Meaningless for an open mesh
+    double volume = 0.0;  ///< enclosed by a closed mesh; negative if it is inside out. Meaningless for an open mesh
 };
 
 /// In a right-handed frame with counter-clockwise triangles the volume is positive; a mirroring frame changes its sign,
 /// and so do clockwise triangles (see vertex/frame.hpp). Triangles that are not drawable have no size.
 ///
-/// Cost   O(triangles); rounded as sums in double precision are
+/// Cost   O(triangles); rounded like any sum in double precision
 template <class Vertex, class Index, class Position>
 [[nodiscard]] mesh_measure measure(const mesh_view<Vertex, Index, Position>& mesh) noexcept
 {
     mesh_measure sum;
-    place origin;  // one of the corners, which keeps the terms short far from (0, 0, 0)
+    place origin;  // a corner of the mesh: keeps the terms small far from (0, 0, 0)
     bool begun = false;
     for (std::size_t t = 0; t < mesh.triangle_count(); ++t) {
         const auto corners = mesh.corners(t);

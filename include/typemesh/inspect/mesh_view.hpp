@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The room inspect/ holds the laws that a mesh obeys, for the tests of code that uses meshes. Its functions return
-// numbers in small structures, for a test to compare. They throw nothing themselves and compile without exceptions;
-// their memory comes from std::vector, which throws when memory runs out or, without exceptions, ends the program. They
-// are meant to be plain and independent of what they test, not fast, and are not part of <typemesh/typemesh.hpp>.
+// The room inspect/ checks the laws that a mesh obeys, for tests of code that uses meshes. Its functions return numbers
+// in small structures, which a test compares. They throw nothing themselves and compile without exceptions. Their
+// memory comes from std::vector: if it runs out, std::vector throws or, without exceptions, ends the program. The
+// functions are plain and independent of the code under test, not fast, and are not part of <typemesh/typemesh.hpp>.
 
 #include <typemesh/core/finite.hpp>
 
@@ -36,7 +36,7 @@ struct place {
     return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
 
-/// Converts anything with members x, y, z, or else elements [0], [1], [2]: floats or doubles of any library.
+/// Converts anything with members x, y, z, or otherwise elements [0], [1], [2]: floats or doubles of any library.
 template <class Vector>
 [[nodiscard]] constexpr place to_place(const Vector& v) noexcept
 {
@@ -58,15 +58,15 @@ struct position_member {
     }
 };
 
-/// A mesh of triangles, viewed in place: two arrays of the caller's, which must outlive it.
+/// A view of a mesh of triangles: two arrays of the caller, which must outlive the view.
 ///
 ///     inspect::mesh_view mesh{vertices, indices};                    // a member `position`, or positions themselves
 ///     inspect::mesh_view mesh{vertices, indices, &my_vertex::place};
 ///     inspect::mesh_view mesh{vertices, indices, [](const my_vertex& v) { return unpack(v); }};
 ///
-///     vertices    any array that std::span can be made from, of fewer than 2^32 - 1 vertices
-///     indices     three per triangle, of any integer type; one or two left over at the end are ignored
-///     position    a member or a function; its result is anything that to_place() takes
+///     vertices    any array that converts to a std::span, with fewer than 2^32 - 1 vertices
+///     indices     three per triangle, of any integer type; one or two extra indices at the end are ignored
+///     position    a member or a function; to_place() must accept its result
 template <class Vertex, std::integral Index, class Position = position_member>
 class mesh_view {
 public:
@@ -91,7 +91,7 @@ public:
         return {at(0), at(1), at(2)};
     }
 
-    /// Whether all three are indices of vertices. Negative ones are not.
+    /// Whether all three are indices of vertices. Negative indices are not.
     [[nodiscard]] constexpr bool has_vertices(const std::array<std::size_t, 3>& corners) const noexcept
     {
         for (const std::size_t v : corners)
@@ -99,8 +99,8 @@ public:
         return true;
     }
 
-    /// Whether these vertices exist and their positions are finite. Other triangles are counted where a structure says
-    /// so, and have no edges, no area and no normal.
+    /// Whether these vertices exist and their positions are finite. Structures that count other triangles say so; such
+    /// triangles have no edges, no area and no normal.
     [[nodiscard]] bool is_drawable(const std::array<std::size_t, 3>& corners) const noexcept
     {
         if (!has_vertices(corners)) return false;
@@ -128,12 +128,12 @@ template <class Vertices, class Indices, class Position>
 mesh_view(const Vertices&, const Indices&, Position)
     -> mesh_view<detail::element_of<Vertices>, detail::element_of<Indices>, Position>;
 
-/// The distinct positions that triangles use: vertices at equal positions share a place. -0 and 0 are equal; nothing
-/// else is merged.
+/// The distinct positions of the triangles' vertices: vertices at equal positions share a place. -0 equals 0; other
+/// positions are never merged.
 struct welded_places {
     static constexpr std::uint32_t none = 0xFFFF'FFFFu;
 
-    std::vector<std::uint32_t> of;  ///< for each vertex its place; `none` where no drawable triangle uses it
+    std::vector<std::uint32_t> of;  ///< the place of each vertex; `none` if no drawable triangle uses it
     std::vector<place> at;          ///< the places, by x, then y, then z
 };
 

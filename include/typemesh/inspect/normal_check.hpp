@@ -9,16 +9,16 @@
 
 namespace typemesh::inline TYPEMESH_ABI::inspect {
 
-/// What is wrong with a mesh's normals.
+/// The faults of a mesh's normals.
 struct normal_check {
-    std::size_t vertices = 0;         ///< that were tested: all of the mesh
-    std::size_t not_unit = 0;         ///< normals whose length is not 1 within what is allowed, or not finite
+    std::size_t vertices = 0;         ///< tested vertices: all of the mesh
+    std::size_t not_unit = 0;         ///< normals that are not finite, or whose length differs too much from 1
     double worst_length = 0.0;        ///< the largest difference of a finite normal's length from 1
-    std::size_t triangles = 0;        ///< with an area, which drawable ones should have
-    std::size_t against_winding = 0;  ///< triangles among them that face away from the sum of their corners' normals
-    std::size_t inward_corners = 0;   ///< their corners whose normal does not point out of the triangle's plane
+    std::size_t triangles = 0;        ///< triangles with an area: all drawable ones should have one
+    std::size_t against_winding = 0;  ///< of these, triangles that face away from the sum of their corners' normals
+    std::size_t inward_corners = 0;   ///< corners of these whose normal does not point out of the triangle's plane
 
-    /// Unit length, and out of every wall and cap.
+    /// Whether all normals have unit length and point out of every wall and cap.
     [[nodiscard]] constexpr bool is_right() const noexcept
     {
         return not_unit == 0 && against_winding == 0 && inward_corners == 0;
@@ -27,11 +27,12 @@ struct normal_check {
 
 /// Compares normals with the winding of triangles.
 ///
-///     normal     how to get a vertex's normal: a member or a function, as for positions
-///     winding    +1 where dot(cross(b - a, c - a), n) is positive on the outside, -1 where it is negative: the frame's
-///     allowed    how far a length may differ from 1: 1e-5 for 32-bit floats, more for packed formats
+///     normal     gets a vertex's normal: a member or a function, as for positions
+///     winding    the frame's winding: +1 if dot(cross(b - a, c - a), n) is positive on the outside, -1 if it is
+///                negative
+///     allowed    the greatest difference of a length from 1: 1e-5 for 32-bit floats, more for packed formats
 ///
-/// With shared_normals a corner's normal may point into a wall by design, where three faces meet at a needle.
+/// With shared_normals, a corner's normal may point into a wall by design, where three faces meet at a needle.
 /// Cost   O(vertices + triangles)
 template <class Vertex, class Index, class Position, class Normal>
 [[nodiscard]] normal_check check_normals(const mesh_view<Vertex, Index, Position>& mesh, const Normal& normal,

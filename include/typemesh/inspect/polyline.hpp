@@ -11,8 +11,8 @@
 #include <span>
 #include <vector>
 
-// Facts about closed polylines on the grid, found by brute force: slow, plain, and sharing no code with the stages that
-// they test.
+// Facts about closed polylines on the grid, found by brute force: slow, plain, and without any code of the stages under
+// test.
 
 namespace typemesh::inline TYPEMESH_ABI::inspect {
 
@@ -56,11 +56,10 @@ using loop = std::span<const grid_point>;
     return side(a, b, c) * side(a, b, d) < 0 && side(c, d, a) * side(c, d, b) < 0;
 }
 
-/// Twice the enclosed area, counter-clockwise positive; exact when it fits into 63 bits, as it does for one loop on the
-/// grid.
+/// Twice the enclosed area, counter-clockwise positive. Exact if it fits into 63 bits, as for one loop on the grid.
 [[nodiscard]] constexpr std::int64_t doubled_area(loop l) noexcept
 {
-    std::uint64_t sum = 0;  // may wrap on the way
+    std::uint64_t sum = 0;  // partial sums may wrap
     for (std::size_t i = 0; i < l.size(); ++i) {
         const grid_point a = l[i], b = l[(i + 1) % l.size()];
         sum += static_cast<std::uint64_t>(std::int64_t{a.x} * b.y - std::int64_t{a.y} * b.x);
@@ -75,7 +74,7 @@ using loop = std::span<const grid_point>;
     return static_cast<std::int64_t>(sum);
 }
 
-/// How often l winds around p, which must not lie on it: counted along the ray from p to the right.
+/// The winding number of l around p, which must not lie on l: counted along the ray from p to the right.
 [[nodiscard]] constexpr std::int32_t winding(loop l, grid_point p) noexcept
 {
     std::int32_t w = 0;
@@ -86,7 +85,7 @@ using loop = std::span<const grid_point>;
     }
     return w;
 }
-/// How often the loops wind around p, by brute force. p lies on no edge.
+/// The winding number of the loops around p, by brute force. p lies on no edge.
 [[nodiscard]] inline std::int32_t winding(const std::vector<loop>& loops, grid_point p) noexcept
 {
     std::int32_t w = 0;
@@ -94,7 +93,7 @@ using loop = std::span<const grid_point>;
     return w;
 }
 
-/// The total length of all edges, in cells: snapping them by half a cell changes the area by at most half of that.
+/// The total length of all edges, in cells. Snapping edges by half a cell changes the area by at most half this length.
 [[nodiscard]] inline double length(const std::vector<loop>& loops) noexcept
 {
     double sum = 0.0;

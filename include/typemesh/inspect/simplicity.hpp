@@ -11,8 +11,8 @@
 
 namespace typemesh::inline TYPEMESH_ABI::inspect {
 
-/// Whether any two edges cross, touch or overlap (neighbours: in more than their common point), or a loop has one or
-/// two points. Tests all pairs of edges whose boxes overlap.
+/// Whether two edges cross, touch or overlap (neighbours may share only their common point), or a loop has one or two
+/// points. Tests all pairs of edges whose boxes overlap.
 [[nodiscard]] inline bool is_crossing(const std::vector<loop>& loops)
 {
     for (const loop l : loops) {
@@ -22,7 +22,7 @@ namespace typemesh::inline TYPEMESH_ABI::inspect {
         for (std::size_t i = 0; i < n; ++i) {
             const grid_point a = l[i], b = l[(i + 1) % n], c = l[(i + 2) % n];
             if (a == b) return true;
-            if (lies_on(c, a, b) || lies_on(a, b, c)) return true;  // doubles back
+            if (lies_on(c, a, b) || lies_on(a, b, c)) return true;  // the loop doubles back
         }
     }
     return !each_close_pair(boxed_edges(loops), [&](const boxed_edge& p, const boxed_edge& q) {
@@ -37,7 +37,7 @@ struct separated {
     std::int32_t outside = 0;
     std::int32_t inside = 0;
 };
-/// Of loop `of`, which is not empty.
+/// The winding numbers beside loop `of`, which is not empty.
 [[nodiscard]] inline separated separated_by(const std::vector<loop>& loops, std::size_t of) noexcept
 {
     std::int32_t outside = 0;
@@ -46,7 +46,7 @@ struct separated {
     return {outside, outside + (doubled_area(loops[of]) > 0 ? 1 : -1)};
 }
 
-/// Whether loops bound a region as they are, without touching: the winding number is 1 left of every edge, 0 right.
+/// Whether loops bound a region without touching: the winding number is 1 left of every edge, 0 right of it.
 [[nodiscard]] inline bool is_region(const std::vector<loop>& loops)
 {
     if (is_crossing(loops)) return false;

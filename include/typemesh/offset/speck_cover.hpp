@@ -14,12 +14,12 @@
 
 namespace typemesh::inline TYPEMESH_ABI::detail {
 
-/// What is done about a speck whose faces cannot be cut on the grid: a component of the region that is swept wholly
-/// within a few cells, such as the crescent between two circles that are nearly the same. The triangles that it was
-/// given cover it instead, as if it had not been swept.
+/// The fallback for a speck whose faces cannot be cut on the grid. A speck is a component of the region that is swept
+/// completely within a few cells, such as the crescent between two nearly equal circles. The triangles of the given
+/// triangulation cover it instead, as if it had not been swept.
 ///
-///      ____----____          All their corners are the region's own, at distance 0, which is as right as a node on the
-///     /__--------__\         grid may be: off by no more than `few` cells. Everything around is swept as ever.
+///      ____----____          All their corners are points of the region, at distance 0. This is as accurate as a node
+///     /__--------__\         on the grid: the error is at most `few` cells. Everything around is swept as usual.
 class speck_cover {
 public:
     static constexpr float few = 8.0f;
@@ -30,9 +30,9 @@ public:
     /// Whether it covers this component of the wavefront.
     [[nodiscard]] bool covers(std::uint32_t component) const noexcept { return !empty() && covered_[component]; }
 
-    /// Covers a component, whose cells the wavefront still holds all.
+    /// Covers a component. The wavefront must still hold all its cells.
     ///
-    /// Fails  error::crossing_contours: it is no speck; error::out_of_memory
+    /// Fails  error::crossing_contours: the component is no speck; error::out_of_memory
     [[nodiscard]] error cover(std::uint32_t component, const wavefront& front) noexcept
     {
         if (front.live[component] != 0) return error::crossing_contours;
@@ -50,8 +50,8 @@ public:
         return {};
     }
 
-    /// Appends a cell for each of the given triangles that lies in a covered component. It goes with the longest edge
-    /// of the region that it has.
+    /// Appends a cell for each given triangle in a covered component. The cell belongs to the triangle's longest edge
+    /// that is an edge of the region.
     [[nodiscard]] error add(const wavefront& front, array_view<const triangle> given, swept_region& out) const noexcept
     {
         if (empty()) return {};
@@ -65,7 +65,7 @@ public:
     }
 
 private:
-    /// At level 0 edge i stands from node i to the next one of its loop.
+    /// At level 0, edge i goes from node i to the next node of its loop.
     [[nodiscard]] static std::uint32_t edge_of(const triangle& t, const wavefront& front,
                                                const swept_region& out) noexcept
     {
@@ -82,7 +82,7 @@ private:
         return best;
     }
 
-    buffer<bool> covered_;  // of each component; empty: none is
+    buffer<bool> covered_;  // of each component; empty: no component is covered
 };
 
 }  // namespace typemesh::inline TYPEMESH_ABI::detail

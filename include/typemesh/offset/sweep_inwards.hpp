@@ -23,21 +23,21 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// How sweep_inwards() goes about it. All lengths are in cells.
+/// The options of sweep_inwards(). All lengths are in cells.
 struct sweep_options {
-    /// Distances at which faces are cut: from 0 to the width, each at least finest_band more than the one before.
+    /// The distances at which faces are cut: from 0 to the width, each at least finest_band more than the last.
     array_view<const double> levels;
-    /// A reflex corner that would move farther than this many distances gets joins, 31 at most; 0: only needles do.
+    /// Reflex corners that would move farther than this many distances get joins, at most 31; 0: only needles do.
     double mitre_limit = 2.0;
-    /// By so much a corner may lie beyond a limit near 1 at the width, below 1.42; 0: unknown.
+    /// At the width, a corner may exceed a limit near 1 by this length, below 1.42; 0: unknown.
     double tolerance = 0.0;
-    /// Joins are rounded to the tolerance at the width; else they have as few edges as the limit needs.
+    /// Joins are rounded to the tolerance at the width; otherwise they have only the edges that the limit needs.
     bool round = true;
-    /// The width at which joins are counted, so that corners move as in a wider sweep; 0: the last level.
+    /// The width for which joins are counted, so that corners move as in a wider sweep; 0: the last level.
     double joins_at = 0.0;
-    /// swept_region::first_loss is that of components that are swept wholly no sooner, if there are any.
+    /// swept_region::first_loss ignores components that are swept completely before this distance, unless all are.
     double speck = 0.0;
-    /// The faces are of no interest: it is no failure that some of them cannot be cut.
+    /// The faces are not needed: it is no failure if some of them cannot be cut.
     bool only_cap = false;
 };
 
@@ -101,7 +101,7 @@ private:
     /// Segment, line, vertex and node i belong to point i and the edge that begins there.
     [[nodiscard]] error begin(const region& r, array_view<const triangle> cap) noexcept
     {
-        // Half-edges are numbered below 2^31, those of up to 31 joins a corner included.
+        // Half-edges are numbered below 2^31, including up to 31 joins per corner.
         if (r.points().size() > std::size_t{1} << 24 || cap.size() > std::size_t{1} << 25) return error::too_large;
         const auto n = static_cast<std::uint32_t>(r.points().size());
         kinetic_triangles& mesh = front_.mesh;
@@ -129,7 +129,7 @@ private:
         return find_components() ? error::none : error::out_of_memory;
     }
 
-    /// Numbers the connected components of the region: triangles that diagonals join.
+    /// Numbers the connected components of the region: triangles connected across diagonals.
     [[nodiscard]] bool find_components() noexcept
     {
         kinetic_triangles& mesh = front_.mesh;
@@ -174,7 +174,7 @@ private:
                          });
     }
 
-    /// A cell above each segment, from where it is now.
+    /// Opens a cell above each segment, from its current position.
     [[nodiscard]] bool open_cells() noexcept
     {
         front_.outlines.clear();
@@ -189,7 +189,7 @@ private:
         return !front_.has_failed();
     }
 
-    /// Where the segments stand at this level.
+    /// Records the position of the segments at this level.
     [[nodiscard]] bool note_edges() noexcept
     {
         if (!note_edges_end()) return false;
@@ -253,8 +253,8 @@ private:
         return true;
     }
 
-    /// Cuts all cells; where one cannot be cut, it is mended, and they are cut again. When that does not end, specks
-    /// are covered.
+    /// Cuts all cells. If a cell cannot be cut, it is mended, and all are cut again. If that does not end, specks are
+    /// covered.
     [[nodiscard]] error cut_cells(std::uint32_t band) noexcept
     {
         constexpr int max_attempts = 64;
@@ -269,7 +269,7 @@ private:
         }
     }
 
-    /// `mends`: rings that cannot be cut are mended first of all; changed_ says whether something has been done.
+    /// `mends`: a ring that cannot be cut is first mended; changed_ becomes true if anything was changed.
     [[nodiscard]] error try_to_cut(std::uint32_t band, bool mends) noexcept
     {
         const auto& corners = front_.outlines.corners;
@@ -295,7 +295,7 @@ private:
         return error::none;
     }
 
-    /// What is done about a ring that cannot be cut.
+    /// Handles a ring that cannot be cut.
     [[nodiscard]] error get_round(const buffer<std::uint32_t>& ring, const cell_outlines::cell& c, std::uint32_t band,
                                   bool mends) noexcept
     {
@@ -318,11 +318,11 @@ private:
     }
     [[nodiscard]] std::uint32_t component_of(const cell_outlines::cell& c) const noexcept
     {
-        return front_.mesh.segments[c.line].component;  // the first segment of a line has its number
+        return front_.mesh.segments[c.line].component;  // the first segment of a line has the line's number
     }
 
-    /// Cuts the closed path where it comes back to a node, and passes on each ring of 3 nodes or more, until `take`
-    /// refuses one. What goes from a node to the next and back bounds nothing.
+    /// Cuts the closed path where it returns to a node, and passes each ring of 3 nodes or more to `take`, until `take`
+    /// fails. A path from a node to the next and back bounds nothing.
     template <class Take>
     [[nodiscard]] error each_ring(Take take) noexcept
     {
@@ -350,7 +350,7 @@ private:
         return take(ring_);
     }
 
-    /// Whether the path is a ring as it is; told of short ones alone, which nearly all cells are.
+    /// Whether the path is already a ring. Recognises only short rings, which nearly all cells are.
     [[nodiscard]] bool is_short_ring() const noexcept
     {
         const std::size_t n = path_.size();
@@ -361,7 +361,7 @@ private:
         return true;
     }
 
-    /// The loops that the segments still make.
+    /// Collects the loops that the segments still form.
     [[nodiscard]] error make_cap(const region& r) noexcept
     {
         kinetic_triangles& mesh = front_.mesh;
@@ -399,8 +399,8 @@ private:
     swept_region& out_;
     wavefront front_;
     ring_cutter cutter_;
-    buffer<std::uint32_t> level_of_;  // of each vertex: its node at the level
-    buffer<std::uint32_t> same_;      // of each node: another one at its place, or itself
+    buffer<std::uint32_t> level_of_;  // for each vertex, its node at the level
+    buffer<std::uint32_t> same_;      // for each node, another node at its place, or itself
     buffer<std::uint32_t> path_, stack_, ring_, on_path_;
     speck_cover cover_;
     cell_repair repair_;
@@ -411,23 +411,23 @@ private:
 
 }  // namespace detail
 
-/// Sweeps the boundary of a region inwards, each edge with the same speed, up to the last level: the faces of its
-/// straight skeleton, cut at the levels, and the region that remains.
+/// Sweeps the boundary of a region inwards, each edge with the same speed, up to the last level. The result has the
+/// faces of the straight skeleton, cut at the levels, and the region that remains.
 ///
-///     triangles   any triangulation of the region, of no further points; of two triangulations the results differ at
-///                 most where several things happen within a fraction of a cell
-///     scratch     all memory comes from it; `out`, which is empty, may draw from it as well
+///     triangles   any triangulation of the region without additional points; the results of two triangulations differ
+///                 at most where several events happen within a fraction of a cell
+///     scratch     provides all memory; `out`, which is empty, may also draw from it
 ///
-/// What remains (`out.cap`) is bounded by nodes on the grid. It is a region once fill or a proving triangulator says
-/// so. Then the triangles in `out` and those of the cap cover the region once: all are counter-clockwise, and their
-/// common boundary is the region's.
+/// The remaining region (`out.cap`) is bounded by nodes on the grid. It is a region once fill or a proving triangulator
+/// confirms it. Then the triangles in `out` and the cap's triangles cover the region once: all are counter-clockwise,
+/// and their common boundary is the boundary of the region.
 ///
 /// Fails  error::crossing_contours: on the grid a cell's outline crosses itself, flips do not end, or rounding loses a
-///        hole; `out` is then void. Nothing like it is known of a glyph
+///        hole; the content of `out` is then undefined. No glyph is known to cause this
 ///        error::too_large: more than 2^24 points
 ///        error::out_of_memory
-/// Cost   O(n log n) and O(log n) per event (see wavefront.hpp). A band in which a cell must be mended is cut again,
-///        and mending takes the square of that cell's nodes (cell_repair.hpp)
+/// Cost   O(n log n) and O(log n) per event (see wavefront.hpp). A band in which a cell must be mended is cut again;
+///        mending takes time quadratic in the cell's nodes (cell_repair.hpp)
 [[nodiscard]] inline error sweep_inwards(const region& r, array_view<const triangle> triangles,
                                          const sweep_options& how, workspace::scope& scratch,
                                          swept_region& out) noexcept

@@ -13,48 +13,48 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// The least distance between two levels, in cells: nodes on the grid would leave nothing whole of what is finer.
+/// The least distance between two levels, in cells: nodes on the grid would destroy anything finer.
 inline constexpr double finest_band = 4.0;
 
-/// A point that the moving boundary of a region has passed: where, and after which distance.
+/// A point that the moving boundary of a region has passed, and the distance at which it did.
 struct swept_node {
     grid_point at;
     float distance = 0.0f;  ///< in cells, from 0 at the region's boundary to the width
 };
 
-/// The area that one edge sweeps between two levels: what lies between them of its face. A split or a bow makes it any
-/// polygon; its triangles are listed instead of its outline.
+/// The area that one edge sweeps between two levels: the part of its face between them. A split or a bow can make it
+/// any polygon, so its triangles are listed instead of its outline.
 struct swept_cell {
-    std::uint32_t edge = 0;            ///< of the region, or from its number of points on, a join
+    std::uint32_t edge = 0;            ///< of the region; numbers from the region's number of points on are joins
     std::uint32_t band = 0;            ///< lies between levels[band] and levels[band + 1]
-    std::uint32_t first_triangle = 0;  ///< its triangles end where those of the next cell begin
+    std::uint32_t first_triangle = 0;  ///< the next cell's first triangle ends them
 };
 
-/// Where a moving edge stands at a level: from node a to node b, the interior on the left.
+/// The position of a moving edge at a level: from node a to node b, the interior on the left.
 struct swept_edge_at {
     std::uint32_t edge = 0;
     std::uint32_t a = 0, b = 0;
 };
 
-/// An edge of no length, put in at a reflex corner sharper than the mitre limit: it grows as the others move on.
+/// An edge of zero length, inserted at a reflex corner sharper than the mitre limit: it grows as its neighbours move.
 struct swept_join {
     std::uint32_t point = 0;  ///< of the region
-    vec2 inward;              ///< unit vector: where it moves to
+    vec2 inward;              ///< unit vector: its direction of movement
 };
 
-/// A region's boundary swept inwards, cut at levels: the faces of its straight skeleton up to a width, and what remains
-/// within.
+/// A region's boundary swept inwards and cut at levels: the faces of its straight skeleton up to a width, and the
+/// region that remains inside.
 ///
 ///     +-----------------+      nodes      the first n are the region's own points, in its order, at distance 0
-///     | \_____________/ |      cells      ordered by band; the last one ends the triangles before it
-///     |  |           |  |      triangles  counter-clockwise, of nodes; together they cover the region without its cap,
+///     | \_____________/ |      cells      ordered by band; the last one only ends the triangles of the one before
+///     |  |           |  |      triangles  counter-clockwise, of nodes; they cover the region without its cap exactly
 ///     |  |    cap    |  |                 once; none is flat in the plane
-///     |  |___________|  |      levels     distances in cells, rising, from 0 to the width
-///     | /             \ |      at_level   edges_at[at_level[k]] .. edges_at[at_level[k + 1]] stand at level k
-///     +-----------------+      cap        what remains at the last level: loops over nodes at that level, which
-///                                         cap_nodes names point by point; its edges refer to no curve yet
+///     |  |___________|  |      levels     distances in cells, ascending, from 0 to the width
+///     | /             \ |      at_level   edges_at[at_level[k]] .. edges_at[at_level[k + 1]] are the edges at level k
+///     +-----------------+      cap        the region at the last level: loops over nodes at that level; cap_nodes
+///                                         lists the node of each point; its edges refer to no curve yet
 ///                                         (name_cap_edges)
-/// At the first level edges_at are the region's edges, at the last one the cap's.
+/// At the first level edges_at are the region's edges, at the last level the cap's edges.
 struct swept_region {
     buffer<swept_node> nodes;
     buffer<swept_cell> cells;
@@ -65,13 +65,13 @@ struct swept_region {
     buffer<swept_join> joins;
     contours cap;
     buffer<std::uint32_t> cap_nodes;
-    /// The distance at which the first connected component was swept wholly that is no speck (sweep_options), or, if
-    /// all were swept and are specks, the last; -1: none was.
+    /// The distance at which the first connected component that is no speck (sweep_options) was swept completely. If
+    /// all components were swept and are specks, the distance of the last one. -1: no component was swept completely.
     double first_loss = -1.0;
-    std::uint32_t lost = 0;  ///< how many connected components were swept wholly, specks included
-    /// How much work it was, for tests and benchmarks alone.
-    std::size_t events = 0;     ///< how often the boundary's topology changed or the triangulation had to
-    std::size_t schedules = 0;  ///< how often it was looked for when a triangle collapses: with events, a sweep's work
+    std::uint32_t lost = 0;  ///< how many connected components were swept completely, including specks
+    /// The amount of work, only for tests and benchmarks.
+    std::size_t events = 0;     ///< how often the boundary's topology or the triangulation changed
+    std::size_t schedules = 0;  ///< how often a triangle's collapse time was computed; with events, a sweep's work
 
     explicit swept_region(memory source = heap()) noexcept
         : nodes{source},
@@ -86,7 +86,7 @@ struct swept_region {
     {
     }
 
-    /// Empties everything; the storage is kept.
+    /// Empties everything; keeps the storage.
     void clear() noexcept
     {
         nodes.clear();

@@ -20,46 +20,46 @@ namespace typemesh::inline TYPEMESH_ABI {
 
 /// The triangulator for well-shaped triangles: the constrained Delaunay triangulation of the region, exact and unique.
 ///
-/// Of all triangulations over the region's own points it has the largest smallest angle. An edge that is not the
-/// region's own belongs to it exactly if some circle through its ends contains no point that is visible from the edge.
-/// Where four or more points that see each other are cocircular, all free diagonals between them end at the
-/// lexicographically smallest (by x, then y): so the set of triangles depends on nothing but the region, neither on
-/// where contours begin nor on their order nor on the machine.
+/// Of all triangulations over the region's own points it has the largest smallest angle. An edge that is not in the
+/// region's boundary belongs to it exactly if some circle through the edge's ends contains no point that is visible
+/// from the edge. If four or more points that see each other are cocircular, all free diagonals between them end at the
+/// lexicographically smallest point (by x, then y). So the set of triangles depends only on the region: not on the
+/// starts or the order of contours, and not on the machine.
 ///
-/// How: points that only smooth the outline are left out at first (coarse_loops); what remains is swept
-/// (monotone_sweep) and made Delaunay by flipping edges (delaunay_flips); then the points left out come back to the
-/// boundary, each between its neighbours, coarse to fine, and the triangulation stays Delaunay: no point location, two
-/// flips per point. Whether the coarse outline crosses itself does not matter: it is proven like any other. Nor does it
-/// matter whether outlines cross between coarse and fine: all triangles stay counter-clockwise throughout, and such
-/// triangles with a simple boundary cover what is inside once. A short outline that is not smooth is swept whole. Where
-/// it has too many points for that, or too many flips are needed, or outlines touch themselves, all points are
-/// triangulated by divide and conquer (delaunay_slabs): the same triangles in another order. What each way
-/// earns is in docs/triangulation.md: coarse loops a fifth of the instructions at 1/800 em, flips from a
-/// sweep of all points a twentieth of the mispredicted branches and more, slabs the worst case.
+/// Method: points that only smooth the outline are left out at first (coarse_loops). The remaining polygon is swept
+/// (monotone_sweep) and made Delaunay by flipping edges (delaunay_flips). Then the points left out are inserted into
+/// the boundary, each between its neighbours, coarse to fine. The triangulation stays Delaunay, without point location
+/// and with two flips per point. The coarse outline may cross itself: the sweep checks it like any other. Outlines may
+/// also cross between coarse and fine: all triangles stay counter-clockwise throughout, and such triangles with a
+/// simple boundary cover the inside once. A short outline that is not smooth is swept whole. Divide and conquer
+/// (delaunay_slabs) triangulates all points if the outline has too many points for that, if too many flips are needed,
+/// or if outlines touch themselves: the same triangles in another order. docs/triangulation.md measures each method:
+/// coarse loops save a fifth of the instructions at 1/800 em; flips from a sweep of all points save a twentieth of the
+/// mispredicted branches and more; slabs save the worst case.
 ///
 /// Cost   O(n log n)
-/// Space  at most 220 bytes per point and 128 per loop from `space`, nothing else once `out` has the capacity
+/// Space  at most 220 bytes per point and 128 per loop from `space`; no other memory once `out` has the capacity
 /// Exact  orientation in 64 bits, in-circle in 128 (core/impl/in_circle.hpp)
 struct constrained_delaunay {
-    // Its functions are templates, so that units that do not call them do not compile the sweep.
+    // Its functions are templates, so that translation units that do not call them do not compile the sweep.
 
     static constexpr bool has_final_diagonals = true;  ///< low triangles stay, if there are any
 
-    /// How many flips per triangle may be spent before divide and conquer takes over; 1 to 3 are usual, and 0 leaves
-    /// everything to it. Affects time only, never the triangles.
+    /// The maximum number of flips per triangle before divide and conquer takes over; 1 to 3 are usual, and 0 always
+    /// uses divide and conquer. Affects only time, never the triangles.
     std::uint32_t max_flips = 4;
 
-    /// See option_bits: the triangles are the same whatever the option says.
+    /// See option_bits: the triangles do not depend on the option.
     [[nodiscard]] static option_bits cache_key() noexcept { return {}; }
 
-    /// Relies on what a region promises. Fails with error::out_of_memory, `out` being unchanged.
+    /// Relies on the guarantees of a region. Fails with error::out_of_memory; `out` is then unchanged.
     template <class = void>
     [[nodiscard]] error operator()(const region& r, workspace& space, triangle_list& out) const noexcept
     {
         return cut(r, r.order(), space, out);
     }
 
-    /// The region that `loops` bound, its triangles appended to `out`. Fails as monotone{}.prove() does.
+    /// The region that `loops` bound; appends its triangles to `out`. Fails as monotone{}.prove() does.
     template <class = void>
     [[nodiscard]] result<region> prove(const contours& loops, workspace& space, triangle_list& out) const noexcept
     {
@@ -93,13 +93,13 @@ private:
         return r;
     }
 
-    /// What the attempts to triangulate by flips leave for the next one.
+    /// The state that one attempt to triangulate by flips leaves for the next.
     struct attempts {
-        double kept = 0;       // share of the points that the last one kept
+        double kept = 0;       // share of the points that the last attempt kept
         std::uint64_t budget;  // flips
     };
 
-    /// `order` is that of the points, or empty. A template, so that it is compiled only where it is called.
+    /// `order` is the order of the points, or empty. A template, so that it is compiled only where it is called.
     template <class = void>
     [[nodiscard]] error cut(const region& r, array_view<const std::uint32_t> order, workspace& space,
                             triangle_list& out) const noexcept
@@ -122,13 +122,13 @@ private:
 
     using cutter = detail::chain_cutter<detail::half_edges::output>;
 
-    /// Regular patterns of many holes put whole columns of points on one vertical line, where a sweep makes needles.
+    /// Regular patterns of many holes put whole columns of points on one vertical line; a sweep makes needles there.
     static constexpr std::size_t sheared_from = 1000;
     static constexpr std::size_t slabs_from = 400;  ///< below this, flips from a sweep of all points are faster
     static constexpr double worth_it = 0.875;       ///< keeping a larger share of the points saves nothing
 
-    /// Fails with error::crossing_contours where this way does not work; once flips have begun, no budget is left for
-    /// another attempt. When all points are kept nothing needs proof. `order`: of the points that are kept, or empty.
+    /// Fails with error::crossing_contours if this method does not work. Once flips have begun, no budget is left for
+    /// another attempt. If all points are kept, no proof is needed. `order`: the order of the kept points, or empty.
     template <bool Proving>
     [[nodiscard]] static error by_flips(const region& r, array_view<const std::uint32_t> order, workspace& space,
                                         triangle* write, std::int64_t straightness, attempts& left) noexcept
@@ -141,7 +141,7 @@ private:
         if (Proving && left.kept > worth_it) return error::crossing_contours;
         detail::half_edges mesh{r.points()};
         if (!mesh.open(scratch, n + 2 * std::size_t{r.loop_count()}))
-            return error::out_of_memory;  // as many as a sweep can make
+            return error::out_of_memory;  // the maximum that a sweep can make
         detail::monotone_sweep<Proving, false, cutter> sweep{coarse.points(), coarse.starts(),
                                                              cutter{detail::half_edges::output{mesh, coarse.names()}}};
         if (const error e = sweep.run(space, order)) return e;

@@ -12,27 +12,27 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// The fast triangulator: one sweep from left to right, which also proves on the way that the loops bound a region.
+/// The fast triangulator: one sweep from left to right, which also proves that the loops bound a region.
 ///
 ///     points   [ outer | hole | hole | outer | ... ]   on the grid, |coordinate| <= 2^28
 ///     out      three indices into `points` per triangle, counter-clockwise, no zero area
 ///
-/// Loops come in any order, holes need not be marked, collinear points and vertical edges are no special cases. No
-/// point is dropped and none added: every edge of the loops is an edge of exactly one triangle. The triangles are as
-/// slender as the sweep makes them, except those too low for 32-bit floats (see low_triangles.hpp), whose edges are
-/// flipped afterwards; where their quality matters (lighting per vertex, bending) use another triangulator.
+/// Loops come in any order, holes need no mark, collinear points and vertical edges are no special cases. No point is
+/// dropped or added: every edge of the loops is an edge of exactly one triangle. The triangles are as slender as the
+/// sweep makes them. Only triangles too low for 32-bit floats (see low_triangles.hpp) are changed: their edges are
+/// flipped afterwards. If triangle quality matters (lighting per vertex, bending), use another triangulator.
 ///
-/// Cost   O(n log n); one pass. Only points that open a span are searched for, all others find theirs by their edges.
-/// Space  at most 130 bytes per point from `space`, nothing else once `out` has the capacity
-/// Exact  orientation in 64 bits (see core/orientation.hpp) is the only predicate of the sweep, heights in 128
+/// Cost   O(n log n); one pass. Only points that open a span need a search; all others find their span by their edges.
+/// Space  at most 130 bytes per point from `space`; no other memory once `out` has the capacity
+/// Exact  orientation in 64 bits (see core/orientation.hpp) is the only predicate of the sweep; heights take 128 bits
 /// From   de Berg et al., Computational Geometry, 3rd ed. (2008), 3.2 and 3.3; Shamos & Hoey, Geometric intersection
 ///        problems (1976)
 struct monotone {
-    // Its functions are templates, so that units that do not call them do not compile the sweep.
+    // Its functions are templates, so that translation units that do not call them do not compile the sweep.
 
-    static constexpr bool has_final_diagonals = true;  ///< low triangles are raised here already
+    static constexpr bool has_final_diagonals = true;  ///< low triangles are already raised here
 
-    /// Relies on what a region promises. Fails with error::out_of_memory, `out` being unchanged.
+    /// Relies on the guarantees of a region. Fails with error::out_of_memory; `out` is then unchanged.
     template <class = void>
     [[nodiscard]] error operator()(const region& r, workspace& space, triangle_list& out) const noexcept
     {
@@ -42,11 +42,11 @@ struct monotone {
                                : cut<false, false>(loops, space, out, nothing);
     }
 
-    /// The region that `loops` bound, its triangles appended to `out`.
+    /// The region that `loops` bound; appends its triangles to `out`.
     ///
-    /// Fails  error::crossing_contours: exactly when two edges cross, touch or overlap (neighbours of a loop may share
-    ///        their common point and no more), or an edge does not have the interior on its left only: a lone
-    ///        clockwise loop, one loop inside another of the same direction
+    /// Fails  error::crossing_contours: exactly if two edges cross, touch or overlap (neighbours in a loop may share
+    ///        only their common point), or if some edge does not have the interior only on its left: a single clockwise
+    ///        loop, or a loop inside another loop of the same direction
     ///        error::out_of_memory
     /// In both cases `out` is unchanged. See triangulator.hpp for the error's count.
     template <class = void>
@@ -60,9 +60,9 @@ struct monotone {
         return r;
     }
 
-    /// The same for loops that may pass through a point more than once, each time along a sector of interior of their
-    /// own (see fill/impl/touching_cycles.hpp). Fails as prove() does, also where a visit does not keep to its sector.
-    /// Takes about 40 bytes more per point from `space`.
+    /// The same for loops that may pass through a point more than once, each time along a separate sector of interior
+    /// (see fill/impl/touching_cycles.hpp). Fails as prove() does, and also if a visit leaves its sector. Takes about
+    /// 40 bytes more per point from `space`.
     template <class = void>
     [[nodiscard]] result<region> prove_touching(const contours& loops, workspace& space,
                                                 triangle_list& out) const noexcept
@@ -76,7 +76,7 @@ struct monotone {
     }
 
 private:
-    /// What the sweep reads of contours or of a region.
+    /// The parts of contours or of a region that the sweep reads.
     struct loops_view {
         array_view<const grid_point> points;
         array_view<const std::uint32_t> starts, order;

@@ -11,20 +11,20 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// How well triangles suit lighting and bending, collected over one glyph or over many.
+/// The quality of triangles for lighting and bending, collected over one or more glyphs.
 ///
-/// The angle of a triangle is its smallest, in degrees: 60 at best, near 0 for a needle. Its aspect is its longest edge
-/// divided by the height on it: 2 / sqrt(3) at best. Triangles without area count with angle 0 and leave the aspect
-/// unchanged.
+/// The angle of a triangle is its smallest angle in degrees: 60 at best, near 0 for a needle. The aspect is the longest
+/// edge divided by the height on it: 2 / sqrt(3) at best. Triangles without area count with angle 0 and leave the
+/// aspect unchanged.
 struct triangle_quality {
     std::uint64_t triangles = 0;
-    double smallest_angle = 60.0;  ///< of all; 60 where there are none
-    double largest_aspect = 0.0;   ///< of all; 0 where there are none
-    /// How many triangles have an angle in [i, i + 1) tenths of a degree; 60 is in the last.
+    double smallest_angle = 60.0;  ///< of all; 60 if there are none
+    double largest_aspect = 0.0;   ///< of all; 0 if there are none
+    /// angles[i] counts triangles with an angle in [i, i + 1) tenths of a degree; the last entry includes 60.
     std::uint64_t angles[600] = {};
 
-    /// The angle below which a share (0 to 1) of the triangles lies, to a tenth of a degree: angle_at(0.05) is the 5th
-    /// percentile, angle_at(0.5) the median. 0 where there are none.
+    /// The angle that a share (0 to 1) of the triangles stay below, to a tenth of a degree: angle_at(0.05) is the 5th
+    /// percentile, angle_at(0.5) the median. 0 if there are no triangles.
     [[nodiscard]] double angle_at(double share) const noexcept
     {
         const double wanted = share * static_cast<double>(triangles);
@@ -54,8 +54,7 @@ template <class Point>
 }
 }  // namespace detail
 
-/// Adds triangles over `points` (grid points, or any type whose x and y are floating-point numbers) to what has been
-/// collected.
+/// Adds triangles over `points` (grid points, or any type with floating-point members x and y) to the statistics.
 ///
 /// Cost   one arc tangent per triangle
 template <class Point>
@@ -73,7 +72,7 @@ void add_triangles(triangle_quality& q, std::span<const Point> points, std::span
             longest = squared[i] > longest ? squared[i] : longest;
         }
         const double doubled_area = std::abs(detail::doubled_area_of(corners[0], corners[1], corners[2]));
-        // The smallest angle lies opposite the shortest edge: 2 * dot = sum of the other two squares less its own.
+        // The smallest angle is opposite the shortest edge: 2 * dot = sum of the other two squares minus its own.
         const double doubled_dot = squared[0] + squared[1] + squared[2] - 2.0 * shortest;
         const double angle = doubled_area > 0.0 ? std::atan2(2.0 * doubled_area, doubled_dot) * 57.29577951308232 : 0.0;
         ++q.triangles;
@@ -84,7 +83,7 @@ void add_triangles(triangle_quality& q, std::span<const Point> points, std::span
     }
 }
 
-/// The quality of these triangles alone.
+/// The quality of only these triangles.
 [[nodiscard]] inline triangle_quality analyze_triangles(std::span<const grid_point> points,
                                                         std::span<const triangle> triangles) noexcept
 {

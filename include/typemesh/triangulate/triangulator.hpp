@@ -11,52 +11,50 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// Cuts a region into counter-clockwise triangles over its own points; adds no point and drops none.
+/// Cuts a region into counter-clockwise triangles over its own points. No point is added or dropped.
 ///
 ///     t(r, space, out)    appends r.triangle_count() triangles of indices into r.points() to `out`
 ///
-/// The region is proven: see region.hpp for what may be relied on. Its boundary cycles may pass through a point more
-/// than once (is_touching), each time along a sector of interior of their own, and each visit is a point of its own
-/// here. Every edge of the region must be an edge of exactly one triangle, so that the walls on it meet the caps
-/// without a crack; no triangle may have zero area. What can be checked at once (number, corners, orientation and area
-/// of the triangles) is asserted.
+/// The region is proven: region.hpp lists its guarantees. Its boundary cycles may pass through a point more than once
+/// (is_touching), each time along a separate sector of interior; here each visit is a separate point. Every edge of the
+/// region must be an edge of exactly one triangle, so that the walls on it meet the caps without a crack. No triangle
+/// may have zero area. Assertions check the cheap parts: the number, corners, orientation and area of the triangles.
 ///
-/// Scratch memory comes from `space`. When memory runs out: error::out_of_memory, and `out` is unchanged. Where
-/// r.order() is not empty, it is the order of the points from left to right, which saves a sort.
+/// Scratch memory comes from `space`. If it runs out, the result is error::out_of_memory, and `out` is unchanged. If
+/// r.order() is not empty, it lists the points from left to right, which saves a sort.
 template <class T>
 concept triangulator = requires(const T& t, const region& r, workspace& space, triangle_list& out) {
     { t(r, space, out) } noexcept -> std::same_as<error>;
 };
 
-/// A triangulator that also takes loops about which nothing is proven, and proves them while it works.
+/// A triangulator that also takes unproven loops, and proves them during its work.
 ///
-///     t.prove(loops, space, out)    the region that the loops bound, its triangles appended to `out`; or
-///                                   error::crossing_contours, `out` being unchanged: a refusal, not a verdict. The
-///                                   loops then go through fill. The error's count may be 1 to say that two equal
-///                                   points were in the way, and nothing else so far.
+///     t.prove(loops, space, out)    returns the region that the loops bound and appends its triangles to `out`; or
+///                                   returns error::crossing_contours and leaves `out` unchanged. This is a refusal,
+///                                   not a verdict: the loops then go through fill. The error's count may be 1: two
+///                                   equal points were in the way, and so far no other fault was found.
 ///
-/// It may refuse anything, but must accept only loops that do not cross, touch or overlap and whose interior, by
-/// even-odd and by non-zero winding alike, lies on the left of every edge (see fill/orient.hpp).
+/// It may refuse anything. It may accept only loops that do not cross, touch or overlap, and whose interior lies on
+/// the left of every edge under both the even-odd and the non-zero rule (see fill/orient.hpp).
 template <class T>
 concept proving_triangulator =
     triangulator<T> && requires(const T& t, const contours& loops, workspace& space, triangle_list& out) {
         { t.prove(loops, space, out) } noexcept -> std::same_as<result<region>>;
     };
 
-/// A proving triangulator that also takes loops which pass through a point more than once.
+/// A proving triangulator that also takes loops that pass through a point more than once.
 ///
-///     t.prove_touching(loops, space, out)    as prove(). In each such point every pass must keep to a sector of
-///                                            interior of its own (see fill/impl/touching_cycles.hpp), which is
-///                                            proven too.
+///     t.prove_touching(loops, space, out)    as prove(). In each such point every pass must keep to a separate sector
+///                                            of interior (see fill/impl/touching_cycles.hpp); this is proven too.
 template <class T>
 concept touching_triangulator =
     proving_triangulator<T> && requires(const T& t, const contours& loops, workspace& space, triangle_list& out) {
         { t.prove_touching(loops, space, out) } noexcept -> std::same_as<result<region>>;
     };
 
-/// Whether a triangulator's diagonals must stay as they are, which it declares by `static constexpr bool
-/// has_final_diagonals = true;`. In all others, edges of triangles too low for 32-bit floats are flipped when caps are
-/// made (see cut_region.hpp); nothing else about the triangles changes.
+/// Whether a triangulator's diagonals must not be changed. It declares this by `static constexpr bool
+/// has_final_diagonals = true;`. For all others, making caps flips edges of triangles too low for 32-bit floats (see
+/// cut_region.hpp) and changes nothing else about the triangles.
 template <class T>
 inline constexpr bool has_final_diagonals = [] {
     if constexpr (requires { T::has_final_diagonals; })

@@ -12,7 +12,8 @@
 namespace typemesh::inline TYPEMESH_ABI::detail {
 
 /// z^(-1/4) within 0.11 % for normal z > 0, without a root or a division: an initial guess from the exponent's bits,
-/// and one Newton step whose two constants were fitted together with the guess. Some large number for z = 0.
+/// and one Newton step whose two constants were fitted together with the guess. For z = 0 the result is some large
+/// number.
 [[nodiscard]] inline float inverse_fourth_root(float z) noexcept
 {
     std::uint32_t bits = 0;
@@ -24,18 +25,18 @@ namespace typemesh::inline TYPEMESH_ABI::detail {
     return r * (1.30089f - 0.303888f * (z * rr) * rr);
 }
 
-// What follows are curves in a form that quickly answers two questions about their pieces [u, v]:
+// The types below hold curves in a form that quickly answers two questions about a piece [u, v]:
 //
-//     fits(u, v)      is the piece within the tolerance of its chord? May say no to a piece that only just is.
-//     excess(u, v)    1 if it is; else the square of error over tolerance, or of some bound on it
+//     fits(u, v)      Is the piece within the tolerance of its chord? May be false for a piece that barely fits.
+//     excess(u, v)    1 if the piece fits; otherwise (error / tolerance)^2, or an upper bound on it
 //
-// and one about the whole: sample() gives, at equal steps of t, the density of the points of a fine polyline with equal
-// errors, sqrt(|B' x B''| / (8 tolerance |B'|)), times the step. Densities are estimates, in float; fits and excess are
-// proofs.
+// and one about the whole curve: sample() computes the point density of a fine polyline with equal errors,
+// sqrt(|B' x B''| / (8 tolerance |B'|)), times the step, at equal steps of t. Densities are estimates in float; fits
+// and excess are proofs.
 //
-// Where a piece's derivative never turns by more than 90 degrees ("tame"), the piece stays in the strip over its chord,
-// and its distance from the chord is its offset from the chord's line. With w the middle of the piece, h = v - u and t
-// = w + xh/2:
+// If the derivative of a piece never turns by more than 90 degrees ("tame"), the piece stays in the strip over its
+// chord, and its distance from the chord is its offset from the chord's line. Let w be the middle of the piece,
+// h = v - u and t = w + xh/2. Then:
 //
 //     chord / h = B'(w) + B'''h^2/24         offset = (1 - x^2) h^2/4 |M + xD| / |chord / h|
 //     M = B' x B''/2 - h^2/4 (B''/2 x B'''/6)        D = h/2 (B' x B'''/6)            (all at w; D = 0 for a quadratic)
@@ -63,12 +64,12 @@ struct quadratic_chords {
         return error <= room ? 1.0 : error / room;
     }
 
-    // What is not as simple for a cubic; see there.
+    // Cubics need more work for these three; see there.
     [[nodiscard]] bool fits_exactly(double u, double v) const noexcept { return fits(u, v); }
     [[nodiscard]] static constexpr bool turns_over() noexcept { return false; }
     [[nodiscard]] static constexpr double inflection(double u, double) noexcept { return u; }
 
-    /// One over the number of pieces that [u, v] needs, approximately.
+    /// The reciprocal of the number of pieces that [u, v] needs, approximately.
     [[nodiscard]] float inverse_share(double u, double v) const noexcept
     {
         const double h = v - u, hh = h * h;
@@ -111,7 +112,7 @@ struct cubic_chords {
         }
     }
 
-    /// Like fits, but for a tame curve never says no to a piece that is good.
+    /// Like fits, but for a tame curve it accepts every good piece.
     [[nodiscard]] bool fits_exactly(double u, double v) const noexcept
     {
         if constexpr (!tame) return fits(u, v);
@@ -130,7 +131,7 @@ struct cubic_chords {
             const double offset = p.offset();
             return offset <= p.room ? 1.0 : offset / p.room;
         } else {
-            // Two bounds, both valid for any curve. First: the distance between points of equal s on piece and
+            // There are two bounds; both hold for any curve. First: the distance between points of equal s on piece and
             // chord.
             const double h = p.h, hh = h * h;
             const point second = c2 + (3.0 * u) * c3;  // B(u + hs) - chord = s(s-1)(v1 + s (v2 - v1)),
@@ -139,7 +140,7 @@ struct cubic_chords {
             const double loose = (n1 > n2 ? n1 : n2) * hh * hh * 0.0625;
             if (loose <= tt) return 1.0;
             double bound = loose;
-            // Second: the offset, and how far the control points let the piece extend past the chord's ends.
+            // Second: the offset, and how far the piece may extend past the chord's ends, by its control points.
             const double cc = dot(p.c, p.c);
             if (cc > 0.0) {
                 const point d1 = c1 + u * (2.0 * c2 + (3.0 * u) * c3), d2 = h * second;  // legs of the piece, over h
@@ -157,15 +158,15 @@ struct cubic_chords {
     /// Whether the curve bends in opposite directions at its start and at its end.
     [[nodiscard]] bool turns_over() const noexcept { return k12 * (k12 + 3.0 * (k13 + k23)) < 0.0; }
 
-    /// One over the number of pieces that [u, v] needs, approximately.
+    /// The reciprocal of the number of pieces that [u, v] needs, approximately.
     [[nodiscard]] float inverse_share(double u, double v) const noexcept
     {
         const piece p{*this, u, v};
         return inverse_fourth_root(static_cast<float>((p.mm + 0.5 * p.dd) / (p.room + 1e-300)) + 1e-30f);
     }
 
-    /// Where the curve changes from bending left to bending right, or the reverse, between the ends of [u, v]; u if it
-    /// does not, or does so twice.
+    /// The inflection between the ends of [u, v]: where the curve changes from bending left to bending right, or the
+    /// reverse. The result is u if there is no inflection, or if there are two.
     [[nodiscard]] double inflection(double u, double v) const noexcept
     {
         const double k0 = k12, k1 = 3.0 * k13, k2 = 3.0 * k23;  // B' x B'' / 2
@@ -180,7 +181,7 @@ struct cubic_chords {
     template <int samples>
     void sample(float* density, double from, double step, double tolerance) const noexcept
     {
-        // In units of 8 tolerances, which needs no root and no value of the curve that would come late.
+        // In units of 8 tolerances: this needs no root, and no value of the curve that would come late.
         double one = 1.0 / (8.0 * tolerance), wide = step;
         const double size = dot(c1, c1) + dot(c2, c2) + dot(c3, c3);
         if (!(size * one * one < 0x1p36)) [[unlikely]] {  // float would overflow
@@ -222,15 +223,15 @@ private:
             room = 16.0 * q.tt * dot(c, c);
         }
 
-        /// By (1 - x^2)(|m| + |d|x) <= |m| + d^2/4|m|, without a root.
+        /// Uses (1 - x^2)(|m| + |d|x) <= |m| + d^2/4|m|, without a root.
         [[nodiscard]] bool surely_fits() const noexcept
         {
             const double quick = mm + 0.25 * dd;
             return quick * quick <= mm * room;
         }
 
-        /// The maximum of (1 - x^2)^2(|m| + |d|x)^2, where x solves a quadratic equation: the offset is a cubic that is
-        /// zero at both ends.
+        /// The maximum of (1 - x^2)^2(|m| + |d|x)^2, where x solves a quadratic equation: the offset is a cubic with
+        /// zeros at both ends.
         [[nodiscard]] double offset() const noexcept
         {
             const double am = std::abs(m), ad = std::abs(d);
@@ -243,8 +244,8 @@ private:
 
 /// A running integral of the density, and its inverse: the t at which a given share of the points is used up.
 ///
-/// Samples lie in the middle of equal intervals of t; within one the density is taken as linear, with the slope between
-/// its neighbours. The inverse takes two steps of a fixed-point iteration, which avoids a root.
+/// Samples lie in the middle of equal intervals of t. Within an interval the density is linear, with the slope between
+/// the neighbouring samples. The inverse takes two steps of a fixed-point iteration, which avoids a root.
 template <int samples>
 class share_table {
 public:
@@ -263,7 +264,7 @@ public:
             const float lean = 0.25f * (density[j + 2] - density[j]) * inverse_[j];
             lean_[j] = lean < -1.0f ? -1.0f : lean > 1.0f ? 1.0f : lean;
         }
-        // Running sums, in pairs and fours: one after the other they would take twice as long.
+        // Running sums, in pairs and fours: one by one they would take twice as long.
         sum_[0] = 0.0f;
         for (int j = 0; j < samples; j += 4) {
             const float* d = density + 1 + j;
@@ -278,7 +279,7 @@ public:
     /// The number of pieces that the curve needs, approximately; not rounded.
     [[nodiscard]] float whole() const noexcept { return sum_[samples]; }
 
-    /// Increases with the share, which runs from 0 to whole().
+    /// The t of a share in 0 to whole(); it increases with the share.
     [[nodiscard]] double t_of(float share) const noexcept
     {
         int i = 0;

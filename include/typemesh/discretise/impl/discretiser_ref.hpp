@@ -10,11 +10,11 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// Refers to a discretiser of any type, which must outlive it. A whole outline is flattened behind one call: the loops
-/// over its curves and points are those of the discretiser's own type.
+/// Refers to a discretiser of any type, which must outlive it. One indirect call flattens a whole outline: the loops
+/// over its curves and points are compiled for the discretiser's own type.
 class discretiser_ref {
 public:
-    /// One table for each type of discretiser.
+    /// There is one table for each type of discretiser.
     struct calls {
         error (*flatten)(const void* how, const outline& curves, double tolerance, contours& out,
                          array_view<const std::uint8_t> halvings) noexcept;
@@ -32,7 +32,7 @@ public:
     }
     discretiser_ref(const void* how, const calls& does) noexcept : how_{how}, does_{&does} {}
 
-    /// discretise()
+    /// Calls discretise().
     [[nodiscard]] error flatten(const outline& curves, double tolerance, const grid& cells, contours& out,
                                 array_view<const std::uint8_t> halvings = {}) const noexcept
     {

@@ -34,19 +34,19 @@ namespace typemesh::inline TYPEMESH_ABI::detail {
 
 inline constexpr std::uint32_t no_number = 0xFFFF'FFFFu;
 
-/// A straight piece of the contours, from left to right, and what it separates.
+/// A straight piece of the contours, from left to right, with the winding numbers that it separates.
 ///
-/// Edges that lie upon each other are one segment; if they cancel, its winding delta is 0 and it does not count. It
+/// Edges that lie upon each other are one segment. If they cancel, its winding delta is 0, and it does not count. It
 /// fills one cache line.
 struct alignas(64) segment {
     grid_point from, to;           // `from` precedes `to` in sweep order, but see resolving_sweep::cut
     std::uint32_t start, end;      // the numbers of these two points
-    std::int32_t winding_delta;    // the winding number right above it minus that right below
+    std::int32_t winding_delta;    // the winding number right above it minus the one right below
     std::int32_t below;            // the winding number right below, once the sweep has reached it
     contour_edge source;           // t0 belongs to `from`, t1 to `to`
     std::uint32_t origin, target;  // the contour points joined by the edge that it was cut from
-    std::uint32_t next;     // before the sweep: the next that starts in the same point; after it: see boundary_cycles
-    std::uint32_t bent;     // 1: it may lie beside that contour edge, by a cell or so
+    std::uint32_t next;     // before the sweep: the next one that starts in this point; after it: see boundary_cycles
+    std::uint32_t bent;     // 1: it may lie beside that contour edge, by about a cell
     std::int32_t interior;  // once the sweep has reached it, 1: the filled area lies right above it only, -1: right
                             // below it only, 0: it bounds nothing
 
@@ -64,9 +64,9 @@ struct alignas(64) segment {
         winding_delta = -winding_delta;
     }
 
-    /// The curve's parameter where the segment is cut in p. Rounded; all it decides is in which direction the two
-    /// halves run along their curve: as long as there is a float between t0 and t1, it is neither, even if p lies right
-    /// beside an end.
+    /// The curve's parameter at the cut in p. It is rounded, but its only use is the direction of the two halves along
+    /// their curve. If any float lies between t0 and t1, the result is such a float, even if p lies right beside an
+    /// end.
     [[nodiscard]] float t_at(grid_point p) const noexcept
     {
         const double dx = static_cast<double>(to.x) - from.x, dy = static_cast<double>(to.y) - from.y;
@@ -82,21 +82,21 @@ struct alignas(64) segment {
     }
 };
 
-/// Contours as segments between numbered points: what is cut until no two segments cross.
+/// Contours as segments between numbered points. They are cut until no two segments cross.
 ///
-/// Whatever is cut, flipped or joined, the segments stay closed contours: in every point as much comes in as goes out.
+/// Cuts, flips and joins keep the segments closed contours: in every point, equally many come in and go out.
 struct arrangement {
     segment* segments = nullptr;
     std::uint32_t count = 0;
     std::uint32_t capacity = 0;
     grid_point* points = nullptr;    // distinct, in sweep order; capacity for as many as there may be segments
-    grid_point* spare = nullptr;     // of the same capacity
-    std::uint32_t* first = nullptr;  // of each point: the first segment that starts there, the others follow by `next`
+    grid_point* spare = nullptr;     // with the same capacity
+    std::uint32_t* first = nullptr;  // for each point: the first segment that starts there; the others follow by `next`
     std::uint32_t point_count = 0;
-    const contours* loops = nullptr;       // where the segments come from
+    const contours* loops = nullptr;       // the source of the segments
     bool is_bent = false;                  // some segment does not lie on its contour edge
     std::uint32_t max_active = no_number;  // the largest number of segments on the sweep line
-    bool is_rounded = false;               // made by snap_rounding: nothing is left to be bent
+    bool is_rounded = false;               // made by snap_rounding: nothing needs bending any more
     bool is_touching = false;              // the boundary of the filled area passes through some point more than once
 
     struct edge {
@@ -109,7 +109,7 @@ struct arrangement {
         return {loops->points[s.origin], loops->points[s.target]};
     }
 
-    /// Takes memory for `most` segments and keeps those that exist. False when memory runs out.
+    /// Takes memory for `most` segments and keeps the existing ones. False if out of memory.
     [[nodiscard]] bool reserve(workspace::scope& scratch, std::uint32_t most) noexcept
     {
         auto* const larger = scratch.take<segment>(most);
@@ -124,7 +124,7 @@ struct arrangement {
     }
 
     /// The same for segments between numbered points that already lie in `scratch`: the first `piece_count` and
-    /// `given_points` of two arrays of one size. False when memory runs out.
+    /// `given_points` of two arrays of one size. False if out of memory.
     [[nodiscard]] bool adopt(workspace::scope& scratch, array_view<segment> pieces, std::uint32_t piece_count,
                              array_view<grid_point> places, std::uint32_t given_points) noexcept
     {
@@ -141,8 +141,8 @@ struct arrangement {
         return true;
     }
 
-    /// Makes segments of the edges of contours; edges without length vanish. Needs capacity >= given.points.size() and
-    /// sorted points (see sort_points()); `given` must outlive the cutting.
+    /// Makes segments from the edges of contours; edges without length vanish. Precondition: capacity >=
+    /// given.points.size(), and the points are sorted (see sort_points()). `given` must outlive the cutting.
     [[nodiscard]] bool from_contours(const contours& given, workspace& space) noexcept
     {
         loops = &given;
@@ -173,7 +173,7 @@ struct arrangement {
                 const std::uint32_t i = number[v], k = number[w];
                 if (i == k) continue;
                 const contour_edge e = edges[v];
-                void* const here = all + made;  // constructed in place: copying what has just been written stalls
+                void* const here = all + made;  // constructed in place: a copy of fresh data would stall
                 if (i < k)
                     ::new (here) segment{place[v], place[w], i, k, 1, 0, e, v, w, first[i], 0, 0};
                 else
@@ -185,7 +185,7 @@ struct arrangement {
         return true;
     }
 
-    /// Renumbers the points and lists the segments by where they start; drops those that do not count.
+    /// Renumbers the points and lists the segments by their start points. Drops segments that do not count.
     [[nodiscard]] bool put_in_order(workspace& space) noexcept
     {
         std::uint32_t kept = 0;

@@ -8,18 +8,18 @@
 
 #include <cstdint>
 
-// How a sweep that bends edges finds that it may have deviated from snap rounding: see resolving_sweep.
+// Tests with which a sweep that bends edges detects a possible deviation from snap rounding: see resolving_sweep.
 
 namespace typemesh::inline TYPEMESH_ABI::detail {
 
-/// Whether s is the rest of a bent edge and p is not an end of the contour edge that it comes from.
+/// Whether s is the rest of a bent edge, and p is not an end of its contour edge.
 [[nodiscard]] inline bool goes_through(const arrangement& a, const segment& s, grid_point p) noexcept
 {
     return s.bent != 0 && !(a.loops->points[s.origin] == p) && !(a.loops->points[s.target] == p);
 }
 
-/// Where a bent edge passes through p, exactly one other edge may do so: with more, two of them could also cross
-/// nearby, unseen.
+/// If a bent edge passes through p, only one other edge may do so: with more, two of them could also cross nearby,
+/// undetected.
 [[nodiscard]] inline bool is_rough(const arrangement& a, const std::uint32_t* ends, std::uint32_t ending_count,
                                    const std::uint32_t* starts, std::uint32_t starting_count, grid_point p) noexcept
 {
@@ -33,8 +33,8 @@ namespace typemesh::inline TYPEMESH_ABI::detail {
     return !((e == g && f == h) || (e == h && f == g));
 }
 
-/// Bent edges cross in x, a little beside where the contours do: x becomes the contours' crossing. False where there is
-/// none, or the edges cannot be cut there: they have left the course of snap rounding.
+/// Bent edges cross in x, slightly off the contours' crossing. Moves x to the contours' crossing. False if there is
+/// none, or if the edges cannot be cut there: they have left the course of snap rounding.
 [[nodiscard]] inline bool lead_home(const arrangement& a, const swept_edge& low, const swept_edge& high,
                                     grid_point& x) noexcept
 {
@@ -45,8 +45,8 @@ namespace typemesh::inline TYPEMESH_ABI::detail {
     return true;
 }
 
-/// For two points of one column: an edge that ends or starts in the upper one may come within a cell of the lower one,
-/// or the reverse, and the two never become neighbours on the sweep line.
+/// For two points of one column: an edge that ends or starts in the upper point may come within a cell of the lower
+/// point (or the reverse) without the two becoming neighbours on the sweep line.
 [[nodiscard]] inline bool is_close_in_column(const arrangement& a, std::uint32_t last_ended, std::uint32_t starting,
                                              grid_point before, grid_point p) noexcept
 {

@@ -15,11 +15,11 @@ namespace typemesh::inline TYPEMESH_ABI::detail {
 
 /// Traces the boundary of the filled area and writes it as loops.
 ///
-/// In a finished arrangement, the segments with the interior on one side only are the boundary, directed so that it
-/// lies on the left. Where boundaries touch, a cycle stays in the sector of interior that it is in:
+/// In a finished arrangement, the boundary consists of the segments with the interior on only one side, directed so
+/// that the interior lies on the left. Where boundaries touch, a cycle stays in its sector of interior:
 ///
-///      ::: \     / :::     What comes in along 1 goes out along 2, with the sector of interior on the left of both
-///      ::: 2\   /3 :::     between them; 3 goes out along 4. So two outer loops that touch stay two, a hole that
+///      ::: \     / :::     A cycle that comes in along 1 goes out along 2, with the sector of interior on the left of
+///      ::: 2\   /3 :::     both between them; 3 continues along 4. So two outer loops that touch stay two, a hole that
 ///      ::::: \ / :::::     touches its outer loop joins it, and two holes that touch become one.
 ///      :::::: x ::::::
 ///      ::::: / \ :::::
@@ -30,12 +30,12 @@ public:
     std::uint32_t holes = 0;
     std::uint32_t outers = 0;
 
-    /// Traverses all loops once and stores them in `scratch`. Passes to the filter all intersections where they go from
-    /// one segment to another; all_accepted becomes false if it rejects one. Usable once per arrangement: what has been
-    /// traversed is marked.
+    /// Traverses all loops once and stores them in `scratch`. Passes all intersections between consecutive segments to
+    /// the filter; all_accepted becomes false if it rejects one. Usable once per arrangement: traversed segments are
+    /// marked.
     ///
-    /// Fails with error::out_of_memory. Links that do not close, which a finished arrangement cannot have, would be
-    /// error::crossing_contours.
+    /// Fails with error::out_of_memory. Links that do not close would be error::crossing_contours; a finished
+    /// arrangement cannot have them.
     [[nodiscard]] error trace(const arrangement& a, workspace::scope& scratch, intersection_filter_ref filter,
                               bool& all_accepted) noexcept
     {
@@ -48,7 +48,7 @@ public:
         std::uint32_t size = 0;
         for (std::uint32_t i = 0; i < count; ++i) {
             if (all[i].interior == 0) continue;
-            std::uint64_t area = 0;  // doubled; below 2^60 in the end, may wrap before
+            std::uint64_t area = 0;  // doubled; the total is below 2^60, partial sums may wrap
             const std::uint32_t begin = starts_[loop_count_++] = size;
             std::uint32_t k = i;
             do {
@@ -72,9 +72,9 @@ public:
         return {};
     }
 
-    /// Replaces the loops by the traced ones, and sorts their points: the arrangement's are sorted by its own sweep.
+    /// Replaces the loops with the traced ones, and sorts their points: the sweep has sorted the arrangement's points.
     ///
-    /// Fails with error::out_of_memory, the loops being unchanged.
+    /// Fails with error::out_of_memory; the loops are then unchanged.
     [[nodiscard]] error write(const arrangement& a, contours& loops, workspace::scope& scratch) const noexcept
     {
         const std::uint32_t size = starts_[loop_count_];
@@ -105,7 +105,7 @@ public:
 private:
     /// Lists the points that write() writes in sweep order.
     ///
-    ///     behind    an array of one entry per point: the next one in the same place
+    ///     behind    an array with one entry per point: the next point in the same place
     void sort(const arrangement& a, std::uint32_t* order, std::uint32_t* behind) const noexcept
     {
         auto* const first = a.first;

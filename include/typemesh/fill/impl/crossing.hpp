@@ -19,12 +19,11 @@ struct quotient {
     [[nodiscard]] std::int64_t nearest() const noexcept { return rest >= whole - rest ? floor + 1 : floor; }
 };
 
-/// For 0 <= share <= whole, whole > 0.
+/// Precondition: 0 <= share <= whole, whole > 0.
 ///
-/// Exact. Budget: |size| < 2^30, whole < 2^61, so the product has up to 91 bits and fits into no word. The quotient is
-/// guessed in floating point; the remainder, which is below 2^63 although its two terms are not, tells by arithmetic
-/// modulo 2^64 how far the guess is off. The guess need only be good to a few units, so any rounding mode and compiler
-/// flag will do.
+/// Exact. Budget: |size| < 2^30, whole < 2^61, so the product has up to 91 bits and exceeds a word. The quotient is
+/// guessed in floating point. The remainder is below 2^63 although its two terms are not; computed modulo 2^64, it
+/// shows the error of the guess. The guess may be off by a few units, so every rounding mode and compiler flag will do.
 [[nodiscard]] inline quotient scaled(std::int64_t size, std::int64_t share, std::int64_t whole) noexcept
 {
     auto guess = static_cast<std::int64_t>(static_cast<double>(size) *
@@ -36,7 +35,7 @@ struct quotient {
     return {guess, rest, whole};
 }
 
-/// Where the interiors of ab and cd cross: at a + (b - a) * share / whole; whole = 0 if they do not. O(1)
+/// The crossing of the interiors of ab and cd: a + (b - a) * share / whole; whole = 0 if they do not cross. O(1)
 struct crossing_share {
     std::int64_t share;
     std::int64_t whole;
@@ -53,14 +52,14 @@ struct crossing_share {
 
 }  // namespace detail
 
-/// The grid point nearest to the crossing of the segments ab and cd; false, and `nearest` unchanged, if no interior
-/// point of both is there (they miss each other, only touch with an end, or are parallel).
+/// The grid point nearest to the crossing of the segments ab and cd. False, with `nearest` unchanged, if their
+/// interiors do not cross in a point (they miss each other, only touch with an end, or are parallel).
 ///
 ///     a ---.__            The exact crossing lies in the boxes of both segments, whose corners are grid points, and
 ///     c ____  '--.__ d    rounding keeps the order of coordinates: the nearest grid point lies in both boxes as well.
 ///           '-----x--- b
 ///
-/// Exact. Budget: |coordinate| <= 2^28; cross products below 2^61, see scaled() for the rest. O(1)
+/// Exact. Budget: |coordinate| <= 2^28; cross products below 2^61; scaled() documents the rest. O(1)
 [[nodiscard]] inline bool crossing_of(grid_point a, grid_point b, grid_point c, grid_point d,
                                       grid_point& nearest) noexcept
 {

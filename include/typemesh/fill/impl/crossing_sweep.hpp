@@ -16,14 +16,13 @@ namespace typemesh::inline TYPEMESH_ABI::detail {
 
 /// Finds every crossing of edges, exactly, without cutting them: a sweep that swaps neighbours.
 ///
-///     f ---.__              |     Between two grid points that are ends of edges, the edges on the sweep line stay the
-///     e ____  '--.__ e      |     same and only change their order. Two of them swap where they cross, so crossings in
-///     |     '-----x--- f    |     between are the pairs that are in the wrong order there; and swapping neighbours in
-///     p                     q     the wrong order until none are left swaps each such pair once, in whatever sequence
-///                                 that is done.
+///     f ---.__              |     Between two consecutive ends of edges (grid points), the sweep line crosses the same
+///     e ____  '--.__ e      |     edges, which only change their order. Two of them swap where they cross, so the
+///     |     '-----x--- f    |     crossings in between are the pairs in the wrong order there. Swapping neighbours in
+///     p                     q     the wrong order until none are left swaps each such pair once, in any sequence.
 ///
-/// So crossings need never be compared with each other (which takes 160 bits), only with grid points: before p, in p or
-/// after p. For that an integer suffices: the crossing's coordinates rounded down, doubled, plus one where they were
+/// So crossings are never compared with each other (this takes 160 bits), only with grid points: before p, in p or
+/// after p. An integer suffices for that: the crossing's coordinates rounded down, doubled, plus one if they were
 /// rounded.
 ///
 /// Cost   O((n + k) log n) for n edges and k crossings, always; about 90 bytes per edge from `scratch`
@@ -34,14 +33,14 @@ class crossing_sweep {
     struct intersection {
         std::int64_t place;
         grid_point nearest;
-        std::uint32_t low;  // the slot of the lower edge; the other is right above it
+        std::uint32_t low;  // the slot of the lower edge; the upper edge is right above it
         bool is_exact;
     };
 
 public:
-    /// Calls met(x, is_exact) -> bool for every two edges that cross between their ends: x is the grid point nearest to
-    /// the crossing. Stops when met() returns false. False then, and when memory runs out. `edges` come from
-    /// make_net_edges().
+    /// Calls met(x, is_exact) -> bool for every two edges that cross between their ends; x is the grid point nearest to
+    /// the crossing. Stops when met() returns false. The result is then false, and also if out of memory. `edges` come
+    /// from make_net_edges().
     template <class Met>
     [[nodiscard]] static bool run(array_view<const net_edge> edges, workspace::scope& scratch, workspace& space,
                                   Met&& met) noexcept
@@ -53,7 +52,7 @@ public:
 private:
     explicit crossing_sweep(array_view<const net_edge> edges) noexcept : edges_{edges} {}
 
-    /// A grid point as a place that compares with those of crossings.
+    /// A grid point as a place that is comparable with the places of crossings.
     [[nodiscard]] static std::int64_t place_of(grid_point p) noexcept
     {
         return 2 * (std::int64_t{p.x} * (std::int64_t{1} << 32) + p.y);
@@ -128,7 +127,7 @@ private:
         look_up_from(under);
     }
 
-    /// The first intersection in the queue: its edges swap places.
+    /// Takes the first intersection from the queue and swaps its edges.
     template <class Met>
     [[nodiscard]] bool swap(Met&& met) noexcept
     {
@@ -144,7 +143,7 @@ private:
         return met(first.nearest, first.is_exact);
     }
 
-    /// Notes where the edge in a slot crosses the one right above it, or that it does not.
+    /// Queues the crossing of the edge in a slot with the edge right above it, if there is one.
     void look_up_from(std::uint32_t low) noexcept
     {
         const std::uint32_t high = status_.above(low);
@@ -203,11 +202,11 @@ private:
 
     array_view<const net_edge> edges_;
     sweep_status status_;
-    std::uint32_t* edge_in_ = nullptr;  // of every slot; for a free slot the next free one
+    std::uint32_t* edge_in_ = nullptr;  // for every slot; for a free slot the next free one
     std::uint32_t* slot_of_ = nullptr;
     std::uint32_t* by_end_ = nullptr;         // the edges in the order of their ends
     intersection* heap_ = nullptr;            // from 1; the first one at the top
-    std::uint32_t* place_in_heap_ = nullptr;  // of the intersection of each slot; 0: none
+    std::uint32_t* place_in_heap_ = nullptr;  // for each slot, its intersection's position; 0: none
     std::uint32_t heap_size_ = 0;
     std::uint32_t slot_count_ = 0;
     std::uint32_t free_slot_ = 0;

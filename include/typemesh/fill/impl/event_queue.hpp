@@ -9,17 +9,17 @@
 
 namespace typemesh::inline TYPEMESH_ABI::detail {
 
-/// Something at a point that the sweep did not know of when it began.
+/// An event at a point that the sweep did not know when it began.
 struct event {
-    std::int64_t place;     ///< the point's, as sweep_place()
-    std::uint32_t segment;  ///< that starts there, or no_number
-    std::uint32_t slot;     ///< in the status, of an edge that may end there; 0: none
+    std::int64_t place;     ///< the point's sweep_place()
+    std::uint32_t segment;  ///< a segment that starts there, or no_number
+    std::uint32_t slot;     ///< a slot in the status whose edge may end there; 0: none
 };
 
-/// Events by place, the first one at the top: a binary heap of fixed capacity.
+/// Events ordered by place, the first one at the top: a binary heap of fixed capacity.
 class event_queue {
 public:
-    /// False when memory runs out, or 32-bit numbers cannot hold so much room.
+    /// False if out of memory, or if `room` exceeds 32-bit numbers.
     [[nodiscard]] bool open(workspace::scope& scratch, std::size_t room) noexcept
     {
         if (room >= 0xFFFF'FFFFu) return false;
@@ -36,7 +36,7 @@ public:
     [[nodiscard]] std::uint32_t room() const noexcept { return room_ - size_; }
     [[nodiscard]] const event& top() const noexcept { return events_[0]; }
 
-    /// Needs free capacity.
+    /// Precondition: free capacity.
     void push(const event& e) noexcept
     {
         std::uint32_t i = size_++;

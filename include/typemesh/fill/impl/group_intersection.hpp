@@ -14,7 +14,7 @@ namespace typemesh::inline TYPEMESH_ABI {
 
 namespace detail {
 
-/// Disjoint sets of the numbers below n, by union-find; each set is known by its lowest number.
+/// Disjoint sets of the numbers below n, by union-find; the lowest number of a set names it.
 struct number_sets {
     std::uint32_t* parent;
 
@@ -70,18 +70,18 @@ struct box_sweep {
 
 }  // namespace detail
 
-/// Groups regions that meet, directly or through others: group[i] becomes the lowest number of i's group.
+/// Groups regions that meet, directly or through others: group[i] becomes the lowest number in i's group.
 ///
 ///     0 +--+1  +--+2   +--+3        group  [ 0, 0, 2, 2 ]
 ///       | +++  | ++----++ |
 ///       +-++|  +-++    ++-+
 ///         +-+    +------+
 ///
-///     all      the regions; those without points are groups of one, and no group has two kinds
+///     all      the regions; empty regions are groups of one, and no group has two kinds
 ///     group    as many numbers; meaningless after an error
 ///
 /// Fails  error::too_large: 2^32 - 1 regions or more; error::out_of_memory
-/// Cost   O(n log n), a look at every two regions that overlap along one axis, and meet() for those whose boxes do
+/// Cost   O(n log n), a test of every two regions that overlap along one axis, and meet() if their boxes overlap
 [[nodiscard]] inline error group_intersection(array_view<const placed_loops> all, array_view<std::uint32_t> group,
                                               workspace& space) noexcept
 {

@@ -8,7 +8,7 @@
 
 namespace typemesh::inline TYPEMESH_ABI::detail {
 
-/// An array of plain values in scratch memory that grows by doubling; outgrown storage stays taken until the scope
+/// An array of plain values in scratch memory that grows by doubling. Outgrown storage stays taken until the scope
 /// ends.
 template <class T>
 struct growing {
@@ -19,7 +19,7 @@ struct growing {
 
     explicit growing(workspace::scope& from) noexcept : scratch{from} {}
 
-    /// False when memory runs out; then nothing has changed.
+    /// False if out of memory; then nothing has changed.
     [[nodiscard]] bool add(const T& value) noexcept
     {
         if (count == room && !reserve(room == 0 ? 256 : 2 * room)) return false;
@@ -27,7 +27,7 @@ struct growing {
         return true;
     }
 
-    /// Reserves `more` further values, at least as many as there are. False when memory runs out, as for add().
+    /// Enlarges the capacity to `more` values, at least the present count. False if out of memory, as in add().
     [[nodiscard]] bool reserve(std::size_t more) noexcept
     {
         T* const larger = scratch.take<T>(more);

@@ -12,18 +12,18 @@
 
 namespace typemesh::inline TYPEMESH_ABI::detail {
 
-/// Grid points in a tree of boxes, to find those whose pixels a segment passes through.
+/// Grid points in a tree of boxes. It finds the points whose pixels a segment passes through.
 ///
-///      +-------------------+       The points are in the order of their interleaved bits (Z order), four to a leaf;
-///      | 1  .  | .  2      |       every node holds the box of consecutive leaves. A box that a segment misses by more
-///      |   .   |      . -..|--     than a cell is skipped with all that is in it.
+///      +-------------------+       The points are ordered by their interleaved bits (Z order), four to a leaf. Every
+///      | 1  .  | .  2      |       node holds the box of consecutive leaves. If a segment misses a box by more than a
+///      |   .   |      . -..|--     cell, the box is skipped with all its content.
 ///      |-------.---.-'-----|
 ///      |  __.-'|    4    . |       The pixel of a point p is half open, [-1/2, 1/2)^2 around p. A segment passes
-///      | 3 .   |  .        |       through it if |2 s| < |dx| + |dy| for s = orientation(from, to, p), or touches it
-///      +-------------------+       in the one corner that belongs to it.
+///      | 3 .   |  .        |       through it if |2 s| < |dx| + |dy| for s = orientation(from, to, p), or touches the
+///      +-------------------+       pixel in the one corner that belongs to it.
 ///
-/// Build  O(m log m) for m points, 50 bytes per point. Query: O(sqrt m) boxes for scattered points, O(m) at worst
-///        (points along the segment, beside it), and O(hits log hits) to sort them.
+/// Build  O(m log m) for m points, 50 bytes per point. Query: O(sqrt m) boxes for scattered points, O(m) in the worst
+///        case (points along the segment, beside it), and O(hits log hits) to sort them.
 /// Exact  |coordinate| <= 2^28: s < 2^61, its double < 2^62.
 /// From   Morton, A computer oriented geodetic data base (1966)
 class hot_pixels {
@@ -33,13 +33,13 @@ class hot_pixels {
     static constexpr std::uint32_t leaf = 4;
 
 public:
-    /// A point by its index among those given, and whether the segment passes through the point itself.
+    /// A point, by its index in the input, and whether the segment passes through the point itself.
     struct hit {
         std::uint32_t number;
         bool is_exact;
     };
 
-    /// False when memory runs out. The points are distinct.
+    /// False if out of memory. The points are distinct.
     [[nodiscard]] bool open(array_view<const grid_point> points, workspace::scope& scratch, workspace& space) noexcept
     {
         count_ = points.size();
@@ -57,7 +57,7 @@ public:
             return false;
         box all{points[0].x, points[0].x, points[0].y, points[0].y};
         for (const grid_point p : points) grow(all, {p.x, p.x, p.y, p.y});
-        // Both sides of the whole take as many bits: else the boxes of a flat set would be columns of its full height.
+        // Both sides get equally many bits: otherwise the boxes of a flat set would be columns of its full height.
         const auto bits = [](std::int32_t side) noexcept {
             return 32 - static_cast<std::uint32_t>(std::countl_zero(static_cast<std::uint32_t>(side)));
         };
@@ -77,8 +77,8 @@ public:
         return true;
     }
 
-    /// Calls met(hit) for every point, the segment's ends excepted, whose pixel the segment passes through, in the
-    /// order along it; met() returns false to stop, and then so does this. `from` precedes `to` in sweep order.
+    /// Calls met(hit) for every point, except the segment's ends, whose pixel the segment passes through, in the order
+    /// along the segment. If met() returns false, stops and returns false. `from` precedes `to` in sweep order.
     template <class Met>
     [[nodiscard]] bool along(grid_point from, grid_point to, Met&& met) noexcept
     {
@@ -105,7 +105,7 @@ public:
                         hits_[hit_count++] = {key(p, dy < 0), static_cast<std::uint32_t>(i)};
                 }
             }
-            while (node % 2 == 1) node /= 2;  // the last child: all of its parent is done
+            while (node % 2 == 1) node /= 2;  // the last child: its whole parent is done
             if (node == 0) break;
             ++node;
         }
@@ -142,7 +142,7 @@ private:
     {
         return p.x >= b.left && p.x <= b.right && p.y >= b.bottom && p.y <= b.top;
     }
-    /// By x, then along the segment in y.
+    /// Orders by x, then along the segment in y.
     [[nodiscard]] static std::uint64_t key(grid_point p, bool falling) noexcept
     {
         const auto y = static_cast<std::uint32_t>(p.y) ^ 0x8000'0000u;
@@ -172,8 +172,8 @@ private:
     }
 
     grid_point* points_ = nullptr;
-    box* boxes_ = nullptr;              // 1: the root; 2 i and 2 i + 1 below i
-    std::uint32_t* numbers_ = nullptr;  // the indices of the points, as given
+    box* boxes_ = nullptr;              // 1: the root; the children of i are 2 i and 2 i + 1
+    std::uint32_t* numbers_ = nullptr;  // the points' indices in the input
     wide_sweep_key* hits_ = nullptr;
     std::size_t count_ = 0;
     std::size_t leaves_ = 0;

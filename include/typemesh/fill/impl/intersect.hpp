@@ -12,8 +12,7 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// The loops of a region, placed on a grid that it shares with others: a point p lies at p + (x, y), an offset of up to
-/// 2^60.
+/// The loops of a region on a grid shared with other regions: a point p lies at p + (x, y), an offset of up to 2^60.
 struct placed_loops {
     array_view<const grid_point> points;
     array_view<const std::uint32_t> starts;
@@ -48,7 +47,7 @@ struct placed_segment {
     placed_box around;
 };
 
-/// Twice the signed area of a, b, c. Budget: points of boxes that overlap, each at most 2^29 wide, differ by at most
+/// Twice the signed area of a, b, c. Budget: points of overlapping boxes, each at most 2^29 wide, differ by at most
 /// 2^30; products stay within 2^60, their difference within 2^61.
 [[nodiscard]] inline std::int64_t turn(placed_point a, placed_point b, placed_point c) noexcept
 {
@@ -96,8 +95,8 @@ bool any_edge(const placed_loops& l, Use&& use) noexcept
     return false;
 }
 
-/// Whether p, which lies on no edge but within the loops' box, is inside: an upward ray crosses them an odd number of
-/// times.
+/// Whether p is inside; p lies in the loops' box but on no edge. An upward ray from inside crosses the loops an odd
+/// number of times.
 [[nodiscard]] inline bool holds(const placed_loops& l, placed_point p) noexcept
 {
     bool inside = false;
@@ -127,13 +126,13 @@ bool any_edge(const placed_loops& l, Use&& use) noexcept
 /// Whether two regions share a point, even if only one of their boundaries:
 ///
 ///     +---+              +---------+            +---------+
-///     | +-+-+   +--+--+  |  +--+   |    not:    |  +---+  |    a hole is outside, so what stands in it
+///     | +-+-+   +--+--+  |  +--+   |    not:    |  +---+  |    A hole is outside, so a region that stands in it
 ///     | +-+-+   +--+--+  |  +--+   |            |  |+-+|  |    without touching its boundary does not meet
-///     +---+              +---------+            |  |+-+|  |    the region around it
+///     +---+              +---------+            |  |+-+|  |    the region around it.
 ///                                               +--+---+--+
 ///
 /// Fails  error::out_of_memory
-/// Cost   O(a + b), plus the product of the numbers of edges that reach into the other's box
+/// Cost   O(a + b), plus the product of the numbers of edges that reach into the other region's box
 /// Exact  in 64 bits: see detail::turn
 [[nodiscard]] inline result<bool> meet(const placed_loops& a, const placed_loops& b, workspace& space) noexcept
 {

@@ -14,20 +14,20 @@
 
 namespace typemesh::inline TYPEMESH_ABI::detail {
 
-/// The bits of a winding number that matter to a rule: what adds up to 0 in these has no effect.
+/// The bits of a winding number that matter to a rule: changes that are 0 in these bits have no effect.
 [[nodiscard]] constexpr std::int32_t winding_mask(fill_rule rule) noexcept
 {
     return rule == fill_rule::even_odd ? 1 : -1;
 }
 
-/// All contour edges between the same two points, added up.
+/// The sum of all contour edges between the same two points.
 struct net_edge {
     grid_point from, to;           // from before to in the sweep order
     std::uint32_t origin, target;  // the contour points joined by the edge whose curve has the lowest number
-    std::int32_t winding_delta;    // the winding number right above it minus that right below
+    std::int32_t winding_delta;    // the winding number right above it minus the one right below
 };
 
-/// Numbers the distinct points of sorted contours, in sweep order, and returns how many there are.
+/// Numbers the distinct points of sorted contours in sweep order, and returns their count.
 [[nodiscard]] inline std::uint32_t number_points(const contours& given, std::uint32_t* number) noexcept
 {
     const grid_point* const place = given.points.data();
@@ -42,12 +42,12 @@ struct net_edge {
     return different;
 }
 
-/// The edges of contours, each pair of ends once; those that cancel, or have no length, are left out. So the result
-/// does not depend on where contours begin, on their order, or (except `winding_delta`) on their direction if all are
-/// reversed; under even_odd, nor on the direction of each.
+/// The edges of contours, each pair of ends once, without edges that cancel or have no length. So the result does not
+/// depend on the starts or the order of contours, nor (except `winding_delta`) on their direction if all are reversed;
+/// under even_odd, nor on the direction of any contour.
 ///
-/// `edges` needs capacity for as many as there are points; it is sorted by where they start. `count` is how many there
-/// are; 0, and false returned, when memory runs out. The points must be sorted. O(n)
+/// `edges` has room for one edge per point. They are sorted by their start points. `count` is their number. If out of
+/// memory, the result is false and `count` 0. Precondition: the points are sorted. O(n)
 [[nodiscard]] inline bool make_net_edges(const contours& given, fill_rule rule, workspace& space, net_edge* edges,
                                          std::uint32_t& count) noexcept
 {
@@ -57,11 +57,11 @@ struct net_edge {
     const grid_point* const place = given.points.data();
     count = 0;
     workspace::scope scratch{space};
-    auto* const number = scratch.take<std::uint32_t>(n);  // of every point; equal ones share one
-    auto* const first = scratch.take<std::uint32_t>(n);   // of each number: the first edge that starts there
+    auto* const number = scratch.take<std::uint32_t>(n);  // for every point; equal points share a number
+    auto* const first = scratch.take<std::uint32_t>(n);   // for each number: the first edge that starts there
     auto* const next = scratch.take<std::uint32_t>(n);
-    auto* const to = scratch.take<std::uint32_t>(n);    // of every edge: the contour point after it
-    auto* const seen = scratch.take<std::uint32_t>(n);  // of every point: the last edge that ends there
+    auto* const to = scratch.take<std::uint32_t>(n);    // for every edge: the contour point after it
+    auto* const seen = scratch.take<std::uint32_t>(n);  // for every point: the last edge that ends there
     if (number == nullptr || first == nullptr || next == nullptr || to == nullptr || seen == nullptr) return false;
     const std::uint32_t different = number_points(given, number);
     for (std::uint32_t i = 0; i < different; ++i) first[i] = seen[i] = none;

@@ -8,13 +8,13 @@
 
 namespace typemesh::inline TYPEMESH_ABI::detail {
 
-/// A segment that leaves a point to the right; sorted from bottom to top.
+/// A segment that leaves a point to the right; rays are sorted from bottom to top.
 struct ray {
-    std::int32_t x, y;  // to its other end: x > 0, or x = 0 and y > 0, both below 2^29 + 1 in size
+    std::int32_t x, y;  // to the other end: x > 0, or x = 0 and y > 0; both at most 2^29 in size
     std::uint32_t segment;
 
-    /// Positive if `other` lies above, zero if both have the same direction. Exact: products below 2^59, their
-    /// difference below 2^60.
+    /// Positive if `other` lies above, zero if both have one direction. Exact: products below 2^59, their difference
+    /// below 2^60.
     [[nodiscard]] std::int64_t cross(ray other) const noexcept
     {
         return std::int64_t{x} * other.y - std::int64_t{y} * other.x;
@@ -26,7 +26,7 @@ struct ray {
     }
 };
 
-/// O(count log count); usually there are few.
+/// O(count log count); there are usually few.
 inline void sort_rays(ray* rays, std::uint32_t count) noexcept
 {
     if (count <= 16)

@@ -22,70 +22,68 @@
 
 namespace typemesh::inline TYPEMESH_ABI::detail {
 
-/// One sweep from left to right over an arrangement that cuts segments where they cross, touch or overlap.
+/// One sweep from left to right over an arrangement. It cuts segments where they cross, touch or overlap.
 ///
-/// The sweep line crosses edges, ordered from bottom to top. Two that become neighbours are tested once: the one that
-/// ends first must end on its own side of the other. If it does not, both are cut where they cross, at the nearest grid
-/// point x, and bent through it:
+/// The sweep line crosses edges, ordered from bottom to top. Two edges that become neighbours are tested once: the one
+/// that ends first must end on its own side of the other. If it does not, both are cut where they cross, at the nearest
+/// grid point x, and bent through it:
 ///
 ///     a ---.__                     a ---.__      . d      The right halves wait in a queue until the sweep reaches x.
 ///     c ____  '--.__       ->      c ______'--x-'         An end that lies on the other edge cuts it without bending.
 ///           '---.___'-- b                      '--- b
 ///                    ' d
 ///
-/// At a point, the edges that end there are adjacent in the status. Those that start there are sorted by angle, and
-/// take the places of those that end; those that lie upon each other are joined, the longer one cut at the end of the
-/// shorter one.
+/// At a point, the edges that end there are adjacent in the status. The edges that start there are sorted by angle and
+/// take their places. Edges that lie upon each other are joined: the longer one is cut at the end of the shorter one.
 ///
-/// Afterwards no two segments have more than an end in common, the winding numbers below them are right, and `next`
-/// links those that bound the filled area, as boundary_cycles needs; or `again` asks for one more sweep over the
-/// result, or for snap rounding. In a sweep that ends so any step may have been wrong: it may have cut in wrong places
-/// or missed some, but nothing worse, because the segments stay closed contours whatever is cut.
+/// Afterwards no two segments share more than an end, the winding numbers below them are right, and `next` links the
+/// segments that bound the filled area, as boundary_cycles needs. Otherwise `again` requests one more sweep over the
+/// result, or snap rounding. In such a sweep any step may have been wrong: it may have made wrong cuts or missed some.
+/// But nothing worse can happen, because the segments stay closed contours whatever is cut.
 ///
-/// Why a sweep can be trusted. Bending moves an edge by less than a cell, and what the sweep has already passed may
-/// then lie on its other side. So every point p is tested against the edges right below and right above it when the
-/// sweep is there (pass_by), and the sweep is trusted if 1, 2 and 3 hold. Where one edge ends in p and one starts, that
-/// has been done: when the edge that ends and its neighbour became adjacent, and whenever either was cut, p was tested
-/// against this neighbour, which ends later (is_clear); the finding counts once the sweep is in p.
+/// Why a sweep can be trusted. Bending moves an edge by less than a cell, and parts that the sweep has already passed
+/// may then lie on its other side. So every point p is tested against the edges right below and right above it when the
+/// sweep reaches it (pass_by), and the sweep is trusted if 1, 2 and 3 hold. Where one edge ends in p and one starts,
+/// the test has been made before: p was tested against each neighbour, which ends later, when the edge that ends and
+/// the neighbour became adjacent, and whenever either was cut (is_clear). The finding counts once the sweep is in p.
 ///
 ///     1  the points came in ascending order, each once, and every edge ended where the sweep removed it;
 ///     2  p lay strictly between those two edges, and still does after they have been bent;
-///     3  no two edges that ended next to each other had begun together: all that end in a point are adjacent in the
-///        status, so to remember the previous one is enough.
+///     3  no two edges that ended next to each other had begun together. All that end in a point are adjacent in the
+///        status, so it is enough to remember the previous one.
 ///
-/// Let X be the first place where final segments meet other than in common ends; left of X the status is in order. If X
-/// is not an end of a segment, two neighbours e below f cross there (they do not begin together in one direction: until
-/// one of them ends nothing can come between them, and ending in the same place violates 3, in different places 2).
-/// After X nothing can be inserted between them, because what is above e is above f; so the one that ends first does so
-/// on the wrong side of the other, its neighbour, contrary to 2. If X is an end p, an edge that passes through it is
-/// next to those that end there, or to where others start, contrary to 2. Where nothing meets, the winding numbers add
-/// up.
+/// Let X be the first place where final segments meet anywhere but in common ends; left of X the status is in order. If
+/// X is not an end of a segment, two neighbours e below f cross there. (They do not begin together in one direction:
+/// until one of them ends, nothing can come between them; ending in the same place violates 3, in different places 2.)
+/// After X nothing can be inserted between them, because everything above e is above f. So the one that ends first does
+/// so on the wrong side of the other, its neighbour, contrary to 2. If X is an end p, an edge that passes through it is
+/// next to the edges that end there, or to the place where others start, contrary to 2. Where nothing meets, the
+/// winding numbers add up.
 ///
-/// To check 2 without another sweep: an edge ab is bent through x only if x is within one cell of its line, that is
-/// |orientation(a, b, x)| <= |dx| + |dy|, so all of ax is, and only once; and if anything is bent, every point was
-/// farther away than that from the edges right below and right above it (else it is `close_`). So none of them changes
-/// sides; and a point after x cannot have been tested against ab yet, or x comes out of order (`late_`) or a second
-/// time.
+/// To check 2 without another sweep: an edge ab is bent through x only once, and only if x is within one cell of its
+/// line, that is |orientation(a, b, x)| <= |dx| + |dy|, so all of ax is. If anything is bent, every point must be
+/// farther than that from the edges right below and right above it (otherwise it is `close_`). So no point changes
+/// sides. A point after x cannot have been tested against ab yet, or x comes out of order (`late_`) or a second time.
 ///
 /// Why the result is the snap rounding: each cut lies in a pixel that the contour's own edge passes through
-/// (lead_home). If that edge passed through the pixel of a point in which it is not cut, some piece of it would lie
-/// within a cell of that point, and the nearest of all such pairs are adjacent in the status (or in one column:
-/// is_close_in_column). And a crossing that was not found belongs to two edges that pass through one point beside it,
-/// where more than these two meet (is_rough). Tested against the definition, pair by pair.
+/// (lead_home). Assume that this edge passes through the pixel of a point in which it is not cut. Then some piece of it
+/// lies within a cell of that point, and the nearest of all such pairs are adjacent in the status (or in one column:
+/// is_close_in_column). A crossing that was not found belongs to two edges that pass through one point beside it, where
+/// more than these two meet (is_rough). Tests compare the result with the definition, pair by pair.
 ///
 /// From  Bentley & Ottmann, Algorithms for reporting and counting geometric intersections (1979); Hobby, Practical
 ///       segment intersection with finite precision output (1999)
 class resolving_sweep {
 public:
-    bool again = false;     ///< something may not add up: another sweep is needed
-    bool rough = false;     ///< something was bent that may deviate from snap rounding: only that helps
-    bool partial = false;   ///< edges cancel in part: what crosses them there was not sought
-    bool full = false;      ///< stopped early, because there was no capacity for more segments
+    bool again = false;     ///< something may be inconsistent: another sweep is needed
+    bool rough = false;     ///< a bend may deviate from snap rounding: only snap rounding helps
+    bool partial = false;   ///< edges cancel in part: crossings with that part were not sought
+    bool full = false;      ///< stopped early: no capacity for more segments
     bool touching = false;  ///< the boundary passes through some point more than once
 
     explicit resolving_sweep(arrangement& a, fill_rule rule) noexcept : a_{a}, rule_{rule}, mask_{winding_mask(rule)} {}
 
-    /// False when memory runs out; the arrangement is then unusable.
+    /// False if out of memory; the arrangement is then unusable.
     [[nodiscard]] bool run(workspace& space) noexcept
     {
         {
@@ -129,7 +127,7 @@ private:
         const std::uint32_t count = a_.point_count;
         const grid_point* const points = a_.points;
         std::uint32_t next = 0;
-        constexpr std::int64_t column = std::int64_t{1} << 31;  // points of one x are closer, all others are not
+        constexpr std::int64_t column = std::int64_t{1} << 31;  // points of one x are closer, all others farther apart
         std::int64_t last = sweep_place({-sweep_line::beyond.x, -sweep_line::beyond.y});
         while (!full) {
             grid_point p = next < count ? points[next] : sweep_line::beyond;
@@ -182,7 +180,7 @@ private:
         }
     }
 
-    /// One edge ends, one starts: the usual case.
+    /// One edge ends, and one starts: the usual case.
     void pass(std::uint32_t slot, std::uint32_t starting, grid_point p) noexcept
     {
         const std::uint32_t ending = line_[slot].segment, under = line_.below(slot), over = line_.above(slot);
@@ -191,7 +189,7 @@ private:
         if (s.bent != 0) rough_ |= goes_through(a_, s, p);
         last_ended_ = ending;
         finish(ending);
-        if (s.winding_delta == before.winding_delta) {  // it separates the same
+        if (s.winding_delta == before.winding_delta) {  // the winding numbers on its sides stay the same
             s.start = passed_ - 1;
             s.below = before.below;
             s.interior = before.interior;
@@ -202,7 +200,7 @@ private:
             begin(slot, starting, p, before.below);
         }
         if (s.interior >= 0) before.next = starting;
-        s.next = ending;  // where the boundary runs from right to left, else irrelevant
+        s.next = ending;  // if the boundary runs from right to left; otherwise irrelevant
         if (under != 0 && !is_far(line_[under], line_[slot]) && !is_clear(under, slot)) separate(under, slot);
         if (over != 0 && !is_far(line_[slot], line_[over]) && !is_clear(slot, over)) separate(slot, over);
     }
@@ -218,13 +216,13 @@ private:
         if (over != 0) hold(line_[over], -orientation(line_[over].from, line_[over].to, p));
     }
 
-    /// Whether an edge ends in p; if p is met again, also whether it starts there.
+    /// Whether an edge ends in p; if p occurs again, also whether it starts there.
     [[nodiscard]] bool is_here(std::uint32_t slot, grid_point p, bool repeated) const noexcept
     {
         return slot != 0 && (line_[slot].to == p || (repeated && line_[slot].from == p));
     }
 
-    /// The edge right below all that end in p, one of which is in `slot`.
+    /// The edge right below all edges that end in p; one of them is in `slot`.
     [[nodiscard]] std::uint32_t below_ending(std::uint32_t slot, grid_point p, bool repeated) const noexcept
     {
         std::uint32_t under = line_.below(slot);
@@ -232,7 +230,7 @@ private:
         return under;
     }
 
-    /// Two edges start and none ends: a contour begins. False, with nothing done, if there is more to it.
+    /// Two edges start and none ends: a contour begins. Any other case is left untouched and returns false.
     [[nodiscard]] bool opens(std::uint32_t starting, grid_point p) noexcept
     {
         const segment& one = a_.segments[starting];
@@ -257,7 +255,7 @@ private:
         return true;
     }
 
-    /// Two edges end and none starts: a contour ends. False, with nothing done, if there is more to it.
+    /// Two edges end and none starts: a contour ends. Any other case is left untouched and returns false.
     [[nodiscard]] bool closes(std::uint32_t slot, grid_point p) noexcept
     {
         const std::uint32_t low = line_[line_.above(slot)].to == p ? slot : line_.below(slot);
@@ -278,14 +276,14 @@ private:
         return true;
     }
 
-    /// What the edges below add up to must be the winding number right below `over`.
+    /// The sum over the edges below must be the winding number right below `over`.
     void check_winding(std::int32_t winding, std::uint32_t over) noexcept
     {
         const std::int32_t expected = over != 0 ? a_.segments[line_[over].segment].below : 0;
         if (winding != expected) unsure_ |= differ(winding, expected);
     }
 
-    /// Any number of edges ends, any number starts.
+    /// Handles any number of edges that end and any number that start.
     void meet(std::uint32_t slot, std::uint32_t starting, grid_point p, bool repeated) noexcept
     {
         if (!repeated && (starting == no_number ? closes(slot, p) : slot == 0 && opens(starting, p))) return;
@@ -301,13 +299,13 @@ private:
         start_edges(here, slot, starting_count);
     }
 
-    /// Those that end are adjacent. One that passes through the point is cut; if the point is met again, those that
-    /// started there the first time start again. False when there is no capacity left.
+    /// The edges that end are adjacent. An edge that passes through the point is cut. If the point occurs again, the
+    /// edges that started there the first time start again. False if there is no capacity left.
     [[nodiscard]] bool end_edges(point_event& here, std::uint32_t slot, bool repeated) noexcept
     {
         const grid_point p = here.at;
         unsure_ |= repeated;
-        grid_point began = p;  // where the edge that ended last began
+        grid_point began = p;  // the start of the edge that ended last
         here.under = slot == 0 ? line_.find(p) : below_ending(slot, p, repeated);
         std::uint32_t over = line_.above(here.under);
         for (; over != 0; over = line_.above(over), ++here.place_count) {
@@ -335,7 +333,7 @@ private:
         return true;
     }
 
-    /// Those that start take the places of those that end, if these are enough and appear to be right.
+    /// The edges that start take the places of those that end, if there are enough places and they appear to be right.
     void start_edges(point_event here, std::uint32_t slot, std::uint32_t starting_count) noexcept
     {
         const grid_point p = here.at;
@@ -392,7 +390,7 @@ private:
         }
     }
 
-    /// Whether the one of two neighbours that ends first does so on its own side of the other; notes how close it
+    /// Whether the one of two neighbours that ends first does so on its own side of the other. Notes how close it
     /// comes.
     [[nodiscard]] bool is_clear(std::uint32_t low, std::uint32_t high) noexcept
     {
@@ -422,11 +420,11 @@ private:
             unsure_ = true;
     }
 
-    /// Cuts an edge in a grid point of its box and queues the right half; false when there is no capacity left. The
-    /// neighbour on `side` (0: below, 1: above) has to be tested against it; the other one ends there, too.
+    /// Cuts an edge in a grid point of its box and queues the right half. False if there is no capacity left. Also
+    /// queues a test against the neighbour on `side` (0: below, 1: above); the other neighbour ends there, too.
     ///
     /// A half of a nearly vertical edge may be vertical and run downwards. The right half is then reversed and queued
-    /// where the edge ended; the left half is reversed when the sweep finishes it, which it does at once.
+    /// where the edge ended. The left half is reversed when the sweep finishes it, which happens at once.
     [[nodiscard]] bool cut(std::uint32_t slot, grid_point x, std::uint32_t side) noexcept
     {
         if (line_[slot].to == x || line_[slot].from == x) {
@@ -452,7 +450,7 @@ private:
         return true;
     }
 
-    /// The edge in a slot now ends in x; its rest is the last segment of all. False when there is no capacity left.
+    /// Ends the edge in a slot in x; its rest becomes the last segment of all. False if there is no capacity left.
     [[nodiscard]] bool split(std::uint32_t slot, grid_point x) noexcept
     {
         if (a_.count == a_.capacity || queue_.room() < 2) {
@@ -482,16 +480,16 @@ private:
     std::int32_t mask_;  // of winding numbers
     sweep_line line_;
     std::uint32_t* ends_ = nullptr;
-    std::uint32_t* dirty_ = nullptr;  // edges that were cut: slots times 2, plus 1 to be tested against the edge above
+    std::uint32_t* dirty_ = nullptr;  // edges that were cut: slots times 2, plus 1 for a test against the edge above
     std::uint32_t* hints_ = nullptr;  // for every point: a slot whose edge may end there
     event_queue queue_;
     start_order starts_{a_, queue_, mask_};
     std::uint32_t passed_ = 0, dirty_count_ = 0;
-    std::uint32_t last_ended_ = no_number;  // the uppermost one in the last point that had any
+    std::uint32_t last_ended_ = no_number;  // the uppermost edge in the last point where edges ended
     bool unsure_ = false, late_ = false;
     bool unfinished_ = false;  // edges that were never removed
-    bool close_ = false;       // a point lies within a cell of an edge that is not its own
-    bool rough_ = false;       // see rough, if anything is bent
+    bool close_ = false;       // a point lies within a cell of another point's edge
+    bool rough_ = false;       // see `rough`, if anything is bent
     bool bent_ = false;
 };
 

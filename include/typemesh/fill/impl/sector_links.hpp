@@ -7,8 +7,8 @@
 
 namespace typemesh::inline TYPEMESH_ABI::detail {
 
-/// Links the boundary of the filled area through a point: `next` of an incoming segment is the outgoing one with the
-/// interior between them. Counter-clockwise around the point, the interior follows every outgoing one.
+/// Links the boundary of the filled area through a point: `next` of an incoming segment is the outgoing segment with
+/// the interior between them. Counter-clockwise around the point, the interior follows every outgoing segment.
 ///
 ///     ::::: out      in :::::      in, then out, on either side
 ///     ------------p----------
@@ -16,8 +16,8 @@ class sector_links {
 public:
     explicit sector_links(segment* segments) noexcept : segments_{segments} {}
 
-    /// Adds the segments counter-clockwise: those that start in the point from bottom to top, then those that end there
-    /// from top to bottom.
+    /// Adds a segment. Order: counter-clockwise, first the segments that start in the point from bottom to top, then
+    /// those that end there from top to bottom.
     void take(std::uint32_t i, bool starts) noexcept
     {
         const std::int32_t interior = segments_[i].interior;
@@ -32,7 +32,7 @@ public:
         out_count_ += last_goes_out_;
     }
 
-    /// After the last one. True if the boundary passes through the point more than once.
+    /// Call after the last segment. True if the boundary passes through the point more than once.
     [[nodiscard]] bool close() noexcept
     {
         if (last_goes_out_ && !first_goes_out_) segments_[first_].next = last_;
@@ -45,7 +45,7 @@ private:
     bool first_goes_out_ = false, last_goes_out_ = false;
 };
 
-/// The links through a point where two segments, in this order, both start or both end, and no other. True as close().
+/// Links through a point where only two segments, in this order, both start or both end. Returns the result of close().
 [[nodiscard]] inline bool link_two(segment* segments, std::uint32_t first, std::uint32_t second, bool start) noexcept
 {
     sector_links links{segments};

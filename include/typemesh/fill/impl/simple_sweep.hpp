@@ -16,26 +16,26 @@ namespace typemesh::inline TYPEMESH_ABI::detail {
 
 /// The winding numbers on both sides of a contour that meets no other.
 struct contour_sides {
-    std::int32_t outside = 0;  ///< winding number just outside of it
-    std::int32_t inside = 0;   ///< just inside
+    std::int32_t outside = 0;  ///< just outside it
+    std::int32_t inside = 0;   ///< just inside it
     bool counter_clockwise = false;
 };
 
-/// Sweeps from left to right over contours about which nothing is known: finds whether any two edges meet, and if none
-/// do, what every contour separates.
+/// Sweeps from left to right over unproven contours: finds whether any two edges meet and, if none do, the winding
+/// numbers on both sides of every contour.
 ///
-/// The sweep line crosses edges, ordered from bottom to top. Every point is tested against the edge below and the edge
-/// above it, strictly; that finds every intersection (for the reason see triangulate/impl/monotone_sweep.hpp). The
-/// winding numbers on both sides of a contour are known where the sweep first meets it: from the edge right below.
+/// The sweep line crosses edges, ordered from bottom to top. Every point is tested strictly against the edge below and
+/// the edge above it. This finds every intersection (triangulate/impl/monotone_sweep.hpp gives the reason). The winding
+/// numbers on both sides of a contour are known where the sweep first meets it: from the edge right below.
 ///
 ///        k ---------------     outside of l = above that edge of k = inside or outside of k, by that edge's direction
 ///               l  .---
-///                 p            inside of l = outside of l + 1 if l turns left in p, else - 1
+///                 p            inside of l = outside of l + 1 if l turns left in p, otherwise - 1
 ///                  '---
 ///        k --------------- e   the edge right below
 class simple_sweep {
     struct vertex {
-        std::uint32_t slot[2];   // of the edge that comes from the left: 0 from the previous point, 1 from the next
+        std::uint32_t slot[2];   // of the edge from the left: 0 from the previous point, 1 from the next
         std::uint32_t other[2];  // the next point, the previous point
     };
     struct crossed_edge {

@@ -18,20 +18,20 @@
 
 namespace typemesh::inline TYPEMESH_ABI::detail {
 
-/// Cuts the edges of contours where they cross, all at once: snap rounding, where anything has to be rounded.
+/// Cuts the edges of contours where they cross, all at once: snap rounding wherever anything must be rounded.
 ///
-///      .   .   .   .   .      The pixel of a grid point is hot if a contour's point lies in it, or two edges cross in
-///        +---+   _.-''.       it. An edge that passes through a hot point itself is cut there. A piece of an edge
-///      . | x-+-''  .   .      between two such cuts, if it has to be bent, is routed through the centre of every hot
+///      .   .   .   .   .      The pixel of a grid point is hot if a contour's point lies in it, or if two edges cross
+///        +---+   _.-''.       in it. An edge that passes through a hot point itself is cut there. A piece of an edge
+///      . | x-+-''  .   .      between two such cuts, if it must be bent, is routed through the centre of every hot
 ///     .-'+---+ `-.            pixel that it passes through. No piece moves by more than half a cell in x and y, and no
-///      .   .   .   `.  .      two of them cross afterwards: this is proven in the second paper.
+///      .   .   .   `.  .      two of them cross afterwards: the second paper proves this.
 ///
-/// Which pieces have to be bent: those that cross others elsewhere than in a grid point; those that pass through a hot
-/// pixel through whose centre another piece is routed that did not pass through it by itself; and so on. All others
-/// stay as they are. A bent piece comes to lie beside points whose pixels it does not pass through, or on them; the
-/// sweep that follows cuts it in these, bending nothing.
+/// A piece must be bent if it crosses others off the grid points, or if it passes through a hot pixel through whose
+/// centre another piece is routed that did not pass through this centre by itself; and so on. All others stay as they
+/// are. A bent piece may end up beside points whose pixels it does not pass through, or on them. The sweep that follows
+/// cuts it in these, bending nothing.
 ///
-/// All this depends on the set of edges alone: not on where contours begin, nor on their order.
+/// All this depends only on the set of edges: not on the starts or the order of contours.
 ///
 /// Cost   O((n + k) log n) for n points and k crossings, and for each edge a search among the hot pixels: about the
 ///        square root of their number. An edge that passes through many pixels of others' crossings is cut in each.
@@ -42,7 +42,7 @@ class snap_rounding {
 public:
     static constexpr std::uint32_t max_ever = 1u << 30;  ///< pieces that 32-bit numbers can count, with a margin
 
-    /// `max_pieces` is taken as max_ever at most.
+    /// `max_pieces` is clamped to max_ever.
     explicit snap_rounding(const contours& loops, std::uint32_t max_pieces) noexcept
         : loops_{&loops}, most_{max_pieces < max_ever ? max_pieces : max_ever}
     {
@@ -50,9 +50,9 @@ public:
 
     [[nodiscard]] std::uint32_t max_pieces() const noexcept { return most_; }
 
-    /// Finds all cuts, and makes the pieces an arrangement that lies in `scratch`, which holds nothing else.
+    /// Finds all cuts, and makes the pieces an arrangement in `scratch`, which holds nothing else.
     ///
-    /// Fails  error::too_many_pieces: more than `max_pieces` crossings or cuts; as soon as that is known
+    /// Fails  error::too_many_pieces: more than `max_pieces` crossings or cuts, as soon as this is known
     ///        error::out_of_memory
     [[nodiscard]] error run(fill_rule rule, workspace& space, workspace::scope& scratch, arrangement& a) noexcept
     {
@@ -70,7 +70,7 @@ public:
     }
 
 private:
-    /// A hot point as one number, in sweep order; its lowest bit: whether an edge has to be bent to pass through it.
+    /// A hot point as one number, in sweep order; its lowest bit says whether an edge must be bent to pass through it.
     [[nodiscard]] static packed_sweep_key hot(grid_point p, bool bends) noexcept
     {
         return {static_cast<std::uint64_t>(std::int64_t{p.x} + beyond) << 32 |
@@ -82,7 +82,7 @@ private:
                 static_cast<std::int32_t>(static_cast<std::int64_t>(key.word >> 1 & 0x7FFF'FFFFu) - beyond)};
     }
 
-    /// Sorts hot points and removes duplicates; false when memory runs out.
+    /// Sorts hot points and removes duplicates. False if out of memory.
     [[nodiscard]] static bool put_in_order(growing<packed_sweep_key>& all, workspace& space) noexcept
     {
         if (all.count == 0) return true;
@@ -101,7 +101,7 @@ private:
         return true;
     }
 
-    /// Finds the hot points: all of the contours, and where edges cross.
+    /// Finds the hot points: all points of the contours, and the crossings of edges.
     [[nodiscard]] error find_points(workspace::scope& scratch, workspace& space) noexcept
     {
         growing<packed_sweep_key> all{scratch};
@@ -127,7 +127,7 @@ private:
         return {};
     }
 
-    /// Finds for each edge the hot points in which it is cut, one edge after the other.
+    /// Finds the hot points in which each edge is cut, one edge after the other.
     [[nodiscard]] error find_cuts(workspace::scope& scratch, workspace& space) noexcept
     {
         const std::size_t m = hot_.size();
@@ -135,7 +135,7 @@ private:
         auto* const group = scratch.take<std::uint32_t>(m);
         hot_pixels cells;
         if (bends == nullptr || group == nullptr) return error::out_of_memory;
-        // Each point is made in the place of its key, which is read first.
+        // Each point is constructed in the place of its key, which is read first.
         static_assert(sizeof(grid_point) == sizeof(packed_sweep_key) &&
                       alignof(grid_point) <= alignof(packed_sweep_key));
         points_ = {};
@@ -176,7 +176,7 @@ private:
         return {};
     }
 
-    /// The group of hot points that are all bent to if one of them is: union-find.
+    /// The group of hot points: if edges are bent to one of them, they are bent to all. Union-find.
     [[nodiscard]] static std::uint32_t root(std::uint32_t* group, std::uint32_t i) noexcept
     {
         while (group[i] != i) i = group[i] = group[group[i]];
@@ -222,7 +222,8 @@ private:
         for (const grid_point p : points_) places[point_count++] = p;
         scratch.keep(pieces, places);
         a.loops = loops_;
-        // Three pieces of an edge at a time: vertical ones along which it falls, and those before and after them.
+        // Three pieces of an edge may be active at once: vertical ones along which it falls, and those before and after
+        // them.
         a.max_active = 3 * static_cast<std::uint32_t>(edges_.size());
         return a.adopt(scratch, pieces, made, places, point_count) ? error{} : error{error::out_of_memory};
     }
@@ -243,10 +244,10 @@ private:
     const contours* loops_;
     std::uint32_t most_;
     array_view<net_edge> edges_;
-    array_view<std::uint32_t> cut_ends_;  // of each edge: where its cuts end
+    array_view<std::uint32_t> cut_ends_;  // for each edge: the end of its cuts
     array_view<packed_sweep_key> hot_;
-    array_view<grid_point> points_;   // the same, in their place
-    array_view<std::uint32_t> cuts_;  // their numbers
+    array_view<grid_point> points_;   // the same points, in the same memory
+    array_view<std::uint32_t> cuts_;  // the numbers of the points
 };
 
 }  // namespace typemesh::inline TYPEMESH_ABI::detail

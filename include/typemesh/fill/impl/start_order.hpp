@@ -11,7 +11,7 @@
 
 namespace typemesh::inline TYPEMESH_ABI::detail {
 
-/// The segments that start in one point of a sweep, from bottom to top; those that lie upon each other are joined.
+/// The segments that start in one point of a sweep, from bottom to top. Segments that lie upon each other are joined.
 class start_order {
 public:
     bool full = false;     ///< there was no capacity left
@@ -20,7 +20,7 @@ public:
 
     start_order(arrangement& a, event_queue& queue, std::int32_t mask) noexcept : a_{a}, queue_{queue}, mask_{mask} {}
 
-    /// Takes memory for `most` segments in one point; false when memory runs out.
+    /// Takes memory for `most` segments in one point. False if out of memory.
     [[nodiscard]] bool open(workspace::scope& scratch, std::uint32_t most) noexcept
     {
         max_starts_ = most;
@@ -31,7 +31,7 @@ public:
 
     [[nodiscard]] const std::uint32_t* all() const noexcept { return starts_; }
 
-    /// Puts the segments that start in p into all(), from bottom to top, each direction once; returns how many.
+    /// Lists the segments that start in p in all(), from bottom to top, each direction once. Returns their number.
     [[nodiscard]] std::uint32_t put_in_order(std::uint32_t starting, grid_point p) noexcept
     {
         if (starting == no_number) return 0;
@@ -82,8 +82,8 @@ private:
         return (s.from == a && s.to == b) || (s.from == b && s.to == a);
     }
 
-    /// Joins two segments that start in one point in one direction: what they share becomes one of them, which is
-    /// returned, the rest of the longer one becomes the other.
+    /// Joins two segments that start in one point in one direction. Their common part becomes one of them, which is
+    /// returned; the rest of the longer segment becomes the other.
     [[nodiscard]] std::uint32_t joined(std::uint32_t i, std::uint32_t k) noexcept
     {
         if (sweep_place(a_.segments[k].to) < sweep_place(a_.segments[i].to)) {
@@ -110,7 +110,7 @@ private:
             partial |= shorter.winding_delta != 0 || !whole_;
             cancelled_ = true;
         }
-        shorter.interior = longer.interior = 0;  // from an earlier sweep: one of them may not count from now on
+        shorter.interior = longer.interior = 0;  // from an earlier sweep: one of them may not count any more
         if (equal) {
             longer.winding_delta = 0;
         } else if (queue_.room() == 0) {
@@ -131,7 +131,7 @@ private:
     std::uint32_t* starts_ = nullptr;
     std::uint32_t max_starts_ = 0;
     bool cancelled_ = false, uneven_ = false;  // in this point
-    bool whole_ = true;                        // all joined so far in this direction are edges of the contours
+    bool whole_ = true;                        // all segments joined so far in this direction are edges of the contours
 };
 
 }  // namespace typemesh::inline TYPEMESH_ABI::detail

@@ -12,13 +12,13 @@
 
 namespace typemesh::inline TYPEMESH_ABI::detail {
 
-/// The edges that the sweep line crosses, from bottom to top, each in a slot of its own. Slot 0 stands for what lies
-/// below and above all; its edge ends beyond all points.
+/// The edges that the sweep line crosses, from bottom to top, each in its own slot. Slot 0 marks both ends of the list;
+/// its edge ends beyond all points.
 class sweep_line {
 public:
     static constexpr grid_point beyond{1 << 29, 1 << 29};  ///< after all points of the grid
 
-    /// Takes memory for `most` edges; false when memory runs out.
+    /// Takes memory for `most` edges. False if out of memory.
     [[nodiscard]] bool open(workspace::scope& scratch, std::uint32_t most) noexcept
     {
         most_ = most;
@@ -34,7 +34,7 @@ public:
     [[nodiscard]] std::uint32_t below(std::uint32_t slot) const noexcept { return order_.below(slot); }
     [[nodiscard]] std::uint32_t above(std::uint32_t slot) const noexcept { return order_.above(slot); }
     [[nodiscard]] bool empty() const noexcept { return order_.above(0) == 0; }
-    /// How many more edges may be inserted.
+    /// The number of edges that may still be inserted.
     [[nodiscard]] std::uint32_t room() const noexcept { return most_ - order_.size(); }
 
     /// The last edge below p.
@@ -44,7 +44,7 @@ public:
             [&](std::uint32_t s) noexcept { return s != 0 && orientation(edges_[s].from, edges_[s].to, p) > 0; });
     }
 
-    /// A slot right above `under`, for an edge yet to begin: see sweep_status. Needs room().
+    /// Inserts a slot right above `under`, for an edge that begins later: see sweep_status. Precondition: room() > 0.
     [[nodiscard]] std::uint32_t insert_above(std::uint32_t under) noexcept
     {
         std::uint32_t slot = free_slot_;
@@ -56,7 +56,7 @@ public:
         return slot;
     }
 
-    /// Whoever still knows the slot finds an edge that ends beyond all points.
+    /// Anything that still refers to the slot finds an edge that ends beyond all points.
     void erase(std::uint32_t slot) noexcept
     {
         edges_[slot].to = beyond;
@@ -73,12 +73,12 @@ private:
     std::uint32_t free_slot_ = 0;
 };
 
-/// What ends and starts in one point of a sweep.
+/// The edges that end and start in one point of a sweep.
 struct point_event {
     grid_point at;
-    std::uint32_t starting;             // the first segment of those that start; the others follow by `next`
+    std::uint32_t starting;             // the first segment that starts; the others follow by `next`
     std::uint32_t under = 0, over = 0;  // the edges right below and right above all that end
-    std::uint32_t ending_count = 0;     // of edges that end
+    std::uint32_t ending_count = 0;     // the number of edges that end
     std::uint32_t place_count = 0;      // in the status between `under` and `over`
 };
 

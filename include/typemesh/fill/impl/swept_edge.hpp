@@ -15,7 +15,7 @@ struct alignas(32) swept_edge {
     std::uint32_t segment = no_number;
     std::int32_t above = 0;  ///< the winding number right above it
 
-    bool is_bent = false;  ///< in this sweep: bending it again takes another one
+    bool is_bent = false;  ///< in this sweep; bending it again requires another sweep
 
     void begin(grid_point a, grid_point b, std::uint32_t s, std::int32_t winding) noexcept
     {
@@ -33,7 +33,7 @@ struct alignas(32) swept_edge {
         return std::int64_t{to.x} - from.x + (dy < 0 ? -dy : dy);
     }
 
-    /// Whether p lies in its box.
+    /// Whether p lies in the edge's box.
     [[nodiscard]] bool holds(grid_point p) const noexcept
     {
         if (p.x < from.x || p.x > to.x) return false;
@@ -41,10 +41,10 @@ struct alignas(32) swept_edge {
     }
 };
 
-/// How far the one of two neighbours that ends first does so from the other one.
+/// The distance at which the one of two neighbours that ends first does so from the other.
 struct clearance {
-    std::int64_t side;   ///< orientation(): above 0 on its own side
-    std::int64_t reach;  ///< of the other one
+    std::int64_t side;   ///< orientation(): positive on its own side
+    std::int64_t reach;  ///< of the other edge
 };
 [[nodiscard]] inline clearance clearance_of(const swept_edge& low, const swept_edge& high) noexcept
 {
@@ -54,7 +54,7 @@ struct clearance {
     const std::int64_t turn = orientation(longer.from, longer.to, shorter.to);
     return {(turn ^ -std::int64_t{low_first}) + low_first, longer.reach()};  // low_first ? -turn : turn
 }
-/// Whether that is farther than a cell.
+/// Whether this distance exceeds a cell.
 [[nodiscard]] inline bool is_far(const swept_edge& low, const swept_edge& high) noexcept
 {
     const auto [side, reach] = clearance_of(low, high);

@@ -15,23 +15,23 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// Relinks contours that share points, so that in each of these a cycle stays in its own sector of interior: what
-/// boundary_cycles does, for contours that only touch in points and have the interior on their left.
+/// Relinks contours that share points, so that in each of these points a cycle stays in its own sector of interior.
+/// This is the work of boundary_cycles for contours that only touch in points and have the interior on their left.
 ///
 ///     .---------<--------.         .---------<--------.         The hole touches the outer loop: one cycle for both.
-///     |    .---->---.    |         |    .---->---.    |         Points and edges stay what they are and are put in
-///     |    |        |    |   ->    |    |        |    |         another order; none is added or lost.
+///     |    .---->---.    |         |    .---->---.    |         Points and edges are only put in another order; none
+///     |    |        |    |   ->    |    |        |    |         is changed, added or lost.
 ///     |     '.    .'     |         |     '.    .'     |
 ///     '->-----'--'----->-'         '->---'  '------->-'
 ///
 /// Whatever the contours do elsewhere, the same edges run in the same directions, so all winding numbers stay the same.
-/// Nothing is proven: that is for a triangulator that takes such points (see triangulator.hpp).
+/// Nothing is proven here; a triangulator that takes such points does this (see triangulator.hpp).
 class touching_cycles {
 public:
-    /// Changes `loops` in place. What is needed to undo that is kept in `scratch`.
+    /// Changes `loops` in place. `scratch` keeps the data that undo() needs.
     ///
     /// Fails  error::crossing_contours: no two points are equal, or around some point the edges do not bound sectors:
-    ///        two run in one direction, or the interior is not on the left of each
+    ///        two have one direction, or the interior is not on the left of each
     ///        error::out_of_memory
     /// In both cases `loops` is unchanged.
     /// Cost   a sort of the points; about 50 bytes per point from `scratch`
@@ -52,7 +52,7 @@ public:
         }
         if (visits == 0) return error::crossing_contours;
         auto* const outgoing_edges = scratch.take<outgoing_edge>(2 * most);
-        auto* const behind = scratch.take<std::uint32_t>(n);  // the point that follows on its cycle
+        auto* const behind = scratch.take<std::uint32_t>(n);  // the next point on the cycle
         if (outgoing_edges == nullptr || behind == nullptr) return error::out_of_memory;
         for (std::uint32_t c = 0; c < loops.contour_count(); ++c) {
             const std::uint32_t begin = loops.starts[c], end = loops.starts[c + 1];
@@ -79,7 +79,7 @@ public:
         return changed ? relink(loops, behind, scratch) : error{};
     }
 
-    /// Undoes link(), while its scratch memory lasts.
+    /// Undoes link(), as long as its scratch memory exists.
     void undo(contours& loops) noexcept
     {
         if (points_ == nullptr) return;
@@ -90,7 +90,7 @@ public:
     }
 
 private:
-    /// The points before and after one on its contour. O(log contours)
+    /// The points before and after a point on its contour. O(log contours)
     [[nodiscard]] static std::pair<std::uint32_t, std::uint32_t> neighbours(const contours& loops,
                                                                             std::uint32_t v) noexcept
     {
@@ -140,7 +140,7 @@ private:
         }
     }
 
-    grid_point* points_ = nullptr;  // as they were; null: nothing to undo
+    grid_point* points_ = nullptr;  // the original points; null: nothing to undo
     contour_edge* edges_ = nullptr;
     std::uint32_t* starts_ = nullptr;
     std::size_t start_count_ = 0;

@@ -12,7 +12,7 @@
 
 namespace typemesh::inline TYPEMESH_ABI::inspect {
 
-/// An edge of some loops, its position among them, and its bounding box.
+/// An edge of a loop, its position among the loops, and its bounding box.
 struct boxed_edge {
     grid_point a, b;
     std::size_t loop, index;  ///< from point `index` of the loop to the next
@@ -34,9 +34,9 @@ struct boxed_edge {
     return edges;
 }
 
-/// Calls visit(p, q) for every two edges whose boxes overlap, each pair once, until it returns false; then false.
+/// Calls visit(p, q) once for every two edges whose boxes overlap. If a call returns false, stops and returns false.
 ///
-/// Cost   for n edges O(n) and the pairs that lie above each other
+/// Cost   O(n) for n edges, plus the pairs that overlap in x
 template <class Visit>
 bool each_close_pair(const std::vector<boxed_edge>& edges, Visit&& visit)
 {

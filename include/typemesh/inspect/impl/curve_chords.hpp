@@ -13,12 +13,12 @@
 
 namespace typemesh::inline TYPEMESH_ABI::inspect {
 
-/// An outline's curves as chords so short that they can stand for the curves: within `error` of them.
+/// An outline's curves as short chords that stand for the curves: within `error` of them.
 ///
 ///     cells    grid cells per font unit: region::grid().cells
-///     error    in cells, above 0: 1/100 of the tolerance to be tested, say. At most 2^20 chords per curve
+///     error    in cells, above 0: for example, 1/100 of the tolerance under test. At most 2^20 chords per curve
 ///
-/// Chord count by Wang's bound. From  R. Goldman, Pyramid Algorithms (2003), 5.6.3
+/// The number of chords is Wang's bound. From R. Goldman, Pyramid Algorithms (2003), 5.6.3
 class curve_chords {
 public:
     /// Both ends in cells.
@@ -30,7 +30,7 @@ public:
     curve_chords() = default;
     curve_chords(const outline& given, double cells, double error) { take(given, cells, error); }
 
-    /// Replaces all chords by those of another outline. Storage is reused.
+    /// Replaces all chords with those of another outline. Storage is reused.
     void take(const outline& given, double cells, double error)
     {
         chords_.clear();
@@ -63,7 +63,7 @@ public:
     /// The bounding box of all control points, in cells.
     [[nodiscard]] const box& bounds() const noexcept { return bounds_; }
 
-    /// The squared distance from p to the nearest of some chords, in cells; 1e300 if there are none.
+    /// The squared distance from p to the nearest of the given chords, in cells; 1e300 if there are none.
     [[nodiscard]] static double squared_distance(point p, array_view<const chord> some) noexcept
     {
         double nearest = 1e300;
@@ -79,7 +79,7 @@ public:
         return dot(gap, gap);
     }
 
-    /// How often the curves wind around p, which must not lie on them.
+    /// The winding number of the curves around p, which must not lie on them.
     [[nodiscard]] std::int32_t winding(point p) const noexcept
     {
         std::int32_t w = 0;
@@ -102,7 +102,7 @@ private:
     }
 
     std::vector<chord> chords_;
-    std::vector<std::size_t> first_;  // chord of each curve
+    std::vector<std::size_t> first_;  // each curve's first chord
     box bounds_;
 };
 

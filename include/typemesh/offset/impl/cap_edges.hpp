@@ -23,7 +23,7 @@ namespace detail {
 /// Finds edges of the last level by their two nodes.
 class last_level_edges {
 public:
-    /// False when memory runs out.
+    /// False if out of memory.
     [[nodiscard]] bool prepare(const swept_region& swept, workspace::scope& scratch) noexcept
     {
         const std::size_t n = swept.nodes.size(), levels = swept.levels.size();
@@ -40,7 +40,7 @@ public:
         return true;
     }
 
-    /// The edge of the region, or the join, that has moved to between two nodes.
+    /// The edge of the region, or the join, that now lies between two nodes.
     [[nodiscard]] std::uint32_t from(std::uint32_t a, std::uint32_t b) const noexcept
     {
         std::uint32_t e = first_[a];
@@ -57,7 +57,7 @@ private:
     std::uint32_t* next_ = nullptr;
 };
 
-/// The curves of edges that have moved, and where on them their ends lie.
+/// The curves of moved edges, and the parameters of their ends.
 class moved_edges {
 public:
     moved_edges(const region& r, const swept_region& swept, std::uint32_t first_join_curve) noexcept
@@ -65,7 +65,7 @@ public:
     {
     }
 
-    /// `before` and `after` are its neighbours in the loop; it reaches from a to b.
+    /// `before` and `after` are the edge's neighbours in the loop; the edge goes from a to b.
     [[nodiscard]] contour_edge named(std::uint32_t before, std::uint32_t edge, std::uint32_t after, grid_point a,
                                      grid_point b) const noexcept
     {
@@ -76,7 +76,7 @@ public:
                      to = after < n && goes_on(own, region_.edges()[after]) ? 1.0 : share(edge, b);
         const contour_edge cut{own.curve, at(own, from), at(own, to)};
         const bool forwards = own.t0 < own.t1 ? cut.t0 < cut.t1 : cut.t0 > cut.t1;
-        return forwards ? cut : own;  // where an edge has nearly vanished, rounding turns it round
+        return forwards ? cut : own;  // rounding may reverse an edge that has nearly vanished
     }
 
 private:
@@ -85,7 +85,7 @@ private:
         return e.curve == stopped.curve && same(e.t0, stopped.t1);
     }
 
-    /// Before which part of the unmoved edge a point lies: 0 to 1.
+    /// The parameter, from 0 to 1, of the unmoved edge's point that is nearest to `at`.
     [[nodiscard]] double share(std::uint32_t edge, grid_point at) const noexcept
     {
         const grid_point p = swept_.nodes[swept_.edges_at[edge].a].at, q = swept_.nodes[swept_.edges_at[edge].b].at;
@@ -94,7 +94,7 @@ private:
         return along <= 0 ? 0.0 : along >= all ? 1.0 : static_cast<double>(along) / static_cast<double>(all);
     }
 
-    /// What is added is rounded to a float first, so that no compiler can fuse the two.
+    /// The summand is rounded to a float first, so that no compiler can fuse the two operations.
     static float at(const contour_edge& e, double share) noexcept
     {
         if (share >= 1.0) return e.t1;
@@ -106,8 +106,8 @@ private:
     std::uint32_t first_join_curve_;
 };
 
-/// Appends a curve for each join: it turns from the edge before the corner, or the mean with the join before it, to
-/// those after it. Round or not, only its direction counts: it lies at the corner.
+/// Appends a curve for each join. It starts along the edge before the corner (or along the mean with the previous join)
+/// and ends along the edge after it (or the mean with the next join). Only directions matter: it lies at the corner.
 [[nodiscard]] inline bool add_join_curves(const region& r, bool round, const swept_region& swept,
                                           buffer<curve>& curves) noexcept
 {
@@ -140,15 +140,15 @@ private:
 
 }  // namespace detail
 
-/// Names the curves that the edges of a swept region's cap come from, so that walls on them are lit like those on the
-/// region's own edges: each has the curve of the edge that has moved there, and those of its parameters that lie before
-/// what is left of it. Joins get curves of their own, which are appended to `curves`: round ones turn from the edge
-/// before the corner to the edge after it, others are straight.
+/// Names the curves of a swept region's cap edges, so that walls on them are lit like walls on the region's own edges.
+/// Each edge gets the curve of the edge that has moved there, and its parameters opposite the remaining part. Joins get
+/// new curves, which are appended to `curves`: round ones turn from the edge before the corner to the edge after it,
+/// others are straight.
 ///
 ///     r         the region that was swept; its curves are the first of `curves`
-///     round     how the joins are meant
+///     round     whether the joins are round
 ///
-/// So an edge is as far from its curve as the boundary has moved, but runs in its direction.
+/// So an edge is as far from its curve as the boundary has moved, but has the same direction.
 ///
 /// Fails  error::out_of_memory
 /// Cost   O(nodes)

@@ -8,8 +8,8 @@
 
 namespace typemesh::inline TYPEMESH_ABI::detail {
 
-/// Writes down what segments sweep, as outlines of nodes. An outline grows at two ends, above the two ends of its
-/// segment, until it is closed; where the segment is split, both pieces grow the same outline.
+/// Records the areas that segments sweep, as outlines of nodes. An outline grows at two ends, above the two ends of its
+/// segment, until it is closed. If the segment is split, both pieces grow the same outline.
 ///
 ///            head            tail                 split in s:   head      tail=s=head     tail
 ///             |               |                                  |            / \          |
@@ -20,7 +20,7 @@ class cell_outlines {
 public:
     static constexpr std::uint32_t none = ~std::uint32_t{0};
 
-    /// Where the outline of a segment's cell grows: corners.
+    /// The corners where the outline of a segment's cell grows.
     struct ends {
         std::uint32_t head = none, tail = none;
     };
@@ -30,23 +30,23 @@ public:
     };
     struct cell {
         std::uint32_t line;
-        std::uint32_t corner;  ///< any of its outline
+        std::uint32_t corner;  ///< any corner of its outline
     };
 
     buffer<corner> corners;
     buffer<cell> cells;
-    bool failed = false;  ///< memory ran out: all that follows is void
+    bool failed = false;  ///< out of memory: everything after this is undefined
 
     explicit cell_outlines(memory source) noexcept : corners{source}, cells{source} {}
 
-    /// Forgets all cells; storage is kept.
+    /// Removes all cells; keeps the storage.
     void clear() noexcept
     {
         corners.clear();
         cells.clear();
     }
 
-    /// A cell over the segment of a line from node a to node b, which may be one.
+    /// Opens a cell over the segment of a line from node a to node b; both may be the same node.
     ends open(std::uint32_t line, std::uint32_t a, std::uint32_t b) noexcept
     {
         const ends begun{add(a), add(b)};
@@ -77,10 +77,10 @@ public:
         at_tail(of, node);
         if (!failed) corners[of.tail].next = of.head;
     }
-    /// The segment ends, as long as it is, at a level.
+    /// The segment ends at a level, with some length left.
     void close(const ends& of) noexcept { corners[of.tail].next = of.head; }
 
-    /// `of` becomes the left piece; the right one is returned.
+    /// `of` becomes the left piece; the result is the right piece.
     ends split(ends& of, std::uint32_t node) noexcept
     {
         const std::uint32_t c = add(node);

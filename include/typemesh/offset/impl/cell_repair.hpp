@@ -13,18 +13,18 @@
 
 namespace typemesh::inline TYPEMESH_ABI::detail {
 
-/// What is done about slivers that rounding has turned over, so that the outlines of cells are simple on the grid:
+/// Repairs slivers that rounding has turned over, so that the outlines of cells are simple on the grid:
 ///
 ///     detour    a side goes over the node that is too close to it, in both cells: a---b becomes a---via---b
 ///     nudge     a side at a level stays straight; the node moves off it, by a cell or two
 ///     union     two neighbours a few cells apart become one; a node at a level stays
 ///
-/// All are proposals: the cells are cut anew, and whether that goes well is decided there.
+/// All are proposals: the cells are cut again, and only the cut decides whether a repair has helped.
 class cell_repair {
 public:
     explicit cell_repair(memory source) noexcept : detours_{source}, united_{source} {}
 
-    /// For the next band, whose own nodes begin with this one: no other is moved.
+    /// Begins the next band. Its own nodes begin with `first_node`; earlier nodes are not moved.
     void begin(std::size_t first_node) noexcept
     {
         detours_.clear();
@@ -32,7 +32,7 @@ public:
         first_node_ = first_node;
     }
 
-    /// What a node is now.
+    /// The node that a node is now.
     [[nodiscard]] std::uint32_t node(std::uint32_t n) const noexcept
     {
         for (const unit& u : united_)
@@ -40,7 +40,7 @@ public:
         return n;
     }
 
-    /// Appends the way from the path's last node to the next one. False when memory runs out.
+    /// Appends the path from the last node to the next one. False if out of memory.
     [[nodiscard]] bool follow(buffer<std::uint32_t>& path, std::uint32_t next) const noexcept
     {
         for (const detour& d : detours_) {
@@ -52,8 +52,8 @@ public:
         return true;
     }
 
-    /// Mends a ring that could not be cut; false if it knows no way. `is_at_level(a, b)`: whether a side from a to b or
-    /// back is, or, if a is b, one that begins or ends there.
+    /// Mends a ring that could not be cut. False if it finds no repair. `is_at_level(a, b)`: whether a side between a
+    /// and b, in either direction, is at a level or, if a is b, whether some side at a level begins or ends there.
     template <class IsAtLevel>
     [[nodiscard]] bool mend(const buffer<std::uint32_t>& ring, buffer<swept_node>& nodes,
                             const IsAtLevel& is_at_level) noexcept
@@ -87,7 +87,7 @@ private:
     static constexpr std::int64_t reach = 2 * 256;  // two cells, in 1/256 cells
 
     struct detour {
-        std::uint32_t a = 0, b = 0;  // instead of straight
+        std::uint32_t a = 0, b = 0;  // of the straight side
         std::uint32_t via = 0;
     };
 
@@ -95,7 +95,7 @@ private:
         std::uint32_t a, b;
     };
 
-    /// Whether the way along a side leads over another one: a detour there must not lead back to it.
+    /// Whether the path along a side leads over another side: a detour there must not lead back to it.
     [[nodiscard]] bool leads_over(side from, side to) const noexcept
     {
         if ((from.a == to.a && from.b == to.b) || (from.a == to.b && from.b == to.a)) return true;
@@ -105,12 +105,12 @@ private:
         return false;
     }
 
-    /// A node that has become another one.
+    /// A node that has been united with another one.
     struct unit {
         std::uint32_t from, to;
     };
 
-    /// Makes one of the two nodes of a ring that follow each other most closely, at most 4 cells apart and swept at
+    /// Unites the two consecutive nodes of a ring that are closest to each other, at most 4 cells apart and swept at
     /// nearly the same distance.
     template <class IsAtLevel>
     [[nodiscard]] bool unite(const buffer<std::uint32_t>& ring, const buffer<swept_node>& nodes,
@@ -136,7 +136,7 @@ private:
         return united_.push_back(best);
     }
 
-    /// The distance of a point from a side, in 1/256 cells, if it lies beside that, else `reach`.
+    /// The distance of a point from a side, in 1/256 cells, if it lies beside the side; otherwise `reach`.
     [[nodiscard]] static std::int64_t distance_beside(grid_point p, grid_point q, grid_point m) noexcept
     {
         const std::int64_t x = std::int64_t{q.x} - p.x, y = std::int64_t{q.y} - p.y, square = x * x + y * y;

@@ -18,7 +18,7 @@ public:
     [[nodiscard]] bool empty() const noexcept { return heap_.empty(); }
     [[nodiscard]] const collapse& first() const noexcept { return heap_[0]; }
 
-    /// False when memory runs out.
+    /// False if out of memory.
     [[nodiscard]] bool push(const collapse& c) noexcept
     {
         if (!heap_.push_back(c)) return false;

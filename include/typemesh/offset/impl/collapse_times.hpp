@@ -11,16 +11,16 @@
 
 namespace typemesh::inline TYPEMESH_ABI::detail {
 
-/// Finds when triangles become flat, from now to a limit. Times and rates are rounded, alike on every compiler.
+/// Finds when triangles become flat, from now to a limit. Times and rates are rounded identically on every compiler.
 class collapse_times {
 public:
     std::int64_t now = 0;
-    std::int64_t limit = 0;  ///< what comes later is of no interest
+    std::int64_t limit = 0;  ///< later events are ignored
 
     explicit collapse_times(const kinetic_triangles& of) noexcept : of_{of} {}
 
-    /// The next collapse of a triangle; false if it has none up to the limit. One without a length that vanishes (meet,
-    /// turn) comes at `calm` at the earliest.
+    /// The next collapse of a triangle; false if there is none up to the limit. A collapse in which no length vanishes
+    /// (meet, turn) comes at `calm` at the earliest.
     [[nodiscard]] bool find(std::uint32_t t, collapse& found, std::int64_t calm = 0) const noexcept
     {
         const kinetic_triangles::triangle& tri = of_.triangles[t];
@@ -48,15 +48,16 @@ public:
         return true;
     }
 
-    /// The place of a vertex now.
+    /// The current place of a vertex.
     [[nodiscard]] fixed_vector place(std::uint32_t v) const noexcept { return of_.vertices[v].moves.place(now); }
 
 private:
     using segment = kinetic_triangles::segment;
     [[nodiscard]] static std::int64_t later(std::int64_t a, std::int64_t b) noexcept { return a > b ? a : b; }
 
-    /// Between two segments a triangle's angle is below 180 degrees. Where it is not, as between the bits that are left
-    /// when several strokes close at once, the triangle has no area and the shorter of the two segments goes now.
+    /// Between two segments a triangle's angle is below 180 degrees. If it is not (for example in the bits that are
+    /// left when several strokes close at once), the triangle has no area, and the shorter of the two segments vanishes
+    /// now.
     [[nodiscard]] bool is_inside_out(const kinetic_triangles::triangle& tri, collapse& found) const noexcept
     {
         for (std::uint8_t k = 0; k < 3; ++k) {
@@ -80,7 +81,7 @@ private:
         return false;
     }
 
-    /// When a length is 0 that is `size` now, in 2^-46 cells, and grows by `rate`, in 2^-62.
+    /// When a length becomes 0. Its value now is `size`, in 2^-46 cells, and it grows by `rate`, in 2^-62.
     [[nodiscard]] std::int64_t zero_of(int128 size, int128 rate) const noexcept
     {
         if (rate >= 0) return limit + 1;
@@ -94,8 +95,8 @@ private:
         return passed > left ? limit + 1 : now + static_cast<std::int64_t>(passed);
     }
 
-    /// A segment that has no length and does not win any is gone already: between two lines that have met, for example.
-    /// And so is one whose corner has just been born without leaving it any: edges begin at the start alone.
+    /// A segment without length that does not grow is already gone: for example, between two lines that have met. So is
+    /// one whose corner has just been born and leaves it no length: edges begin only at the start.
     [[nodiscard]] std::int64_t shrinks_at(const segment& s) const noexcept
     {
         constexpr int128 no_gain = static_cast<int128>(1) << 42;  // 2^-20 of the distance swept
@@ -106,15 +107,16 @@ private:
         return zero_of(size, rate);
     }
 
-    /// What counts as no length: the slip, but early on less than what a join of a quarter degree has grown to. Else a
-    /// corner that meets round joins eats all of them at once, and a hole of a few cells with them.
+    /// The greatest length that counts as zero: the slip, but early on less than the length of a join of a quarter
+    /// degree. Otherwise a corner that meets round joins would consume all of them at once, and a hole of a few cells
+    /// with them.
     [[nodiscard]] int128 no_length() const noexcept
     {
         const std::int64_t early = now >> (16 + 8);  // a 256th of the distance, in places
         return static_cast<int128>(unit_one) * (early < slip ? early : slip);
     }
 
-    /// In 2^-46 cells, negative if the segment has been turned over.
+    /// In 2^-46 cells; negative if the segment has been turned over.
     [[nodiscard]] int128 length(const segment& s) const noexcept
     {
         return dot(of_.lines[s.line].along, place(s.to) - place(s.from));

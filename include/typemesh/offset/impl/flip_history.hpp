@@ -9,15 +9,15 @@
 
 namespace typemesh::inline TYPEMESH_ABI::detail {
 
-/// Remembers flips of kinetic triangles. Where corners lie on a line to within their rounding, flips may go in a
-/// circle, and two triangles may each call for the flip that undoes the other's.
+/// Remembers flips of kinetic triangles. If corners are collinear within their rounding, flips may go in a circle, and
+/// two triangles may each request the flip that undoes the other's flip.
 class flip_history {
 public:
     explicit flip_history(memory source) noexcept : last_{source} {}
 
-    /// Whether a diagonal between corners p and q that a flip will bring has been there at this time: flips go in a
-    /// circle.
-    /// From  R. P. Brent: An improved Monte Carlo factorization algorithm (1980), for one diagonal that is remembered
+    /// Whether the diagonal between corners p and q that a flip will make has existed before at this time: flips go in
+    /// a circle.
+    /// From  R. P. Brent: An improved Monte Carlo factorization algorithm (1980), for remembering a single diagonal
     [[nodiscard]] bool comes_back(std::uint32_t p, std::uint32_t q, std::int64_t now) noexcept
     {
         if (known_.time != now) known_ = {now, 0, 1, none, none};
@@ -26,9 +26,9 @@ public:
         return false;
     }
 
-    /// Notes that triangles t and r have been flipped. `calm` becomes the time from which on they may be flipped again:
-    /// when they have undone their flip eight times, they wait a sixteenth of a cell, and then each time twice as long,
-    /// as what happens around them meanwhile decides. False when memory runs out.
+    /// Notes that triangles t and r have been flipped. `calm` becomes the earliest time of their next flip. After they
+    /// have undone their flip eight times, they wait a sixteenth of a cell, and then twice as long each time: the
+    /// events around them meanwhile decide. False if out of memory.
     [[nodiscard]] bool note(std::uint32_t t, std::uint32_t r, std::int64_t now, std::int64_t& calm) noexcept
     {
         constexpr std::uint32_t patience = 8, most = patience + 30;
@@ -46,17 +46,17 @@ public:
 private:
     static constexpr std::uint32_t none = ~std::uint32_t{0};
 
-    /// The last one of a triangle.
+    /// The last flip of a triangle.
     struct flip {
         std::int64_t calm = 0;
-        std::uint32_t with = none;  // its neighbour then
-        std::uint32_t undone = 0;   // how often they have undone it
+        std::uint32_t with = none;  // its neighbour in that flip
+        std::uint32_t undone = 0;   // how often these two have undone it
     };
 
     buffer<flip> last_;
     struct {
         std::int64_t time = -1;
-        std::uint32_t age = 0, span = 1;  // flips since, and until another one is remembered
+        std::uint32_t age = 0, span = 1;  // flips since then, and flips until another diagonal is remembered
         std::uint32_t p = none, q = none;
     } known_;
 };

@@ -11,8 +11,8 @@
 
 namespace typemesh::inline TYPEMESH_ABI::detail {
 
-/// A signed integer of 128 bits, two's complement, for compilers that have none. What overflows wraps around; shifts
-/// are by 0 to 127.
+/// A signed integer of 128 bits, two's complement, for compilers that have none. Overflow wraps around; shifts are by 0
+/// to 127.
 struct two_word_integer {
     std::int64_t high = 0;
     std::uint64_t low = 0;
@@ -23,7 +23,7 @@ struct two_word_integer {
     {
     }
     constexpr explicit operator std::int64_t() const noexcept { return static_cast<std::int64_t>(low); }
-    /// Within 2^-51 of it; below 2^64, the nearest.
+    /// Within 2^-51 of the value; below 2^64, the nearest double.
     constexpr explicit operator double() const noexcept
     {
         const two_word_integer size = high < 0 ? -*this : *this;
@@ -50,7 +50,7 @@ struct two_word_integer {
         const std::uint64_t first = a1 * b0 + (a0 * b0 >> 32), second = a0 * b1 + (first & half);
         return of(a1 * b1 + (first >> 32) + (second >> 32) + a.upper() * b.low + a.low * b.upper(), a.low * b.low);
     }
-    /// Rounded towards 0. b is not 0.
+    /// Rounded towards 0. Precondition: b is not 0.
     friend constexpr two_word_integer operator/(two_word_integer a, std::int64_t b) noexcept
     {
         const two_word_integer size = a.high < 0 ? -a : a;
@@ -83,7 +83,7 @@ private:
     }
     [[nodiscard]] constexpr std::uint64_t upper() const noexcept { return static_cast<std::uint64_t>(high); }
 
-    /// (rest * 2^64 + next) / by, where rest < by: by hand, in two digits of 32 bits.
+    /// (rest * 2^64 + next) / by, where rest < by: long division with two digits of 32 bits.
     /// From  D. Knuth, The Art of Computer Programming, vol. 2, 4.3.1, algorithm D
     [[nodiscard]] static constexpr std::uint64_t divided(std::uint64_t rest, std::uint64_t next,
                                                          std::uint64_t by) noexcept
@@ -96,12 +96,13 @@ private:
         const std::uint64_t first = digit(rest, next >> 32, by);
         return first << 32 | digit(rest, next & half, by);
     }
-    /// The digit (rest * 2^32 + next) / by; `rest` becomes what remains. rest < by, whose highest bit is set.
+    /// The digit (rest * 2^32 + next) / by; `rest` becomes the remainder. rest < by, and the highest bit of `by` is
+    /// set.
     [[nodiscard]] static constexpr std::uint64_t digit(std::uint64_t& rest, std::uint64_t next,
                                                        std::uint64_t by) noexcept
     {
         std::uint64_t guess = rest / (by >> 32), over = rest % (by >> 32);
-        while (guess > half || guess * (by & half) > (over << 32 | next)) {  // twice at most
+        while (guess > half || guess * (by & half) > (over << 32 | next)) {  // at most twice
             --guess;
             over += by >> 32;
             if (over > half) break;
@@ -111,16 +112,16 @@ private:
     }
 };
 
-/// Integers of 128 bits. They are divided by such of 64 bits only. Clang for Microsoft's linker has the type and not
-/// the functions that divide and convert it (__divti3, __floattidf), so it gets the class.
+/// Integers of 128 bits. Only 64-bit integers divide them. Clang for Microsoft's linker has the type but not the
+/// functions that divide and convert it (__divti3, __floattidf), so it gets the class.
 #if defined(__SIZEOF_INT128__) && !defined(_MSC_VER)
 __extension__ using int128 = __int128;
 #else
 using int128 = two_word_integer;
 #endif
 
-/// The largest integer whose square is at most `v`, which is 0 or more and below 2^124. The guess is in floating point,
-/// the answer is not: it is the same with every compiler and rounding.
+/// The largest integer whose square is at most `v`; 0 <= v < 2^124. The guess is in floating point, but the result is
+/// the same with every compiler and rounding mode.
 [[nodiscard]] inline std::int64_t square_root(int128 v) noexcept
 {
     if (v == 0) return 0;
@@ -137,7 +138,7 @@ using int128 = two_word_integer;
     return static_cast<std::int64_t>((static_cast<int128>(a) * b) >> bits);
 }
 
-/// a / b to the nearest, halves away from 0. b is not 0.
+/// a / b to the nearest, halves away from 0. Precondition: b is not 0.
 [[nodiscard]] constexpr std::int64_t nearest_quotient(int128 a, std::int64_t b) noexcept
 {
     if (b < 0) {
@@ -145,7 +146,7 @@ using int128 = two_word_integer;
         b = -b;
     }
     constexpr std::int64_t one_word = std::int64_t{1} << 62;
-    if (b < one_word && -one_word < a && a < one_word) {  // as nearly all unit vectors have it
+    if (b < one_word && -one_word < a && a < one_word) {  // nearly all unit vectors take this path
         const auto all = static_cast<std::int64_t>(a);
         return all >= 0 ? (all + b / 2) / b : -((b / 2 - all) / b);
     }

@@ -9,9 +9,9 @@
 
 namespace typemesh::inline TYPEMESH_ABI::detail {
 
-/// A triangulation of what lies before a moving boundary. All its vertices are corners of that boundary; half-edge
-/// 3t + k runs from corner k of triangle t to the next one. On the other side of a half-edge lies its twin or, if it is
-/// part of the boundary, a segment.
+/// A triangulation of the area in front of a moving boundary. All its vertices are corners of that boundary. Half-edge
+/// 3t + k runs from corner k of triangle t to the next one. On the other side of a half-edge lies its twin or, if the
+/// half-edge is part of the boundary, a segment.
 ///
 ///     ---- segment --->          a segment is a piece of a moving line; the triangle
 ///     u-------------v            lies on its left, like all that is still to be swept
@@ -20,7 +20,7 @@ namespace typemesh::inline TYPEMESH_ABI::detail {
 ///           \ /
 ///            w
 ///
-/// The topology alone: nothing here depends on where the corners are, so that no rounding can tear it.
+/// This is only the topology: it does not depend on the positions of the corners, so no rounding can break it.
 class kinetic_triangles {
 public:
     static constexpr std::uint32_t none = ~std::uint32_t{0};
@@ -39,7 +39,7 @@ public:
     struct triangle {
         std::uint32_t corner[3];
         std::uint32_t link[3] = {none, none, none};
-        std::uint32_t stamp = 0;  ///< rises with each change
+        std::uint32_t stamp = 0;  ///< increases with each change
         bool alive = true;
     };
 
@@ -65,7 +65,7 @@ public:
     [[nodiscard]] static std::uint32_t segment_in(std::uint32_t link) noexcept { return link & ~boundary; }
     [[nodiscard]] static std::uint32_t to_segment(std::uint32_t s) noexcept { return s | boundary; }
 
-    /// Puts half-edge h and what lies on the other side next to each other.
+    /// Links half-edge h with the half-edge or segment on its other side.
     void connect(std::uint32_t h, std::uint32_t other) noexcept
     {
         triangles[h / 3].link[h % 3] = other;
@@ -75,8 +75,8 @@ public:
             triangles[other / 3].link[other % 3] = h;
     }
 
-    /// Takes a triangle out that has become flat, of which half-edge h has no length: its two other sides meet. False,
-    /// if both are segments: then nothing is left between them.
+    /// Removes a triangle that has become flat; its half-edge h has no length. Its two other sides meet. False if both
+    /// are segments: then nothing is left between them.
     bool close(std::uint32_t h) noexcept
     {
         const std::uint32_t a = link(next(h)), b = link(previous(h));
@@ -90,10 +90,10 @@ public:
         return true;
     }
 
-    /// Replaces the diagonal under half-edge h by the other one of its quadrilateral, whose ends c and d differ.
+    /// Replaces the diagonal under half-edge h with the other diagonal of its quadrilateral; their ends c and d differ.
     ///
     ///         c                 c
-    ///       /   \             / | \        triangle t of h keeps a, that of its twin keeps b
+    ///       /   \             / | \        triangle t of h keeps a, the twin's triangle keeps b
     ///     a --h-- b    >    a   |   b
     ///       \   /             \ | /
     ///         d                 d
@@ -124,7 +124,8 @@ public:
         }
     }
 
-    /// Makes `v` the corner between two segments, and of all triangles there; how many these are.
+    /// Makes `v` the corner between two segments, and the corner of all triangles there. Returns the number of
+    /// triangles.
     std::uint32_t set_corner(std::uint32_t before, std::uint32_t v, std::uint32_t after) noexcept
     {
         segments[before].to = v;
@@ -137,22 +138,22 @@ public:
         return count;
     }
 
-    /// Half-edges to look at, in this round and in the next one.
+    /// The half-edges to examine in this round and in the next one.
     struct rounds {
         buffer<std::uint32_t> now, then;
     };
 
-    /// Takes triangles away from the corner at which segment `after` begins until no more than `enough` are left, in
-    /// rounds: every other one at most in each, where is_convex(h) says that the triangle of half-edge h and the next
-    /// one around the corner may be flipped; changed(t) is called for those taken away. False when memory runs out.
+    /// Removes triangles from the corner at which segment `after` begins, until no more than `enough` are left. Each
+    /// round removes at most every other one. is_convex(h) says whether the triangle of half-edge h and the next one
+    /// around the corner may be flipped; changed(t) is called for each triangle removed. False if out of memory.
     ///
     ///          c               c
-    ///        / |             /   \          the triangle of h goes away, that of c stays
+    ///        / |             /   \          the triangle of h is removed, the triangle of c stays
     ///      v---b     >     v     b
     ///     h  \ |             \   /
     ///          a               a
     ///
-    /// Cost   two looks at each triangle there: after the first round only at those on either side of a change
+    /// Cost   two examinations per triangle there: after the first round, only on both sides of a change
     template <class IsConvex, class Changed>
     [[nodiscard]] bool thin_out(std::uint32_t after, std::uint32_t enough, IsConvex is_convex, Changed changed,
                                 rounds& look) noexcept
@@ -179,8 +180,8 @@ public:
         return fits;
     }
 
-    /// Finds the twins of triangles that have none yet, of a region whose edge i begins at corner i and is segment i:
-    /// half-edges from a to b and from b to a are twins. `scratch` has 2n + 3 values a triangle.
+    /// Finds the twins of triangles that have none yet. In the region, edge i begins at corner i and is segment i.
+    /// Half-edges from a to b and from b to a are twins. `scratch` has room for 2 values per corner and 3 per triangle.
     void link_all(std::uint32_t corners, std::uint32_t* scratch) noexcept
     {
         std::uint32_t *const leaving = scratch, *const noted = scratch + corners, *const after = noted + corners;

@@ -9,21 +9,20 @@
 
 namespace typemesh::inline TYPEMESH_ABI::detail {
 
-// A wavefront moves in fixed-point numbers of 64 bits, so that it moves alike on every compiler. Their units:
+// A wavefront moves in fixed-point numbers of 64 bits, so that it moves identically on every compiler. Their units:
 //
 //     place    2^-16 cells                            below 2^45
 //     time     2^-32 cells: the distance swept        below 2^60
 //     speed    2^-32                                  below 2^54
 //     unit     2^-30: a component of a unit vector
 //
-// A place stays within its budget because a triangle beside a corner is flat long before that has moved so far.
+// A place stays within its budget: a triangle beside a corner becomes flat long before the corner has moved so far.
 
 inline constexpr std::int64_t place_one = std::int64_t{1} << 16;
 inline constexpr std::int64_t time_one = std::int64_t{1} << 32;
 inline constexpr std::int64_t unit_one = std::int64_t{1} << 30;
 
-/// Places that rounding keeps apart, or brings together, lie within a sixteenth of a cell: in units of place, and of
-/// place times unit.
+/// Rounding may separate or unite places within a sixteenth of a cell. In units of place, and of place times unit.
 inline constexpr int slip_bits = 12;
 inline constexpr std::int64_t slip = std::int64_t{1} << slip_bits;
 inline constexpr int128 slip_along = static_cast<int128>(unit_one) * slip;
@@ -67,24 +66,24 @@ struct moving_line {
     [[nodiscard]] constexpr fixed_vector inward() const noexcept { return {-along.y, along.x}; }
 };
 
-/// The direction of the line after a corner, seen from the line before it.
+/// Whether the line after a corner turns left, seen from the line before it.
 [[nodiscard]] constexpr bool turns_left(const moving_line& before, const moving_line& after) noexcept
 {
     return cross(before.along, after.along) > 0;
 }
 
-/// How the common point of two moving lines moves. Where they run so nearly against each other that it would cross the
-/// whole grid at once, it is `instant` and has no speed.
+/// The speed of the common point of two moving lines. If they run in nearly opposite directions, so that it would cross
+/// the whole grid at once, it is `instant` and has no speed.
 struct crossing_speed {
     fixed_vector of;
     bool instant = false;
 };
 
-/// The v with v * inward = 1 for both lines: (n1 + n2) / (1 + n1 n2), or, where they turn by more than a right angle
-/// and these terms cancel, (d2 - d1) / (d1 x d2).
+/// The v with v * inward = 1 for both lines: (n1 + n2) / (1 + n1 n2). If they turn by more than a right angle, these
+/// terms cancel, and the formula is (d2 - d1) / (d1 x d2).
 ///
-/// A corner that is born on the way (`born`) and turns right by nearly half a turn is no needle of the outline, but the
-/// end of an area whose last bit of width was lost to rounding: it is instant as well.
+/// A corner that is born during the sweep (`born`) and turns right by nearly half a turn is no needle of the outline:
+/// it is the end of an area that lost its last bit of width to rounding, so it is instant as well.
 [[nodiscard]] inline crossing_speed speed_of(const moving_line& before, const moving_line& after, bool born) noexcept
 {
     constexpr std::int64_t one = unit_one * unit_one, least_sine = one >> 20, needle = one - (one >> 10);
@@ -104,7 +103,7 @@ struct crossing_speed {
 /// A corner of the moving boundary.
 struct moving_point {
     fixed_vector start;      ///< place
-    std::int64_t since = 0;  ///< time at which it was there
+    std::int64_t since = 0;  ///< the time at which the point was at `start`
     crossing_speed speed;
 
     [[nodiscard]] bool instant() const noexcept { return speed.instant; }

@@ -10,25 +10,25 @@
 
 namespace typemesh::inline TYPEMESH_ABI::detail {
 
-/// Which reflex corners get joins, and how many.
+/// The rule that decides which reflex corners get joins, and how many.
 struct join_rule {
-    double mitre_limit = 2.0;  ///< a corner may move as far as this many distances; 0: 2^18
+    double mitre_limit = 2.0;  ///< a corner may move at most this many distances; 0: 2^18
     double width = 0.0;        ///< the last level, in cells, or sweep_options::joins_at
     double tolerance = 0.0;    ///< in cells; 0: unknown
-    bool round = true;  ///< joins are within the tolerance of an arc at the width; else as few as the limit needs
+    bool round = true;         ///< joins stay within the tolerance of an arc at the width; otherwise as few as possible
 
-    /// The limit that corners are held to. One near 1 would want more joins than can be seen: a corner may end a
-    /// tolerance beyond the arc at the width, as far as a single join keeps any.
+    /// The limit for corners. A limit near 1 would need more joins than anyone can see, so it is raised: a corner may
+    /// end a tolerance beyond the arc at the width, up to the limit that a single join keeps in every case.
     [[nodiscard]] double kept() const noexcept
     {
-        constexpr double of_one_join = 1.41421356237309504880;  // where the boundary turns back: 1 / cos 45 degrees
+        constexpr double of_one_join = 1.41421356237309504880;  // if the boundary turns back: 1 / cos 45 degrees
         if (!(mitre_limit > 0.0)) return 0x1p18;                // beyond that, speeds overflow
         const double seen = width > 0.0 ? 1.0 + tolerance / width : 1.0, least = std::fmin(seen, of_one_join);
         return std::fmax(mitre_limit, least);
     }
 };
 
-/// Puts edges without length into the reflex corners that would grow spikes. They turn the corner in equal steps and
+/// Inserts edges of zero length into the reflex corners that would grow spikes. They turn the corner in equal steps and
 /// grow as the boundary moves.
 ///
 ///              _____                     _____
@@ -36,13 +36,13 @@ struct join_rule {
 ///     join: o    |                    \ |              1 / cos(angle / 2) distances
 ///         \      + mitre      join     v
 ///
-/// Each becomes a segment with a triangle of its own, whose apex is a diagonal's end in front of it: a corner that
-/// turns right has one, because its interior angle is wider than any triangle's.
+/// Each join becomes a segment with its own triangle, whose apex is the end of a diagonal in front of it. A corner that
+/// turns right has such a diagonal, because its interior angle is wider than any triangle's.
 class reflex_joins {
 public:
     explicit reflex_joins(wavefront& of) noexcept : of_{of}, mesh_{of.mesh} {}
 
-    /// `take(vertex, inward)` is called for each join, in the order of the lines that are added for them.
+    /// Calls `take(vertex, inward)` for each join, in the order of the lines added for them.
     template <class Take>
     [[nodiscard]] error add(const join_rule& rule, Take take) noexcept
     {
@@ -68,7 +68,7 @@ private:
         return mesh_.lines[mesh_.segments[s].line];
     }
 
-    /// By its points: the directions along the sides of a needle may be opposite once they are rounded.
+    /// Decides by the corner's points: the directions along the sides of a needle may be opposite after rounding.
     [[nodiscard]] bool is_convex(std::uint32_t v) const noexcept
     {
         const auto& corner = mesh_.vertices[v];
@@ -78,14 +78,14 @@ private:
         return cross(at - from, to - at) > 0;
     }
 
-    /// How often a corner's turn is to be halved, so that each step is within the rule.
+    /// How often a corner's turn must be halved so that each step is within the rule.
     [[nodiscard]] int halvings(const join_rule& rule, std::uint32_t v) const noexcept
     {
         const moving_line &before = line_of(mesh_.vertices[v].before), &after = line_of(mesh_.vertices[v].after);
         const auto cosine = static_cast<double>(dot(before.along, after.along)) * 0x1p-60;
         if (turns_left(before, after) || cosine > 0.999 || is_convex(v)) return 0;
         const auto of_half = [](double c) noexcept { return std::sqrt(c > -1.0 ? (1.0 + c) / 2.0 : 0.0); };
-        constexpr double enough = 1.0 - 0x1p-20;  // corners right at the limit are within it with every compiler
+        constexpr double enough = 1.0 - 0x1p-20;  // corners exactly at the limit are within it on every compiler
         const double limit = rule.kept(), tolerance = rule.round ? rule.tolerance : 0.0;
         double step = of_half(cosine);  // the cosine of half the turn, then of half a step
         if (step * limit >= enough) return 0;
@@ -98,7 +98,7 @@ private:
         return count;
     }
 
-    /// The directions between two, which turn right; halves until `depth` is used up.
+    /// Finds the directions between two, which turn right. Halves the turn until `depth` is used up.
     void turn(fixed_vector from, fixed_vector to, int depth) noexcept
     {
         if (depth == 0) return;
@@ -147,7 +147,7 @@ private:
         corner.moves.speed = speed_of(line_of(corner.before), line_of(corner.after), false);
     }
 
-    /// Goes through the triangles around the corner from `after` to `before` and puts in those of the joins.
+    /// Goes through the triangles around the corner from `after` to `before` and inserts the triangles of the joins.
     bool open_fan(std::uint32_t v, std::uint32_t after, std::uint32_t first_vertex,
                   std::uint32_t first_segment) noexcept
     {
@@ -173,8 +173,8 @@ private:
         }
     }
 
-    /// Whether the join that moves `inward` comes between the triangle of h and the next one: their diagonal lies in
-    /// front of it and is the last such before it, or the first one after it.
+    /// Whether the join that moves `inward` belongs between the triangle of h and the next one: their diagonal lies in
+    /// front of the join, and is the last such diagonal before it or the first one after it.
     [[nodiscard]] bool is_before(std::uint32_t h, fixed_vector inward) const noexcept
     {
         const std::uint32_t next = mesh_.link(kinetic_triangles::previous(h));

@@ -12,28 +12,28 @@
 
 namespace typemesh::inline TYPEMESH_ABI::detail {
 
-/// Triangulates small simple polygons, and large ones that rise from one edge and come down to it: the cells of a
+/// Triangulates small simple polygons, and large ones that rise from one edge and come down to it. The cells of a
 /// straight skeleton are such mountains over the edge that has swept them.
 ///
-/// A simple polygon that is cut into counter-clockwise triangles is covered by them exactly once, however they were
-/// found (their number over any point is the winding number of the boundary). So it is enough to look at each
-/// triangle's own orientation.
+/// If a simple polygon is cut into counter-clockwise triangles, they cover it exactly once, however they were found
+/// (their number over any point is the winding number of the boundary). So it is enough to test each triangle's own
+/// orientation.
 class ring_cutter {
 public:
     explicit ring_cutter(memory source) noexcept : left_{source} {}
 
-    /// Appends the triangles of a ring of 3 nodes or more, counter-clockwise; all are, and none is flat.
+    /// Appends the triangles of a ring of 3 nodes or more. All are counter-clockwise, and none is flat.
     ///
-    /// Fails  error::crossing_contours: none were found, so the ring is not simple; `out` is as it was
+    /// Fails  error::crossing_contours: no triangulation was found, so the ring is not simple; `out` is unchanged
     ///        error::out_of_memory
-    /// Cost   O(n) for mountains; for others O(n^2) as a rule, O(n^3) at worst
+    /// Cost   O(n) for mountains; for others usually O(n^2), O(n^3) in the worst case
     [[nodiscard]] error operator()(const buffer<std::uint32_t>& ring, const buffer<swept_node>& nodes,
                                    triangle_list& out) noexcept
     {
         const std::size_t before = out.size();
         if (ring.size() == 4 && cut_quadrilateral(ring, nodes, out)) return error::none;
         if (out.append(ring.size() - 2) == nullptr || !left_.reserve(ring.size())) return error::out_of_memory;
-        out.truncate(before);  // append() grows by more than it is asked for, reserve() does not
+        out.truncate(before);  // append() grows by more than requested, reserve() does not
         if (cut_mountain(ring, nodes, out)) return error::none;
         out.truncate(before);
         if (cut_ears(ring, nodes, out)) return error::none;
@@ -47,7 +47,7 @@ private:
         return orientation(nodes[a].at, nodes[b].at, nodes[c].at) > 0;
     }
 
-    /// What cut_mountain() makes of most rings; false if it would go on, or memory has run out.
+    /// The result of cut_mountain() for most rings. False if more steps are needed, or if out of memory.
     static bool cut_quadrilateral(const buffer<std::uint32_t>& ring, const buffer<swept_node>& nodes,
                                   triangle_list& out) noexcept
     {
@@ -69,7 +69,7 @@ private:
         return true;
     }
 
-    /// From the end of the longest edge around to its beginning: whatever can be cut off is cut off at once.
+    /// Goes from the end of the longest edge around to its beginning, and cuts off every triangle that it can at once.
     bool cut_mountain(const buffer<std::uint32_t>& ring, const buffer<swept_node>& nodes, triangle_list& out) noexcept
     {
         const std::size_t n = ring.size();
@@ -94,7 +94,7 @@ private:
         return left_.size() == 2;
     }
 
-    /// Ears that hold no other node, as long as there are some.
+    /// Cuts off ears that hold no other node, as long as there are any.
     bool cut_ears(const buffer<std::uint32_t>& ring, const buffer<swept_node>& nodes, triangle_list& out) noexcept
     {
         left_.clear();

@@ -8,7 +8,7 @@
 
 namespace typemesh::inline TYPEMESH_ABI::detail {
 
-/// A real number m * 2^power with 62 bits, of integers below 2^125.
+/// A real number m * 2^power with 62 bits, made from integers below 2^125.
 struct scaled_number {
     std::int64_t m = 0;
     int power = 0;
@@ -29,7 +29,7 @@ struct scaled_number {
     {
         return of(static_cast<int128>(a.m) * b.m, a.power + b.power);
     }
-    /// The power of two above it.
+    /// The exponent of the power of two above the number.
     [[nodiscard]] int top() const noexcept { return m == 0 ? -1'000'000 : width(m < 0 ? -m : m) + power; }
     /// Rounded down to a multiple of 2^unit; it is below 2^(unit + 62).
     [[nodiscard]] std::int64_t in(int unit) const noexcept
@@ -40,7 +40,7 @@ struct scaled_number {
     }
 
 private:
-    /// How many bits it has.
+    /// The number of bits of v.
     [[nodiscard]] static int width(std::int64_t v) noexcept
     {
         return 64 - std::countl_zero(static_cast<std::uint64_t>(v));

@@ -14,14 +14,13 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// How often walls that stand on the last level of a swept region would touch themselves or what was swept:
+/// Counts the places where walls on the last level of a swept region would touch themselves or the swept area:
 ///
-///       \  /            another wall, or the swept area, passes through the point on which a wall stands: both are
-///     ---p---           counted, whatever the distance at which the other came there, for heights that differ by less
-///       /  \            than 32-bit numbers tell are one
+///       \  /            Another wall, or the swept area, passes through the point on which a wall stands. Both are
+///     ---p---           counted, whatever the distance at which the other came there: heights that differ by less than
+///       /  \            32-bit numbers can show are equal.
 ///
-///     ==========        two walls stand back to back, where what remains is as thin as a line, which the cap
-///                       leaves out
+///     ==========        Two walls stand back to back, where the remaining area is as thin as a line; the cap omits it.
 ///
 /// Fails  error::out_of_memory
 /// Cost   O(n log n) for n nodes
@@ -32,7 +31,7 @@ namespace typemesh::inline TYPEMESH_ABI {
     };
     struct place {
         grid_point at;
-        bool is_swept = false;  // by an edge that came to its end here, and is no wall's
+        bool is_swept = false;  // by an edge that ended here and carries no wall
     };
     const auto before = [](grid_point p, grid_point q) noexcept { return p.x != q.x ? p.x < q.x : p.y < q.y; };
     const std::size_t first = swept.at_level[swept.at_level.size() - 2], end = swept.at_level.back();
@@ -40,7 +39,7 @@ namespace typemesh::inline TYPEMESH_ABI {
     workspace::scope scratch{space};
     auto* const walls = scratch.take<wall>(end - first);
     auto* const places = scratch.take<place>(most);
-    auto* const stands = scratch.take<bool>(swept.nodes.size());  // whether a wall does, on a node
+    auto* const stands = scratch.take<bool>(swept.nodes.size());  // whether a wall stands on a node
     if ((walls == nullptr && end != first) || (most != 0 && (places == nullptr || stands == nullptr)))
         return error::out_of_memory;
     std::fill_n(stands, swept.nodes.size(), false);

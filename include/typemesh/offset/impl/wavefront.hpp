@@ -24,16 +24,16 @@ namespace typemesh::inline TYPEMESH_ABI::detail {
 ///     +------+      shrink    an edge has lost its length: its neighbours become adjacent
 ///     |\    /|      split     a reflex corner has run into an edge: the boundary falls apart there
 ///     | \__/ |      pinch     two corners have met: the same, between two corners
-///     +------+      close up  two edges have met along a line: what lay between them is a ridge
+///     +------+      close up  two edges have met along a line: the area between them has become a ridge
 ///
-/// A kinetic triangulation tells when, and what is next to what; rounding can make it late or early by a fraction of a
-/// cell, but never inconsistent. Nodes within a few cells of each other on a corner's way are one node, so that nodes
-/// on the grid keep the order that they have on the way.
+/// A kinetic triangulation finds the times of events and the neighbours. Rounding can make an event late or early by a
+/// fraction of a cell, but never inconsistent. Nodes within a few cells of each other on a corner's way are one node,
+/// so that nodes on the grid keep the order that they have on the way.
 ///
-/// Cost   O(log n) an event and triangle around it, of which most corners keep few; the number of events is linear in
-///        the edges but for flips, which are few for outlines of glyphs
-/// From   O. Aichholzer, F. Aurenhammer: Straight skeletons for general polygonal figures in the plane (1996);
-///        P. Palfrader, M. Held, S. Huber: On computing straight skeletons by means of kinetic triangulations (2012)
+/// Cost   O(log n) per event and triangle around it; most corners keep few triangles. The number of events is linear in
+///        the number of edges, except for flips, which are few for outlines of glyphs
+/// From   O. Aichholzer, F. Aurenhammer: Straight skeletons for general polygonal figures in the plane (1996); P.
+///        Palfrader, M. Held, S. Huber: On computing straight skeletons by means of kinetic triangulations (2012)
 class wavefront {
 public:
     static constexpr std::uint32_t none = kinetic_triangles::none;
@@ -41,11 +41,11 @@ public:
     kinetic_triangles mesh;
     cell_outlines outlines;
     buffer<swept_node> nodes;
-    buffer<std::uint32_t> node_of;        ///< of each vertex: the last one on its way
-    buffer<cell_outlines::ends> ends_of;  ///< of each segment
-    buffer<std::uint32_t> live;           ///< of each component of the region: how many segments bound it still
-    std::size_t flips_a_triangle = 64;    ///< with more they are taken not to end
-    std::int64_t speck = 0;               ///< components that are swept wholly sooner do not count for first_loss()
+    buffer<std::uint32_t> node_of;        ///< for each vertex: the last node on its way
+    buffer<cell_outlines::ends> ends_of;  ///< for each segment
+    buffer<std::uint32_t> live;           ///< for each component of the region: how many segments still bound it
+    std::size_t flips_a_triangle = 64;    ///< if there are more, they are assumed never to end
+    std::int64_t speck = 0;               ///< first_loss() ignores components that are swept completely sooner
 
     explicit wavefront(memory source) noexcept
         : mesh{source},
@@ -61,7 +61,7 @@ public:
     {
     }
 
-    /// To be called once everything is set up: nothing later than `limit` will be asked for.
+    /// Call once everything is set up. No event after `limit` will be needed.
     [[nodiscard]] bool start(std::int64_t limit) noexcept
     {
         times_.limit = limit;
@@ -71,8 +71,8 @@ public:
         return !has_failed();
     }
 
-    /// Moves on to a level. What will collapse within `early` after it does so now: a cap is free of edges and gaps
-    /// that are narrower than the grid. False, if flips do not end, a hole shrinks to nothing or memory runs out.
+    /// Moves on to a level. Events within `early` after the level happen now, so that a cap has no edges and gaps that
+    /// are narrower than the grid. False if flips do not end, a hole shrinks to nothing, or memory runs out.
     [[nodiscard]] bool advance(std::int64_t level, std::int64_t early) noexcept
     {
         level_ = level;
@@ -87,7 +87,7 @@ public:
         return true;
     }
 
-    /// The node at the level where a vertex is now.
+    /// The node at the level for the current position of a vertex.
     [[nodiscard]] std::uint32_t node_at_level(std::uint32_t v, std::uint32_t a, std::uint32_t b) noexcept
     {
         const moving_point& moves = mesh.vertices[v].moves;
@@ -96,19 +96,19 @@ public:
     }
 
     [[nodiscard]] bool has_failed() const noexcept { return failed_ || outlines.failed; }
-    /// The time at which the first component of the region that is no speck had been swept wholly, or, if all are
-    /// specks, the last one; negative if none has.
+    /// The time at which the first component that is no speck was swept completely. If all are specks, the time of the
+    /// last one; negative if there was none.
     [[nodiscard]] std::int64_t first_loss() const noexcept
     {
         return first_loss_ < 0 && lost_ == live.size() ? last_loss_ : first_loss_;
     }
-    /// How many components have been swept wholly.
+    /// The number of components that have been swept completely.
     [[nodiscard]] std::uint32_t lost() const noexcept { return lost_; }
     [[nodiscard]] std::size_t events() const noexcept { return events_; }
     [[nodiscard]] std::size_t schedules() const noexcept { return schedules_; }
 
 private:
-    /// The node nearest to a place among `known`, if it is within 2 cells, else a new one.
+    /// The node in `known` that is nearest to a place, if it is within 2 cells; otherwise a new node.
     std::uint32_t node_at(fixed_vector place, std::initializer_list<std::uint32_t> known) noexcept
     {
         return node_at(place, times_.now < level_ ? times_.now : level_, known);
@@ -137,7 +137,7 @@ private:
     [[nodiscard]] std::uint32_t last_node(std::uint32_t s) const noexcept { return node_of[mesh.segments[s].from]; }
     [[nodiscard]] std::uint32_t next_node(std::uint32_t s) const noexcept { return node_of[mesh.segments[s].to]; }
 
-    /// What makes it flat without a length that vanishes does so at `calm` at the earliest.
+    /// Schedules the next collapse. A collapse in which no length vanishes happens at `calm` at the earliest.
     void schedule(std::uint32_t t, std::int64_t calm = 0) noexcept
     {
         ++mesh.triangles[t].stamp;
@@ -157,7 +157,7 @@ private:
         flip(longest_edge(c.triangle));
     }
 
-    // --- what happens
+    // --- events
 
     /// The segment on half-edge h has lost its length.
     void shrink(std::uint32_t h) noexcept
@@ -179,7 +179,7 @@ private:
         make_adjacent(h, before, after, at, node);
     }
 
-    /// The corners u and v have met: where. Found late, both are beyond it, the faster one farther.
+    /// The place where the corners u and v have met. If this is found late, both are beyond it, the faster one farther.
     [[nodiscard]] fixed_vector meeting_place(std::uint32_t u, std::uint32_t v) const noexcept
     {
         const moving_point &a = mesh.vertices[u].moves, &b = mesh.vertices[v].moves;
@@ -190,8 +190,8 @@ private:
         return a_speed < b_speed ? times_.place(u) : middle(times_.place(u), times_.place(v));
     }
 
-    /// The area between the two segments of an instant corner has no width. The shorter one ends, unless another corner
-    /// lies in between: that one splits it.
+    /// The area between the two segments of an instant corner has no width. The shorter segment ends, unless another
+    /// corner lies in between: that corner splits it.
     ///
     ///     ------------w-------------.
     ///     u ----------------------- F
@@ -214,7 +214,7 @@ private:
         const fixed_vector all = times_.place(s.to) - times_.place(s.from);
         return dot(all, all);
     }
-    /// Whether the triangle has no segment but the one on half-edge h.
+    /// Whether the triangle's only segment is the one on half-edge h.
     [[nodiscard]] bool has_diagonals_only(std::uint32_t h) const noexcept
     {
         return !kinetic_triangles::is_segment(mesh.link(kinetic_triangles::next(h))) &&
@@ -233,8 +233,8 @@ private:
                 dot(along, times_.place(mesh.apex(h)))};
     }
 
-    /// The apex of the triangle has reached the line of the segment on half-edge h. Within the segment it splits it, if
-    /// it is a corner that can; otherwise another corner is in the way, and a flip brings it in.
+    /// The apex of the triangle has reached the line of the segment on half-edge h. If it lies within the segment and
+    /// can split it, it does. Otherwise another corner is in the way, and a flip brings it in.
     void meet(std::uint32_t h) noexcept
     {
         const span_along along = measure(h);
@@ -247,7 +247,8 @@ private:
             split(h);
     }
 
-    /// A reflex corner, or one of which a whole edge has reached the line, so nearly parallel are they.
+    /// Whether a corner can split a segment on `line`: it is reflex, or one of its edges lies on the line, nearly
+    /// parallel.
     [[nodiscard]] bool can_split(std::uint32_t w, const moving_line& line) const noexcept
     {
         const moving_line &before = line_before(w), &after = line_after(w);
@@ -258,7 +259,7 @@ private:
         constexpr int128 one = static_cast<int128>(unit_one) * unit_one;
         return dot(a.along, b.along) < (one >> 20) - one;
     }
-    /// Of the segment on half-edge h.
+    /// The line of the segment on half-edge h.
     [[nodiscard]] const moving_line& line_beside(std::uint32_t h) const noexcept
     {
         return mesh.lines[mesh.segments[kinetic_triangles::segment_in(mesh.link(h))].line];
@@ -274,8 +275,8 @@ private:
 
     /// The apex w of the triangle lies on the segment s of half-edge h.
     ///
-    ///       b \   / a             b \     / a        s keeps the left piece, `right` is new. The triangle goes; s
-    ///           w          >         + +            and b are adjacent now, and a and `right`.
+    ///       b \   / a             b \     / a        s keeps the left piece, `right` is new. The triangle goes. Now s
+    ///           w          >         + +            and b are adjacent, and so are a and `right`.
     ///     ------s------>        --s--+ +-right->
     void split(std::uint32_t h) noexcept
     {
@@ -304,7 +305,7 @@ private:
         add_corner(a, right, at, node);
     }
 
-    /// The two ends of the diagonal under half-edge h have met: on each side of it the boundary goes on by itself.
+    /// The two ends of the diagonal under half-edge h have met: on each side of it the boundary continues separately.
     ///
     ///     ap \   / bq           ap \___/ bq
     ///         p-q         >
@@ -377,8 +378,8 @@ private:
         schedule(r, calm);
         if (first != t && first != r) schedule(first);
     }
-    /// From the triangle beyond h on, where triangles are flat: one's longest edge that is not longer beyond, or a
-    /// segment that can be split.
+    /// Walks on through flat triangles beyond h, always across the longest edge. Returns the edge beyond which no flat
+    /// triangle has a longer one, or a segment that can be split.
     [[nodiscard]] std::uint32_t longest_beyond(std::uint32_t h) const noexcept
     {
         for (;;) {
@@ -389,7 +390,7 @@ private:
             h = longest;
         }
     }
-    /// Whether a triangle is lower over its half-edge h than the slip.
+    /// Whether a triangle's height over its half-edge h is below the slip.
     [[nodiscard]] bool is_flat(std::uint32_t h) const noexcept
     {
         const fixed_vector along = along_edge(h), up = times_.place(mesh.apex(h)) - times_.place(mesh.origin(h));
@@ -398,10 +399,10 @@ private:
                (along.x < 0 ? -along.x : along.x) + (along.y < 0 ? -along.y : along.y);
     }
 
-    // --- what follows from it
+    // --- consequences of events
 
-    /// The triangle of half-edge h, which has no length, goes: `before` and `after` become adjacent at a node that both
-    /// have got already. If they are all that is left, they end on the line to the triangle's apex.
+    /// Removes the triangle of half-edge h, which has no length: `before` and `after` become adjacent at a node that
+    /// both already have. If no other segments are left, both end on the line to the triangle's apex.
     void make_adjacent(std::uint32_t h, std::uint32_t before, std::uint32_t after, fixed_vector at,
                        std::uint32_t node) noexcept
     {
@@ -431,8 +432,8 @@ private:
         mesh.around(after, [&](std::uint32_t h) noexcept { schedule(h / 3); });
     }
 
-    /// A corner with thousands of triangles that eats a bow edge by edge would have all of them scheduled anew each
-    /// time. So it gives them away while it can; the edges of the bow then have O(log n) triangles each.
+    /// A corner with thousands of triangles that consumes a bow edge by edge would reschedule all of them each time. So
+    /// it gives them away while it can; the edges of the bow then have O(log n) triangles each.
     void relieve(std::uint32_t after) noexcept
     {
         failed_ |= !mesh.thin_out(
@@ -451,7 +452,7 @@ private:
         return cross(times_.place(b) - at, all) > 0 && cross(all, times_.place(v) - at) > 0;
     }
 
-    /// A corner that is where another one is born passes through the same node.
+    /// If a corner lies where another one is born, it passes through the same node.
     void pass(std::uint32_t v, fixed_vector at, std::uint32_t node) noexcept
     {
         constexpr std::int64_t most = 2 * place_one;
@@ -483,7 +484,7 @@ private:
     std::uint32_t lost_ = 0;
     std::size_t max_flips_ = 0, flips_ = 0, events_ = 0, schedules_ = 0;
     bool failed_ = false;
-    bool hole_is_lost_ = false;  ///< holes grow, so only rounding can do that, and a point has no place in the topology
+    bool hole_is_lost_ = false;  ///< only rounding can do that, since holes grow; a point has no place in the topology
 };
 
 }  // namespace typemesh::inline TYPEMESH_ABI::detail

@@ -11,7 +11,7 @@ namespace typemesh::inline TYPEMESH_ABI {
 /// An edge at a point that closed polylines pass through more than once, seen from that point.
 struct outgoing_edge {
     std::int32_t x, y;    // from the point to the edge's other end: not both 0, each at most 2^29 in size
-    std::uint32_t visit;  // the visit of the point that it belongs to
+    std::uint32_t visit;  // the visit of the point that the edge belongs to
     bool goes_out;
 
     [[nodiscard]] static outgoing_edge to(grid_point other_end, grid_point p, std::uint32_t visit,
@@ -33,12 +33,12 @@ struct outgoing_edge {
     }
 };
 
-/// Sorts all edges at a point counter-clockwise, so that edges[2 i], which goes out, and edges[2 i + 1], which comes
-/// in, have a sector of interior between them.
+/// Sorts all edges at a point counter-clockwise: edges[2 i] goes out, edges[2 i + 1] comes in, and a sector of interior
+/// lies between them.
 ///
 ///            3 in
-///             |  ::: 2 out        False where the edges do not bound sectors with the interior on the left of each:
-///     --------p--------- 0 out    two run in one direction, or out and in do not alternate. O(count log count)
+///             |  ::: 2 out        False if the edges do not bound sectors with the interior on the left of each edge:
+///     --------p--------- 0 out    two edges have one direction, or out and in do not alternate. O(count log count)
 ///      ::::  / :::::::: ...
 ///           1 in
 [[nodiscard]] inline bool sort_into_sectors(outgoing_edge* edges, std::size_t count) noexcept

@@ -16,8 +16,8 @@ namespace typemesh::inline TYPEMESH_ABI {
 
 namespace detail {
 
-/// A point's position in the sweep order and its index, in one word: x - left | y - bottom | index, each with as many
-/// bits as needed.
+/// A point's position in the sweep order and its index, in one word: x - left | y - bottom | index. Each part has as
+/// many bits as it needs.
 struct packed_sweep_key {
     std::uint64_t word;
     [[nodiscard]] std::uint64_t place(std::uint32_t index_bits) const noexcept { return word >> index_bits; }
@@ -29,7 +29,7 @@ struct packed_sweep_key {
     [[nodiscard]] bool before(packed_sweep_key other) const noexcept { return word < other.word; }
 };
 
-/// The same for coordinates that leave no bits for the index.
+/// The same key for coordinates that leave no bits for the index.
 struct wide_sweep_key {
     std::uint64_t word;
     std::uint32_t index;
@@ -76,7 +76,7 @@ void heap_sort(Key* keys, std::size_t n) noexcept
     }
 }
 
-/// Least significant digit first, 11 bits per pass. Returns where the sorted keys are: `a` or `b`.
+/// Least significant digit first, 11 bits per pass. Returns the array that holds the sorted keys: `a` or `b`.
 template <class Key>
 [[nodiscard]] Key* radix_sort(Key* a, Key* b, std::size_t n, std::uint32_t index_bits,
                               std::uint32_t place_bits) noexcept
@@ -101,16 +101,16 @@ template <class Key>
     return a;
 }
 
-inline constexpr std::size_t max_for_buckets = 2048;  // points; beyond, the radix sort is faster (measured)
+inline constexpr std::size_t max_for_buckets = 2048;  // points; above this, the radix sort is faster (measured)
 
-/// One pass into buckets by the leading bits, then insertion sort: for points of glyphs. Where many points share a
-/// bucket (as points in one column do), that bucket is sorted on its own first; where very many do, radix sort takes
-/// over. Returns where the sorted keys are: `a` or `b`. Needs 1 <= n <= max_for_buckets.
+/// Distributes keys into buckets by the leading bits in one pass, then sorts by insertion: for points of glyphs. A
+/// bucket with many points (a column of points, for example) is sorted separately first; with very many, radix sort
+/// takes over. Returns the array that holds the sorted keys: `a` or `b`. Precondition: 1 <= n <= max_for_buckets.
 template <class Key>
 [[nodiscard]] Key* bucket_sort(Key* a, Key* b, std::size_t n, std::uint32_t index_bits,
                                std::uint32_t place_bits) noexcept
 {
-    constexpr std::uint32_t crowd = 16, great_crowd = 256;  // powers of two: the bitwise or of all sizes shows them
+    constexpr std::uint32_t crowd = 16, great_crowd = 256;  // powers of two: the bitwise or of all sizes reveals them
     const auto bucket_bits = static_cast<std::uint32_t>(std::bit_width(n));  // 1 to 2 buckets per point
     const std::size_t buckets = std::size_t{1} << bucket_bits;
     const std::uint32_t shift = Key::right_of(place_bits > bucket_bits ? place_bits - bucket_bits : 0, index_bits);
@@ -128,7 +128,7 @@ template <class Key>
     for (std::size_t i = 0; i < n; ++i) b[first[a[i].word >> shift]++] = a[i];
     if (sizes >= crowd) {
         std::size_t begin = 0;
-        for (std::size_t k = 0; k < buckets; ++k) {  // first[k] is the end of bucket k by now
+        for (std::size_t k = 0; k < buckets; ++k) {  // first[k] is now the end of bucket k
             if (first[k] - begin >= crowd) heap_sort(b + begin, first[k] - begin);
             begin = first[k];
         }
@@ -137,7 +137,7 @@ template <class Key>
     return b;
 }
 
-/// Returns where the sorted keys are: `keys` or `spare`.
+/// Returns the array that holds the sorted keys: `keys` or `spare`.
 template <class Key>
 [[nodiscard]] const Key* sort_sweep_keys(Key* keys, Key* spare, std::size_t n, std::uint32_t index_bits,
                                          std::uint32_t place_bits) noexcept
@@ -150,7 +150,7 @@ template <class Key>
     return radix_sort(keys, spare, n, index_bits, place_bits);
 }
 
-/// How far n > 0 points reach.
+/// The smallest and the largest coordinate of n > 0 points.
 struct coordinate_range {
     std::int32_t low, high;
     [[nodiscard]] std::uint32_t bits() const noexcept
@@ -172,12 +172,11 @@ template <std::int32_t grid_point::* coordinate>
 
 }  // namespace detail
 
-/// The indices of `points` in the order of a left-to-right sweep: by x, then y, then index. `order` holds points.size()
-/// values.
+/// Writes the indices of `points` in the order of a left-to-right sweep: by x, then y, then index. `order` has room for
+/// points.size() values.
 ///
-/// False when memory runs out. O(n log n) at worst; in practice O(n) passes over 64-bit keys, in about half the time
-/// that std::sort takes on glyphs. Scratch: 16 bytes per point (32 where x, y and index together need more than 64
-/// bits).
+/// False if out of memory. O(n log n) in the worst case; in practice O(n) passes over 64-bit keys, in about half the
+/// time of std::sort on glyphs. Scratch: 16 bytes per point (32 if x, y and index together need more than 64 bits).
 [[nodiscard]] inline bool sweep_order(array_view<const grid_point> points, workspace& space,
                                       std::uint32_t* order) noexcept
 {
@@ -189,7 +188,7 @@ template <std::int32_t grid_point::* coordinate>
     detail::coordinate_range y_range{(std::numeric_limits<std::int32_t>::min)(),
                                      (std::numeric_limits<std::int32_t>::max)()};
     const bool fits = x_bits + y_range.bits() + index_bits <= 64;
-    if (n > detail::max_for_buckets || !fits)  // else a smaller range of y gains nothing
+    if (n > detail::max_for_buckets || !fits)  // otherwise a smaller range of y gains nothing
         y_range = detail::range_of<&grid_point::y>(points);
     const std::uint32_t y_bits = y_range.bits();
 
@@ -219,8 +218,8 @@ template <std::int32_t grid_point::* coordinate>
                                               : sorted_by(detail::wide_sweep_key{});
 }
 
-/// Sorts the points of contours unless they are sorted: loops.order() is then what sweep_order() makes. False when
-/// memory runs out.
+/// Sorts the points of contours unless they are sorted: loops.order() is then the result of sweep_order(). False if out
+/// of memory.
 [[nodiscard]] inline bool sort_points(contours& loops, workspace& space) noexcept
 {
     if (loops.points.empty() || !loops.order().empty()) return true;

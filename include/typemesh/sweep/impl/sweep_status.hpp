@@ -9,15 +9,16 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// What a sweep line crosses, ordered from bottom to top: a linked list while it is short, a skip list once it is long.
+/// The edges that a sweep line crosses, from bottom to top: a linked list while it is short, a skip list once it is
+/// long.
 ///
 ///     lane 2   head ------------------------------> 7 -----------------> head
 ///     lane 1   head ----------> 4 ----------------> 7 ------> 1 -------> head
 ///     items    0 ---> 3 ------> 4 ---> 9 ---> 2 --> 7 ------> 1 --> 8 -> 0
 ///
-/// Items are numbers that the sweep assigns, from 1; 0 stands for what lies below and above all. Items that are already
-/// there when the first lane opens get no tower: they are at most `lanes_from`, so a search still takes O(log n) steps.
-/// Tower heights come from a generator with a fixed seed: equal input, equal steps.
+/// Items are numbers from 1 that the sweep assigns; 0 marks both ends of the list. Items that exist when the first lane
+/// opens get no tower. There are at most `lanes_from` of them, so a search still takes O(log n) steps. Tower heights
+/// come from a generator with a fixed seed: equal input takes equal steps.
 /// From  W. Pugh, Skip lists: a probabilistic alternative to balanced trees (1990)
 class sweep_status {
     static constexpr std::uint32_t lanes_from = 16;  ///< items without a lane; 8 to 48 are equally fast
@@ -34,7 +35,7 @@ class sweep_status {
     };
 
 public:
-    /// Takes memory for the items 1 to `max_items`, about 18 bytes per item; false when memory runs out.
+    /// Takes memory for the items 1 to `max_items`, about 18 bytes per item. False if out of memory.
     [[nodiscard]] bool open(workspace::scope& scratch, std::size_t max_items) noexcept
     {
         places_ = scratch.take<place>(max_items + 1);
@@ -58,8 +59,9 @@ public:
         return places_[item].link[side];
     }
 
-    /// The last item for which `lies_below(item)` is true, else 0. It must be true for the first items and false for
-    /// the others; otherwise the item found is one for which it is true but not for the next. lies_below(0) is false.
+    /// The last item for which `lies_below(item)` is true, or 0. It must be true for a first part of the items and
+    /// false for the rest; otherwise the result is some item for which it is true, but false for the next.
+    /// lies_below(0) is false.
     template <class LiesBelow>
     [[nodiscard]] std::uint32_t last_below(const LiesBelow& lies_below) noexcept
     {
@@ -78,7 +80,7 @@ public:
         return item;
     }
 
-    /// Inserts `item` right above `under`, which the last search found, or which was inserted right above its result.
+    /// Inserts `item` right above `under`. `under` is the result of the last search, or was inserted right above it.
     void insert_above(std::uint32_t under, std::uint32_t item) noexcept
     {
         const std::uint32_t over = places_[under].link[1];
@@ -119,13 +121,13 @@ private:
             else if (next_stop_ < stop_count_)
                 s = next_stop_++;
             else
-                break;                                        // an item without a tower is only slower to find
+                break;                                        // an item without a tower only takes longer to find
             if (lane > lanes_) found_[lanes_ = lane] = lane;  // the new lane's head
             const std::uint32_t before = found_[lane], after = stops_[before].link[1];
             stops_[s] = {item, {before, after}, down};
             stops_[before].link[1] = s;
             stops_[after].link[0] = s;
-            found_[lane] = s;  // so that a second item may be inserted after the same search
+            found_[lane] = s;  // so that a second item can be inserted after the same search
             places_[item].tower = down = s;
         }
     }

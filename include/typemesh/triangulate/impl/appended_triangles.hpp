@@ -12,7 +12,7 @@
 
 namespace typemesh::inline TYPEMESH_ABI::detail {
 
-/// What a triangulator has appended for a region, compared with what triangulator.hpp requires. For TYPEMESH_ASSERT:
+/// The triangles that a triangulator has appended for a region, checked against triangulator.hpp. For TYPEMESH_ASSERT:
 /// O(points + triangles), so release builds never use it.
 struct appended_triangles {
     const region& filled;
@@ -32,7 +32,7 @@ struct appended_triangles {
             if (doubled_area(t) <= 0) return false;
         return true;
     }
-    /// Whether the triangles have the region's area. Intermediate sums may wrap; modulo 2^64 the comparison is exact.
+    /// Whether the triangles have the region's area. Partial sums may wrap; modulo 2^64 the comparison is exact.
     [[nodiscard]] bool have_its_area() const noexcept
     {
         std::uint64_t sum = 0;
@@ -51,8 +51,8 @@ private:
     }
 };
 
-/// Asserts what a triangulator promises about the triangles that it has appended to `out` after the first `before`.
-/// False if that shows them to be unusable; builds without asserts check nothing.
+/// Asserts a triangulator's guarantees for the triangles that it appended to `out` after the first `before`. False if
+/// this finds them unusable; builds without asserts check nothing.
 inline bool assert_triangles([[maybe_unused]] const region& filled, [[maybe_unused]] const triangle_list& out,
                              [[maybe_unused]] std::size_t before) noexcept
 {
@@ -60,7 +60,7 @@ inline bool assert_triangles([[maybe_unused]] const region& filled, [[maybe_unus
         return appended_triangles{filled,
                                   before < out.size() ? out.view().subspan(before) : array_view<const triangle>{}};
     };
-    bool readable = true;  // else the checks below would read past the points
+    bool readable = true;  // otherwise the checks below would read past the points
     [[maybe_unused]] bool enough = true, turned = true;
     TYPEMESH_ASSERT((enough = appended().are_as_many_as_promised()),
                     "a triangulator appended more or fewer triangles than the region's triangle_count()");

@@ -11,28 +11,28 @@
 
 namespace typemesh::inline TYPEMESH_ABI::detail {
 
-/// For each span of interior, the points that a sweep has met but could not cut into triangles yet: a chain along its
-/// lower side (0) or its upper side (1).
+/// For each span of interior, the points that a sweep has met but could not cut into triangles yet: a chain along the
+/// span's lower side (0) or its upper side (1).
 ///
-///      c0 ---- c1 ----- c2 ----     p comes on the lower side. It sees all of a chain along the upper side, which is
-///        '.     .      .   ::::     cut into (c0 p c1) (c1 p c2) and closed: what is left is the chain c2 p.
+///      c0 ---- c1 ----- c2 ----     p comes on the lower side. It sees all of a chain along the upper side. This chain
+///        '.     .      .   ::::     is cut into (c0 p c1) (c1 p c2) and closed; the chain c2 p remains.
 ///          '.    .   .    :::::
-///            '---- p ----------     From a chain along its own side it cuts off what turns left, and becomes its end.
+///            '---- p ----------     From a chain along its own side, p cuts off all left turns, and becomes its end.
 ///
-/// A span has both chains at once only after a merge, where they end in the same point m; the next point in the span is
-/// joined to m by an edge that closes one of them. No partition into monotone polygons is needed first.
+/// A span has both chains at once only after a merge. There they end in the same point m. An edge joins the next point
+/// in the span to m and closes one of them. No partition into monotone polygons is needed first.
 ///
 ///      ------------.                  the chain along the upper side of the lower part,
 ///                    m    p           the chain along the lower side of the upper part: both end in m.
 ///      ------------'
 ///
-/// `Output` takes the triangles and defines what their edges are: see triangle_output.
+/// `Output` takes the triangles and defines the type of their edges: see triangle_output.
 template <class Output>
 class chain_cutter {
     struct link {
         grid_point place;
         std::uint32_t point;
-        std::uint32_t before;        // the link before it; 0: none
+        std::uint32_t before;        // the previous link; 0: none
         typename Output::edge edge;  // to that link, as seen from the interior
     };
 
@@ -44,10 +44,10 @@ public:
 
     explicit chain_cutter(Output out) noexcept : out_{out} {}
 
-    /// Takes memory for loops of n points; false when memory runs out.
+    /// Takes memory for loops of n points. False if out of memory.
     [[nodiscard]] bool open(workspace::scope& scratch, std::size_t n) noexcept
     {
-        links_ = scratch.take<link>(2 * n + n / 2 + 2);  // one per point, one more per merge, two more per split
+        links_ = scratch.take<link>(2 * n + n / 2 + 2);  // one per point, one extra per merge, two extra per split
         return links_ != nullptr;
     }
 
@@ -56,7 +56,7 @@ public:
     /// A span opens at v.
     void start(chains& c, std::uint32_t v, grid_point p) noexcept { c = {{add(p, out_.name(v), 0, {}), 0}}; }
 
-    /// v lies on side `on`: closes the chain along the other side, extends the one along its own.
+    /// v lies on side `on`: closes the chain along the other side, extends the chain along this side.
     template <std::uint32_t on>
     void extend(chains& c, std::uint32_t v, grid_point p) noexcept
     {
@@ -76,7 +76,7 @@ public:
         }
     }
 
-    /// v splits the span of `below`; what lies above v gets `above`.
+    /// v splits the span of `below`; the part above v gets `above`.
     void split(chains& below, chains& above, std::uint32_t v, grid_point p) noexcept
     {
         v = out_.name(v);
@@ -125,7 +125,8 @@ private:
         }
     };
 
-    /// Triangles from v to every edge of a chain on the opposite side. Returns the edge from v to the chain's end.
+    /// Makes triangles from v to every edge of a chain on the opposite side. Returns the edge from v to the chain's
+    /// end.
     template <std::uint32_t along>
     auto fan(std::uint32_t at, std::uint32_t v, grid_point p) noexcept
     {
@@ -159,7 +160,7 @@ private:
         }
         return add(p, v, at, edge);
     }
-    /// The same corners, of which there is at least one, with what it covers. Returns the link that stays the last.
+    /// Cuts off these corners if there is at least one, and updates `edge`. Returns the last link that remains.
     template <std::uint32_t on>
     [[nodiscard]] std::uint32_t cut_corners(std::uint32_t before, std::uint32_t at, std::uint32_t v, grid_point p,
                                             std::int64_t doubled_area, typename Output::edge& edge) noexcept
@@ -185,7 +186,7 @@ private:
     Output out_;
 };
 
-/// Writes triangles one after the other and keeps the smallest doubled area; ignores edges.
+/// Writes triangles one after the other and keeps the smallest doubled area. Ignores edges.
 class triangle_output {
 public:
     struct edge {};
@@ -196,12 +197,12 @@ public:
     explicit triangle_output(triangle* write) noexcept : write_{write} {}
 
     [[nodiscard]] triangle* end() const noexcept { return write_; }
-    /// The least doubled area of all triangles.
+    /// The smallest doubled area of all triangles.
     [[nodiscard]] std::int64_t smallest() const noexcept { return smallest_; }
     [[nodiscard]] static std::uint32_t name(std::uint32_t v) noexcept { return v; }
 
-    /// The triangle of v and the two links a, b of a chain along side `along`, and its doubled area; `edge` joins b and
-    /// v. Returns that of a and v.
+    /// Writes the triangle of v and the two links a, b of a chain along side `along`; its doubled area is given. `edge`
+    /// joins b and v. Returns the edge of a and v.
     template <std::uint32_t along, class Link>
     edge cut(const Link& a, const Link& b, std::uint32_t v, grid_point, std::int64_t doubled_area, edge) noexcept
     {
@@ -210,7 +211,7 @@ public:
         *write_++ = {a.point, along == 0 ? b.point : v, along == 0 ? v : b.point};
         return {};
     }
-    /// The edge that joins b and v in the triangle that is cut next.
+    /// The edge that joins b and v in the next triangle.
     template <std::uint32_t along>
     [[nodiscard]] static edge next_outer() noexcept
     {
@@ -222,7 +223,7 @@ public:
     {
         return {};
     }
-    /// Both sides of an edge, neither of which has a triangle yet.
+    /// Both sides of an edge; neither has a triangle yet.
     [[nodiscard]] static edge_pair diagonal() noexcept { return {}; }
     [[nodiscard]] static edge nobody() noexcept { return {}; }
     /// These two are the sides of one edge.
@@ -235,7 +236,7 @@ private:
     std::int64_t smallest_ = (std::numeric_limits<std::int64_t>::max)();
 };
 
-/// Cuts nothing, for a sweep that only proves.
+/// Cuts nothing: for a sweep that only proves.
 struct no_cutter {
     struct chains {};
     [[nodiscard]] static bool open(workspace::scope&, std::size_t) noexcept { return true; }

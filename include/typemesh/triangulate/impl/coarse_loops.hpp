@@ -11,22 +11,22 @@
 
 namespace typemesh::inline TYPEMESH_ABI::detail {
 
-/// Loops without the points that only smooth them, and the order in which those points come back: coarse to fine, each
-/// halving a subrange.
+/// Loops without the points that only smooth them, and the order in which those points return: coarse to fine, each
+/// point halving a subrange.
 ///
-///        4          A subrange runs from one kept point to the next, as long as no edge turns away from its first
-///     2     6       by more than a set angle. Of its points 1, 2, 3, ... those divisible by the highest power of two
-///    1 3   5 7      come back first. Point i then comes between i - (its lowest bit) and whatever is next there.
+///        4          A subrange runs from one kept point to the next. It ends before an edge turns away from its first
+///     2     6       edge by a set angle. Of its points 1, 2, 3, ... those divisible by the highest power of two return
+///    1 3   5 7      first. Point i is then inserted between i - (its lowest bit) and the point that comes next there.
 ///   0         8
 ///
-/// A loop that would keep fewer than three points keeps all. 20 bytes per point.
+/// If fewer than three points of a loop would be kept, all are kept. 20 bytes per point.
 class coarse_loops {
 public:
     static constexpr std::int64_t keep_all = -1;
 
-    /// No edge turns away from the first of its subrange by 1 / `straightness` or more (as a tangent); with keep_all no
-    /// point is left out. `sheared` moves points by x -> 5x + 2y: the loops stay the same to a sweep, which then meets
-    /// few points on one vertical line. False when memory runs out.
+    /// No edge turns away from the first edge of its subrange by 1 / `straightness` or more (as a tangent); with
+    /// keep_all no point is left out. `sheared` moves points by x -> 5x + 2y. For a sweep the loops stay the same, but
+    /// few points lie on one vertical line. False if out of memory.
     [[nodiscard]] bool take(workspace::scope& scratch, array_view<const grid_point> points,
                             array_view<const std::uint32_t> starts, std::int64_t straightness, bool sheared) noexcept
     {
@@ -51,11 +51,11 @@ public:
 
     [[nodiscard]] array_view<const grid_point> points() const noexcept { return {places_, size_}; }
     [[nodiscard]] array_view<const std::uint32_t> starts() const noexcept { return {starts_, loops_ + 1}; }
-    /// The indices that these points had.
+    /// The original indices of these points.
     [[nodiscard]] const std::uint32_t* names() const noexcept { return names_; }
 
-    /// Calls f(point before it on the boundary, point) for each point left out, coarse to fine, until f returns false;
-    /// then it returns false.
+    /// Calls f(point before it on the boundary, point) for each point left out, coarse to fine. If f returns false,
+    /// stops and returns false.
     template <class F>
     [[nodiscard]] bool bring_back(F&& f) const noexcept
     {
@@ -78,7 +78,7 @@ private:
         const std::uint32_t kept_before = size_;
         std::uint32_t step = 0;
         std::int64_t dx = 0, dy = 0, x = points[begin].x, y = points[begin].y;
-        for (std::uint32_t v = begin; v < end; ++v) {  // which points are kept is unpredictable: no branches
+        for (std::uint32_t v = begin; v < end; ++v) {  // it is unpredictable which points are kept: no branches
             const grid_point q = points[v + 1 == end ? begin : v + 1];
             const std::int64_t ex = q.x - x, ey = q.y - y;
             const std::int64_t cross = dx * ey - dy * ex, dot = dx * ex + dy * ey;
@@ -89,7 +89,7 @@ private:
             dx = keep ? ex : dx;
             dy = keep ? ey : dy;
             step = keep ? 0 : step + 1;
-            // 32 for kept points: a list that is never read.
+            // 32 for kept points: that list is never read.
             const auto level = static_cast<std::uint32_t>(std::countr_zero(step));
             left_out_[v] = {v - (step & (0 - step)), first_of_level_[level]};
             first_of_level_[level] = v;

@@ -10,10 +10,10 @@
 
 namespace typemesh::inline TYPEMESH_ABI::detail {
 
-/// Makes and keeps a triangulation Delaunay: flips edges, starting from those on a stack, until all pass the test.
+/// Makes and keeps a triangulation Delaunay: flips edges, starting with the edges on a stack, until all pass the test.
 ///
-/// The number of flips can be quadratic at worst, so there is a budget. It is checked once per flip, or once per
-/// inserted point, which may need as many flips as triangles meet in it.
+/// The number of flips can be quadratic in the worst case, so there is a budget. It is checked once per flip, or once
+/// per inserted point; a point may need as many flips as triangles meet in it.
 ///
 /// From  C. Lawson, Software for C1 surface interpolation (1977); S. Sloan, A fast algorithm for generating
 ///       constrained Delaunay triangulations (1993)
@@ -24,7 +24,7 @@ public:
     {
     }
 
-    /// Takes memory for a mesh of that many triangles; false when memory runs out.
+    /// Takes memory for a mesh of that many triangles. False if out of memory.
     [[nodiscard]] bool open(workspace::scope& scratch, std::size_t triangles) noexcept
     {
         room_ = 4 * triangles + room_of_star;
@@ -32,7 +32,7 @@ public:
         return stack_ != nullptr;
     }
 
-    /// Makes the whole mesh Delaunay; false when the budget runs out.
+    /// Makes the whole mesh Delaunay. False if the budget runs out.
     [[nodiscard]] bool everywhere() noexcept
     {
         do {
@@ -49,10 +49,10 @@ public:
         return left_ > 0;
     }
 
-    /// Makes p the boundary point after `before`, in a mesh that is Delaunay and stays so.
+    /// Makes p the boundary point after `before`. The mesh is Delaunay and stays so.
     ///
-    /// False when p is hidden from the boundary edge, when the budget is spent, and in rare cases for a p beyond the
-    /// edge's triangle that is not hidden. The mesh is then unusable.
+    /// False if p is hidden from the boundary edge, if the budget is spent, and in rare cases for a visible p beyond
+    /// the edge's triangle. The mesh is then unusable.
     [[nodiscard]] bool insert(std::uint32_t before, std::uint32_t p) noexcept
     {
         const std::uint32_t h = mesh_.boundary_from(before), h1 = half_edges::next(h), h2 = half_edges::previous(h);
@@ -65,7 +65,7 @@ public:
             if (side < 0 || (side == 0 && !breaks_tie(mesh_.place(h), mesh_.place(h1), mesh_.place(h2), at))) {
                 mesh_.add_ear(h, p);
                 return true;
-            }  // else an ear and a flip, which is a dent
+            }  // otherwise an ear and a flip, which equals a dent
         }
         const std::uint32_t bc_edge = mesh_.dent(h, p);
         if (bc > 0 && ca > 0) {
@@ -97,7 +97,7 @@ private:
                                       mesh.place(half_edges::previous(g)));
     }
 
-    /// The same from the edges of a star for which there was no room; false when the budget is spent.
+    /// Continues from the edges of a star for which there was no room. False if the budget is spent.
     [[nodiscard]] bool around(array_view<const point_star::open_edge> star) noexcept
     {
         for (std::size_t i = 0; i < star.size(); ++i) stack_[i] = star[i].edge;
@@ -107,7 +107,7 @@ private:
         return !overflow_ && left_ > 0;
     }
 
-    /// Until the stack is empty or the budget is spent; a flip pushes the four edges around it.
+    /// Flips until the stack is empty or the budget is spent; a flip pushes the four edges around it.
     void around() noexcept
     {
         half_edges mesh = mesh_;  // local copies stay in registers
@@ -135,8 +135,9 @@ private:
         left_ = left;
     }
 
-    /// The same, if p lies beyond its triangle, so that some triangle at p is clockwise: its edge opposite p has to go
-    /// whatever the circles say, until all that lies between p and its boundary edge has been joined to p.
+    /// The same if p lies beyond its triangle, so that some triangle at p is clockwise. The edge of that triangle
+    /// opposite p must be flipped, whatever the circles say, until everything between p and its boundary edge is joined
+    /// to p.
     [[nodiscard]] bool pull_to_apex(std::uint32_t p) noexcept
     {
         std::size_t size = 2;
@@ -155,7 +156,7 @@ private:
             stack_[size++] = half_edges::previous(g);
             stack_[size++] = h;
         }
-        // What was joined by force may not be Delaunay: the edges that leave p are tested too.
+        // Edges that were joined by force may not be Delaunay: the edges that leave p are tested too.
         size_ = 0;
         for (std::uint32_t h = mesh_.boundary_from(p);;) {
             h = half_edges::previous(h);

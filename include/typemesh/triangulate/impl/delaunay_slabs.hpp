@@ -16,37 +16,38 @@
 
 namespace typemesh::inline TYPEMESH_ABI::detail {
 
-/// The constrained Delaunay triangulation of a region by divide and conquer: O(n log n) whatever the region is.
+/// The constrained Delaunay triangulation of a region by divide and conquer: O(n log n) for any region.
 ///
 /// Points are numbered from left to right. A *slab* of level k holds the 2^k points whose numbers differ only in their
 /// last k bits, between two vertical *dividers* that block all sight. Two of its points have a *joint*, a Delaunay edge
-/// of the slab, if they see each other and some circle through both contains no point of the slab that is seen from the
-/// joint. So a slab of level 0 has no joints, and those of the last level are the triangulation. Two neighbouring slabs
-/// become one of the next level by removing the divider between them, span by span: a span crosses the divider in one
-/// trapezoid (trapezoids.hpp), so each trapezoid is dealt with once, in the first slab that holds both its points.
+/// of the slab, if they see each other and some circle through both contains no point of the slab that is visible from
+/// the joint. So a slab of level 0 has no joints, and the joints of the last level are the triangulation. Two
+/// neighbouring slabs become one of the next level: the divider between them is removed, span by span. A span crosses
+/// the divider in one trapezoid (trapezoids.hpp), so each trapezoid is processed once, in the first slab that holds
+/// both its points.
 ///
-///     ------ top edge --------        What is seen from the divider on either side is a chain of joints that bends
-///      .       |      .               towards it, for where it bent away, the ends of the bend would be joined too.
+///     ------ top edge --------        The points visible from the divider on each side form a chain of joints that
+///      .       |      .               bends towards it: where it bent away, the ends of the bend would be joined too.
 ///     : p2 - - | - - p3 :             The lowest joint across the divider is the span's lower edge if both its ends
-///     : /  '   |  .   | :             are in the slab, else the lower tangent of the two chains, found by descending
-///     :p1 - - -|- - - p4:             from the trapezoid's own two points, which see each other. From there the merge
-///      :   ' . | . '   :              climbs. Above a joint there is a triangle with a neighbour of one of its ends,
-///     ----- lower edge -------        left or right, whose circle contains no other; its upper side is the next
-///                                     joint. A joint on the left is deleted if the circle through it and the right
-///                                     end contains the next neighbour on the left, and vice versa. At the top edge
-///                                     or the upper tangent there is nothing above.
+///     : /  '   |  .   | :             are in the slab. Otherwise it is the lower tangent of the two chains, found by
+///     :p1 - - -|- - - p4:             descending from the trapezoid's two points, which see each other. From there the
+///      :   ' . | . '   :              merge climbs. Above a joint there is a triangle with a neighbour of one of its
+///     ----- lower edge -------        ends, left or right, whose circle contains no other neighbour; its upper side is
+///                                     the next joint. A joint on the left is deleted if the circle through it and the
+///                                     right end contains the next neighbour on the left, and vice versa. At the top
+///                                     edge or the upper tangent there is nothing above.
 ///
-/// The trapezoids of one divider may be dealt with in any order. A joint l - r across one is not undone by a point v
-/// seen through another: a line of sight from l - r to v crosses the divider twice, with boundary between the
-/// crossings. That boundary has points on either side of the divider, inside the triangle of the two crossings and the
-/// end of the line, so inside the circle that contains v, and they are seen from l - r without the other trapezoid.
+/// The trapezoids of one divider may be processed in any order. A joint l - r across one trapezoid is not undone by a
+/// point v visible through another: a line of sight from l - r to v crosses the divider twice, with boundary between
+/// the crossings. That boundary has points on both sides of the divider, inside the triangle of the two crossings and
+/// the end of the line, so inside the circle that contains v. They are visible from l - r without the other trapezoid.
 ///
-/// Each point has its joints in counter-clockwise order, from the region's edge that leaves it to the one that arrives
-/// at it. These two are there from the beginning, wherever their other ends are, so the outside is never examined, and
-/// a point that the boundary visits twice is two points.
+/// Each point lists its joints counter-clockwise, from the region's edge that leaves it to the edge that arrives at it.
+/// These two are listed from the beginning, wherever their other ends are. So the outside is never examined, and a
+/// point that the boundary visits twice is two points.
 ///
-/// Cost   O(n) per level: a joint is made and deleted once, a link of a chain is passed once on descent, then covered
-/// Space  72 bytes per point and 88 per hole, besides what monotone_sweep takes temporarily
+/// Cost   O(n) per level: a joint is made and deleted once; a link of a chain is passed once on descent, then covered
+/// Space  72 bytes per point and 88 per hole, plus the temporary memory of monotone_sweep
 /// Exact  orientation, and in-circle with its rule for ties (prefers_other_diagonal)
 /// From   D. T. Lee & B. J. Schachter, Two algorithms for constructing a Delaunay triangulation (1980); L. Guibas &
 ///        J. Stolfi, Primitives for the manipulation of general subdivisions (1985); L. P. Chew, Constrained Delaunay
@@ -62,7 +63,7 @@ class delaunay_slabs {
     static constexpr std::uint32_t none = ~std::uint32_t{0};
 
 public:
-    /// Writes the triangles of r, r.triangle_count() of them. Fails with error::out_of_memory.
+    /// Writes the r.triangle_count() triangles of r. Fails with error::out_of_memory.
     template <class = void>  // see constrained_delaunay
     [[nodiscard]] error run(const region& r, workspace& space, triangle* out) noexcept
     {
@@ -134,11 +135,11 @@ private:
         if (base != none) climb(base);
     }
 
-    /// The lowest joint across the divider, from left to right; none if there is only the top edge.
+    /// The lowest joint across the divider, from left to right; `none` if there is only the top edge.
     [[nodiscard]] std::uint32_t lowest_joint(const trapezoid& t) noexcept
     {
         std::uint32_t left = t.left, right = t.right;
-        std::uint32_t down_left = lower_on_left(t), down_right = lower_on_right(t);  // towards the next of each chain
+        std::uint32_t down_left = lower_on_left(t), down_right = lower_on_right(t);  // to the next point of each chain
         for (;;) {
             if (const std::uint32_t v = to(down_left);
                 is_left(v) && orientation(points_[left], points_[right], points_[v]) < 0) {
@@ -156,21 +157,21 @@ private:
         return join(left, right, down_left, halves_[down_right].before);
     }
 
-    /// Where the trapezoid's left point sees the divider: between the half returned and the one after it.
+    /// Where the trapezoid's left point sees the divider: between the returned half and the one after it.
     [[nodiscard]] std::uint32_t lower_on_left(const trapezoid& t) const noexcept
     {
         if (t.below == t.left) return 2 * t.left;
         const std::uint32_t last = last_[t.left];
         return rank_[to(last)] > rank_[t.left] ? halves_[last].before : widest_gap(t.left);
     }
-    /// The same for its right point: between the half returned and the one before it.
+    /// The same for its right point: between the returned half and the one before it.
     [[nodiscard]] std::uint32_t lower_on_right(const trapezoid& t) const noexcept
     {
         if (to(2 * t.below) == t.right) return last_[t.right];
         const std::uint32_t first = 2 * t.right;
         return halves_[rank_[to(first)] < rank_[t.right] ? first : widest_gap(t.right)].after;
     }
-    /// For a point where spans merge or split, all of whose joints are still on one side of the sweep line.
+    /// For a point where spans merge or split: all its joints are still on one side of the sweep line.
     [[nodiscard]] std::uint32_t widest_gap(std::uint32_t v) const noexcept
     {
         std::uint32_t h = 2 * v;
@@ -178,7 +179,7 @@ private:
         return h;
     }
 
-    /// From the lowest joint across the divider to the highest.
+    /// Goes from the lowest joint across the divider to the highest.
     void climb(std::uint32_t base) noexcept
     {
         for (;;) {
@@ -207,7 +208,7 @@ private:
             }
             if (!left && !right) return;
             if (right && (!left || prefers_other_diagonal(pr, end_of(up_left), pl, end_of(up_right)))) {
-                if (to(up_left) == to(up_right)) return;  // the top edge is there already
+                if (to(up_left) == to(up_right)) return;  // the top edge already exists
                 base = join(l, to(up_right), base, halves_[up_right ^ 1].before);
             } else {
                 if (to(up_left) == to(up_right)) return;
@@ -259,13 +260,13 @@ private:
 
     array_view<const grid_point> points_;
     array_view<const std::uint32_t> starts_;
-    std::uint32_t* rank_ = nullptr;  // of each point: its number in sweep order
+    std::uint32_t* rank_ = nullptr;  // for each point: its number in sweep order
     half* halves_ = nullptr;
-    std::uint32_t* last_ = nullptr;  // of each point: the half of the region's edge that arrives at it
+    std::uint32_t* last_ = nullptr;  // for each point: the half of the region's edge that arrives at it
     std::uint32_t first_free_ = 0;
     std::uint32_t free_ = none;
-    std::uint32_t slab_ = 0;  // the first number in it
-    std::uint32_t half_ = 0;  // how many points each of its halves holds
+    std::uint32_t slab_ = 0;  // its first number
+    std::uint32_t half_ = 0;  // the number of points in each of its halves
 };
 
 }  // namespace typemesh::inline TYPEMESH_ABI::detail

@@ -11,16 +11,16 @@
 
 namespace typemesh::inline TYPEMESH_ABI::detail {
 
-/// Triangles that know their neighbours: for each directed edge of a triangle, its origin and its twin, the same edge
-/// as seen from the other side.
+/// Triangles that know their neighbours. Each directed edge of a triangle stores its origin and its twin, which is the
+/// same edge as seen from the other side.
 ///
 ///               r                  triangle t has the half-edges 4t, 4t + 1, 4t + 2; 4t + 3 stays unused
 ///             /   ^                next() goes around a triangle counter-clockwise
-///        h2 /   t   \ h1           the twin of a boundary edge p -> q is the *rim* half-edge of its first point, of no
-///         v           \            triangle; so each boundary edge is found by its first point, and every half-edge
+///        h2 /   t   \ h1           the twin of a boundary edge p -> q is the *rim* half-edge of p, which belongs to no
+///         v           \            triangle. So each boundary edge is found by its first point, and every half-edge
 ///        p ---- h ----> q          that moves has a twin to update
 ///
-/// Points are indices of the caller's. A triangle fills one cache line; 80 bytes per point in all.
+/// Points are indices into the caller's array. A triangle fills one cache line; 80 bytes per point in total.
 class half_edges {
 public:
     struct half_edge {
@@ -31,7 +31,7 @@ public:
 
     explicit half_edges(array_view<const grid_point> points) noexcept : points_{points} {}
 
-    /// Takes memory for `triangles` triangles; false when memory runs out.
+    /// Takes memory for `triangles` triangles. False if out of memory.
     [[nodiscard]] bool open(workspace::scope& scratch, std::size_t triangles) noexcept
     {
         rim_ = static_cast<std::uint32_t>(4 * triangles);
@@ -41,9 +41,9 @@ public:
 
     /// For chain_cutter.hpp: takes its triangles, and links neighbours without any search.
     ///
-    /// An edge is the half-edge that waits for its twin, or the one that will be its twin. Between the two sides of a
-    /// diagonal that a sweep draws before either has a triangle, the unused fourth entries of triangles stand in until
-    /// finish().
+    /// An edge is the half-edge that waits for its twin, or the half-edge that will be its twin. A sweep may draw a
+    /// diagonal before either side has a triangle. Until finish(), the unused fourth entries of triangles represent its
+    /// two sides.
     class output {
     public:
         using edge = std::uint32_t;
@@ -113,7 +113,7 @@ public:
         const std::uint32_t* name_;
     };
 
-    /// After a successful sweep: the triangles are those of `made`.
+    /// Call after a successful sweep: takes over the triangles of `made`.
     void finish(const output& made) noexcept
     {
         count_ = made.count_;
@@ -129,7 +129,7 @@ public:
     [[nodiscard]] grid_point place(std::uint32_t h) const noexcept { return edges_[h].place; }
     [[nodiscard]] bool is_boundary(std::uint32_t h) const noexcept { return edges_[h].twin >= rim_; }
     [[nodiscard]] bool is_rim(std::uint32_t h) const noexcept { return h >= rim_; }
-    /// Of the two half-edges of an inner edge, the one with the smaller number.
+    /// Whether h has the smaller number of the two half-edges of an inner edge.
     [[nodiscard]] bool is_first_half(std::uint32_t h) const noexcept { return edges_[h].twin - h - 1 < rim_ - h - 1; }
     /// The half-edge of the boundary edge that leaves a point.
     [[nodiscard]] std::uint32_t boundary_from(std::uint32_t point) const noexcept { return edges_[rim_ + point].twin; }
@@ -137,12 +137,12 @@ public:
     /// Flips h, which is not a boundary edge: exchanges the diagonals of the quadrilateral around it.
     ///
     ///          r                      r            h, its twin g and the half-edges before each keep their numbers and
-    ///        / ^                    / | ^          their first points; the two that left q and p are new:
+    ///        / ^                    / | ^          first points. The two half-edges that left q and p are new:
     ///      h2   h1               h2   |   g
     ///      v     \               v   h1|   \         next(h) runs from s to r, next(g) from r to s.
     ///     p --h-> q             p     |g1   q
     ///      \ <-g- ^              \    |    ^       Outside are then: h, previous(h), g, previous(g).
-    ///      g1    g2               h   |   g2
+    ///      g1    g2               h   |   g2       Then h, previous(h), g, previous(g) are outside.
     ///        v  /                   v |  /
     ///          s                      s
     void flip(std::uint32_t h) noexcept
@@ -160,7 +160,7 @@ public:
         edges_[g1] = {edges_[h2].origin, h1, edges_[h2].place};
     }
 
-    /// Adds the triangle b, a, p on the boundary edge h from a to b: p comes between them on the boundary.
+    /// Adds the triangle b, a, p on the boundary edge h from a to b. On the boundary p then lies between them.
     void add_ear(std::uint32_t h, std::uint32_t p) noexcept
     {
         const std::uint32_t a = edges_[h].origin, b = edges_[next(h)].origin, t = count_;
@@ -173,9 +173,9 @@ public:
         edges_[rim_ + p].twin = t + 2;
     }
 
-    /// Dents the boundary edge h from a to b: p, which lies in the triangle a, b, c of h or on h, comes between them.
-    /// The triangle becomes  a, p, c  with h from a to p  and, new,  p, b, c.  Returns the half-edge from b to c.
-    /// Where p lies outside, but inside the circle through a, b, c, this equals an ear and then the flip of h.
+    /// Dents the boundary edge h from a to b. p, which lies in the triangle a, b, c of h or on h, is inserted between
+    /// them. The triangle becomes a, p, c with h from a to p; p, b, c is new. Returns the half-edge from b to c. If p
+    /// lies outside, but inside the circle through a, b, c, the result equals an ear and then the flip of h.
     ///
     ///          c                c
     ///        /   \            / | \      |
@@ -197,7 +197,7 @@ public:
         return t + 1;
     }
 
-    /// Writes the triangles: end() / 4 of them.
+    /// Writes the triangles; there are end() / 4 of them.
     void write(triangle* out) const noexcept
     {
         for (std::uint32_t h = 0; h < count_; h += 4)

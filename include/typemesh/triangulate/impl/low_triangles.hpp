@@ -15,24 +15,25 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// Flips edges until no triangle is low (see triangle_heights.hpp) that need not be.
+/// Flips edges until no avoidable low triangle remains (see triangle_heights.hpp).
 ///
-///     a ------------ c ------------ b     c lies barely below the edge ab: a triangle lower than a float's step,
-///       '-._       low          _.-'      which rounding flips over or flattens. Cut along cd instead, there is none.
+///     a ------------ c ------------ b     c lies barely below the edge ab: the triangle is lower than a float's step,
+///       '-._       low          _.-'      so rounding flips it over or flattens it. A cut along cd avoids it.
 ///            '-._           _.-'
 ///                 '-. d .-'
 ///
 /// A low triangle is treated together with its neighbours: a polygon of 4 corners, then 6, 8, 11 and so on to 32,
-/// always extended across the longest edge; each is retriangulated in the best way, until none of its triangles is low.
-/// So a low triangle remains only where every triangulation of the 32 corners around it has one as low, or where the
-/// budget is spent: 64 triangles examined per point and 2^15 more, each pass over all of them included. Counts, points
-/// and the region's own edges stay as they are.
+/// always extended across the longest edge. Each polygon is retriangulated in the best way, until none of its triangles
+/// is low. So a low triangle remains only if every triangulation of the 32 corners around it has one as low, or if the
+/// budget is spent: 64 triangles examined per point and 2^15 more, including each pass over all of them. Counts, points
+/// and the region's own edges do not change.
 ///
 ///     points, starts    as in contours
 ///     triangles         any triangulation of the region that they bound, counter-clockwise
 ///
-/// Fails with error::out_of_memory; the triangles are a valid triangulation then, too.
-/// Cost    about 20 instructions per triangle where none is low, and little more where few are
+/// Fails with error::out_of_memory; even then the triangles are a valid triangulation.
+/// Cost    about 20 instructions per triangle if none is low, and little more if few are
+/// Space   from `space`: none, or 32 bytes per triangle if very many are low
 /// Space   from `space`: none, or 32 bytes per triangle where very many are low
 [[nodiscard]] inline error raise_low_triangles(array_view<const grid_point> points,
                                                array_view<const std::uint32_t> starts, const triangle_heights& heights,
@@ -51,7 +52,7 @@ namespace typemesh::inline TYPEMESH_ABI {
             if (!heights.is_low(points[at.a], points[at.b], points[at.c])) continue;
             if (!neighbours.prepare(scratch, space)) return error::out_of_memory;
             const auto [improved, clear] = patch.raise(static_cast<std::uint32_t>(t), looks);
-            again |= improved && !clear;  // what is still low may now be stored elsewhere
+            again |= improved && !clear;  // triangles that are still low may now be stored elsewhere
         }
     }
     return {};

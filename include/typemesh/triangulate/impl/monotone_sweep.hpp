@@ -15,51 +15,51 @@
 
 namespace typemesh::inline TYPEMESH_ABI::detail {
 
-/// The sweep behind the triangulators: goes through the spans of interior from left to right, lets `Cutter` cut them
-/// into triangles (see chain_cutter.hpp) and, if `Proving`, finds out whether the loops bound a region at all.
+/// The sweep of the triangulators. It goes through the spans of interior from left to right, and `Cutter` cuts them
+/// into triangles (see chain_cutter.hpp). If `Proving`, it also finds out whether the loops bound a region.
 ///
 /// Between two neighbouring boundary edges that the sweep line crosses lies a *span* of interior. Its sides are
 /// numbered: 0 lower, 1 upper.
 ///
 /// Why the tests suffice: let X be the first point in sweep order where loops cross, touch or overlap. Left of X the
-/// status is right. If X is not a vertex, two edges that are neighbours in the status cross there; nothing can be
-/// inserted between them afterwards, because what is above the upper one is above the lower one, so the first of them
-/// that ends is tested against the other and found on the wrong side. If X is a vertex, either another vertex is there
-/// (its neighbour in the sweep order), or an edge passes through X, which is next to an edge that ends there (tested),
-/// or leaves no gap for a new span (tested), or lies between two edges that end there (then they are not neighbours).
-/// Edges that double back are found where they start.
+/// status is right. If X is not a vertex, two edges that are neighbours in the status cross there. Nothing can be
+/// inserted between them afterwards, because everything above the upper one is above the lower one. So the first of
+/// them that ends is tested against the other and found on the wrong side. If X is a vertex, either another vertex is
+/// there (its neighbour in the sweep order), or an edge passes through X. Such an edge is next to an edge that ends
+/// there (tested), or leaves no gap for a new span (tested), or lies between two edges that end there (then they are
+/// not neighbours). Edges that double back are found where they start.
 ///
-/// If `Touching`, a proven region may pass through a point more than once, each time along a sector of interior of its
-/// own. Imagine every such point moved a little into its sector: then all points differ, and the sweep meets them in
-/// this order:
+/// If `Touching`, a proven region may pass through a point more than once, each time along a separate sector of
+/// interior. Imagine every such point moved a little into its sector. Then all points differ, and the sweep meets them
+/// in this order:
 ///
 ///     .        ends            :::\ /:::   passes      ---.::::   a merge, or   ::::.---   starts
 ///     :::>.    (sector on the   ::: x :::   (above,        p :::   a split       ::: p      (sector on the    .<:::
 ///     '        left)           :::/ \:::   below)      ---'::::                 ::::'---   right)
 ///
-/// Only starts have to be placed among edges that begin in the point itself: by their angle.
+/// Only starts must be placed among edges that begin in the point itself: by their angle.
 ///
 /// If `Proving` and `Touching`: first the edges around every such point are sorted by angle. They must bound sectors,
-/// no two in one direction, and every visit must have a sector of its own. Then one test is relaxed: an edge may pass
-/// through p from outside its span if it begins or ends there. The argument above still holds, X being the first place
-/// where loops meet other than in common ends. If X is not a vertex: the two edges that cross there have no other point
-/// in common, so the one that ends first does so strictly on the wrong side, and what is inserted between them is
-/// tested against an edge of which it is not an end. If X is a vertex, an edge passes through it without ending there.
-/// Where others end in X, it or another such edge is right beside one of them, and every visit tests the edges on both
-/// sides of those that it ends: passes and ends come first, and they only remove or replace edges that end in X. Where
-/// none ends in X, the first visit that opens there finds no edge from X yet. Left of X the edges that end in X are
-/// ordered by angle, and after X passes, splits and starts keep those that begin there in that order, because at most
-/// two visits pass, one below and one above all that start, and at most one splits or merges; so the status is right
-/// after X. Whether starts are outside and splits inside is tested against edges of which X is not an end, or follows
-/// from the sectors.
+/// no two may have one direction, and every visit must have a separate sector. Then one test is relaxed: an edge may
+/// pass through p from outside its span if it begins or ends there. The argument above still holds, with X the first
+/// place where loops meet anywhere but in common ends. If X is not a vertex, the two edges that cross there have no
+/// other point in common. So the one that ends first does so strictly on the wrong side, and a vertex inserted between
+/// them is tested against an edge that does not end in that vertex. If X is a vertex, an edge passes through it without
+/// ending there. If others end in X, this edge or another such edge is right beside one of them, and every visit tests
+/// the edges on both sides of those that it ends: passes and ends come first, and they only remove or replace edges
+/// that end in X. If none ends in X, the first visit that opens there finds no edge from X yet. Left of X, the edges
+/// that end in X are ordered by angle. After X, passes, splits and starts keep the edges that begin there in that
+/// order, because at most two visits pass, one below and one above all that start, and at most one splits or merges; so
+/// the status is right after X. Whether starts are outside and splits inside is tested against edges without an end in
+/// X, or follows from the sectors.
 template <bool Proving, bool Touching, class Cutter>
 class monotone_sweep {
     struct vertex {
         std::uint32_t span[2];   // the span whose lower / upper side ends here; 0: that neighbour comes later
-        std::uint32_t right[2];  // where a lower / upper side that starts here leads: to the next / previous point
+        std::uint32_t right[2];  // the end of a lower / upper side that starts here: the next / previous point
     };
-    /// A boundary edge in the direction of its loop: the interior is on the left. Widened once, read about twice per
-    /// point: 9 instructions per point less than the two grid points.
+    /// A boundary edge in the direction of its loop: the interior is on the left. Widened once and read about twice per
+    /// point: 9 fewer instructions per point than with the two grid points.
     struct side {
         std::int64_t x, y;    // of its left end
         std::int64_t dx, dy;  // a lower side runs from there, an upper one to there
@@ -85,7 +85,7 @@ public:
     {
     }
 
-    /// Sweeps over all points. The cutter makes at most points + 2 * loops triangles, even when the sweep fails with
+    /// Sweeps over all points. The cutter makes at most points + 2 * loops triangles, even if the sweep fails with
     /// error::crossing_contours.
     ///
     ///     known   the order of the points, from sweep_order(); empty: unknown
@@ -96,7 +96,7 @@ public:
         TYPEMESH_ASSERT(loops() != 0 && starts_[loops()] == n, "the last of the starts must be the number of points");
         workspace::scope scratch{space};
         TYPEMESH_ASSERT(known.empty() || known.size() == n, "an order of other points was given");
-        const bool sorted = !Touching && !known.empty();  // visits of one point are sorted further
+        const bool sorted = !Touching && !known.empty();  // the visits of one point are sorted further
         auto* const own = sorted ? nullptr : scratch.take<std::uint32_t>(n);
         if (!sorted && (own == nullptr || (known.empty() && !sweep_order(points_, space, own))))
             return error::out_of_memory;
@@ -113,12 +113,12 @@ public:
         return error{error::crossing_contours, equal_points_ ? 1u : 0u};
     }
 
-    /// Whether equal points were found: up to the refusal, or, if `Touching`, anywhere.
+    /// Whether equal points were found: up to the refusal or, if `Touching`, anywhere.
     [[nodiscard]] bool has_equal_points() const noexcept { return equal_points_; }
 
     [[nodiscard]] const Cutter& cutter() const noexcept { return cut_; }
 
-    /// After a proof: every loop is a hole or an outer one, and excess_ is 2h - 2c.
+    /// After a proof: every loop is a hole or an outer loop, and excess_ is 2h - 2c.
     [[nodiscard]] std::uint32_t holes() const noexcept
     {
         return static_cast<std::uint32_t>((loops_met_ + excess_ / 2) / 2);
@@ -166,7 +166,7 @@ private:
         return error::none;
     }
 
-    /// Whether every visit of a point has a sector of its own, and no two of them overlap.
+    /// Whether every visit of a point has its own sector, and no two sectors overlap.
     [[nodiscard]] bool are_sectors(array_view<const std::uint32_t> visits, outgoing_edge* outgoing_edges) const noexcept
     {
         std::size_t count = 0;
@@ -180,7 +180,7 @@ private:
         return true;
     }
 
-    /// Whether p lies outside a span beyond its side `on`; if `Touching`, also when p is an end of that.
+    /// Whether p lies outside a span beyond its side `on`; if `Touching`, also if p is an end of that side.
     template <std::uint32_t on>
     [[nodiscard]] bool is_outside(std::uint32_t span, grid_point p) const noexcept
     {
@@ -256,11 +256,11 @@ private:
         return true;
     }
 
-    /// Both neighbours come later: a new span opens (start), or one is split.
+    /// Both neighbours come later: a new span opens (start), or a span is split.
     ///
     ///          .--- upper             ::::::::::::: .---  lower side of a new span above
     ///   start p :::::::          split  t :::::::: p
-    ///          '--- lower             ::::::::::::: '---  upper side of what stays below
+    ///          '--- lower             ::::::::::::: '---  upper side of the part that stays below
     [[nodiscard]] bool open(std::uint32_t v, grid_point p) noexcept
     {
         const std::int64_t turn = orientation(points_[vertices_[v].right[1]], p, points_[vertices_[v].right[0]]);
@@ -346,8 +346,8 @@ private:
     }
 
     /// Splits and merges add triangles, starts and ends remove some. For a region, splits + merges - starts - ends is
-    /// 2h - 2c at the end, so it never exceeds what the points to come can take back: more means that loops cross, and
-    /// the rest could make more triangles than there is memory for.
+    /// 2h - 2c at the end, so it never exceeds the amount that the remaining points can take back. A larger value means
+    /// that loops cross, and the rest could make more triangles than there is memory for.
     void bound_triangles(std::int64_t change) noexcept
     {
         if constexpr (Proving) {

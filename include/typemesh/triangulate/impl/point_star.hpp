@@ -11,18 +11,18 @@ namespace typemesh::inline TYPEMESH_ABI::detail {
 
 /// Makes a mesh Delaunay again around a new point p: the edges around p are visited once, counter-clockwise.
 ///
-///         c ------ d        Behind an edge lies a triangle. If its third point is in the circle through p and the
-///        / \      /         ends of the edge, as d behind b c is here, the edge is flipped to p d, and b d and d c
-///       /   \    /          are visited instead.
+///         c ------ d        Beyond an edge lies a triangle. If its third point is in the circle through p and the ends
+///        / \      /         of the edge, like d beyond b c here, the edge is flipped to p d, and b d and d c are
+///       /   \    /          visited instead.
 ///      a     \  /
-///       '. p. b             What p sees of the ends of an edge, and their cross product, is handed on from test to
-///                           test: two thirds of the instructions of in_circle().
+///       '. p. b             The ends of an edge relative to p, and their cross product, are passed on from test to
+///                           test: this takes two thirds of the instructions of in_circle().
 class point_star {
 public:
-    /// An edge that is not yet visited; where it begins the one before it ends.
+    /// An edge that is not yet visited; it begins where the previous one ends.
     struct open_edge {
         seen_point to;
-        std::int64_t cross;  // of its ends
+        std::int64_t cross;  // of the edge's ends
         std::uint32_t edge;
     };
 
@@ -30,8 +30,8 @@ public:
 
     [[nodiscard]] seen_point origin(std::uint32_t h) const noexcept { return seen_point::of(mesh_.place(h), p_); }
 
-    /// Visits the edges open[0] to open[size - 1], the last one first, which begins at `from`; `open` has room for
-    /// `room`. Returns how many edges are left in it when there is no more: usually none.
+    /// Visits the edges open[0] to open[size - 1]. The last one comes first; it begins at `from`. `open` has room for
+    /// `room` edges. If the room is used up, returns how many edges are left in it; the usual result is 0.
     [[nodiscard]] std::size_t close(seen_point from, open_edge* open, std::size_t size, std::size_t room,
                                     std::int64_t& flips_left) const noexcept
     {

@@ -9,25 +9,24 @@
 
 namespace typemesh::inline TYPEMESH_ABI::detail {
 
-/// What lies in a span of interior between two consecutive points of it.
+/// The part of a span of interior between two consecutive points of it.
 ///
-///       .------- - - -'-.         No point that sees it lies inside it or on its vertical sides; so `left` and `right`
-///      /:::::::::::::::::\        see each other, at worst along an edge of the region.
+///       .------- - - -'-.         No point that sees it lies inside it or on its vertical sides. So `left` and `right`
+///      /:::::::::::::::::\        see each other, in the extreme case along an edge of the region.
 ///     left:::::::::::::::right
 ///        \::::::::::::::/
-///         '--> - - - --'          `below` is the point where the region's edge along its lower side begins.
+///         '--> - - - --'          The region's edge along its lower side begins at the point `below`.
 struct trapezoid {
     std::uint32_t left;
     std::uint32_t right;
     std::uint32_t below;
-    std::uint32_t next;  // for lists of them
+    std::uint32_t next;  // links lists of trapezoids
 };
 
-/// For monotone_sweep.hpp, in place of a cutter: numbers the points in sweep order and records all trapezoids, n + h -
-/// c of them.
+/// For monotone_sweep.hpp, instead of a cutter: numbers the points in sweep order and records all n + h - c trapezoids.
 class trapezoid_output {
 public:
-    /// Of a span: the last point met in it, and where its lower side begins.
+    /// For a span: the last point met in it, and the point where its lower side begins.
     struct chains {
         std::uint32_t last;
         std::uint32_t below;

@@ -10,25 +10,25 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// How low triangles are, relative to the em: a *low* triangle is lower than 2^-20 em, which is one cell at 2048 units
+/// The height of triangles relative to the em: a *low* triangle is lower than 2^-20 em, which is one cell at 2048 units
 /// per em.
 ///
-///               c             The height h is that on the longest edge, the smallest of the three. A position is
-///        . -- ' | ' --- .     rounded to a 32-bit float once, by half a float step in each coordinate, so a triangle
+///               c             The height h is the height on the longest edge, the smallest of the three. A position is
+///        . -- ' | ' --- .     rounded to a 32-bit float once, by half a float step in each coordinate. So a triangle
 ///     a --------h-------- b   higher than sqrt(2) steps neither flips over nor becomes flat. Within 4 em of the origin
 ///                             a step is 2^-21 em or less, whatever the output's unit: h >= 2^-20 em suffices.
 ///
-/// Levels say how low: 0 for 2^-16 em and more, then one more for each halving, up to 12 below 2^-27 em. Where there is
-/// a choice, the higher triangles are taken even beyond the limit, because floats are coarser farther from the origin.
+/// Levels grade the height: 0 for 2^-16 em and more, then one more for each halving, up to 12 below 2^-27 em. Higher
+/// triangles are preferred even beyond the limit, because floats are coarser farther from the origin.
 ///
-/// Exact, in integers: h * 2^k < em where (2A * 2^k)^2 < em^2 * longest^2, A being the area. Budget: em <= 2^25
-/// cells, longest^2 <= 2^59, so a triangle that needs to be measured has 2A <= 2^39, and both sides are below 2^110.
+/// Exact, in integers: h * 2^k < em if (2A * 2^k)^2 < em^2 * longest^2, where A is the area. Budget: em <= 2^25 cells,
+/// longest^2 <= 2^59, so a triangle that must be measured has 2A <= 2^39, and both sides are below 2^110.
 class triangle_heights {
 public:
     static constexpr std::uint32_t levels = 13;
     static constexpr std::uint32_t low = 5;  ///< the smallest level of a low triangle
 
-    /// Nothing is low if the grid does not know its em.
+    /// No triangle is low if the grid does not know its em.
     explicit triangle_heights(const grid& g) noexcept
     {
         const double cells = g.cells * g.units_per_em;

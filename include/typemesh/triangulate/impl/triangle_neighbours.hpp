@@ -13,11 +13,11 @@ namespace typemesh::inline TYPEMESH_ABI::detail {
 /// Finds the triangle across an edge, for triangles that store no neighbours. Half-edge 3t + k runs from corner k of
 /// triangle t to the next corner.
 ///
-/// The first queries are answered by searching the triangles, outwards from the one concerned: neighbours are seldom
-/// far apart in the list. Once that has cost as much as a table of all answers would, prepare() makes the table.
+/// The first queries search the triangles outwards from the given one: neighbours are seldom far apart in the list.
+/// Once the searches have cost as much as a table of all answers, prepare() makes the table.
 ///
-/// Cost   O(n) per query for n triangles without the table, O(1) with it. prepare() makes the table, in O(n), once
-///        queries have examined 8n triangles: O(n) for all of them if it is called after every few
+/// Cost   O(n) per query for n triangles without the table, O(1) with it. prepare() makes the table once, in O(n),
+///        after queries have examined 8n triangles: O(n) for all of them if it is called after every few
 /// Space  32 bytes per triangle, once there is a table
 class triangle_neighbours {
 public:
@@ -29,7 +29,7 @@ public:
     {
     }
 
-    /// To be called now and then; false when memory runs out.
+    /// Call this now and then. False if out of memory.
     [[nodiscard]] bool prepare(workspace::scope& scratch, workspace& space) noexcept
     {
         return twins_ != nullptr || looked_at_ < 8 * triangles_.size() || make_table(scratch, space);
@@ -42,7 +42,7 @@ public:
     [[nodiscard]] static std::uint32_t previous(std::uint32_t h) noexcept { return h % 3 == 0 ? h + 2 : h - 1; }
     [[nodiscard]] std::uint32_t origin(std::uint32_t h) const noexcept { return corner(triangles_[h / 3], h % 3); }
 
-    /// The twin of h, the same edge in the neighbour; none if it is the region's own.
+    /// The twin of h, the same edge in the neighbour; `none` if it is the region's own edge.
     [[nodiscard]] std::uint32_t across(std::uint32_t h) noexcept
     {
         if (twins_ != nullptr) return twins_[h];
@@ -59,7 +59,7 @@ public:
         return none;
     }
 
-    /// To be called when triangles are exchanged, for the table: h and g are twins; g may be none.
+    /// Updates the table; call it when triangles are exchanged. h and g are twins; g may be `none`.
     void join(std::uint32_t h, std::uint32_t g) noexcept
     {
         if (twins_ == nullptr) return;
@@ -73,7 +73,7 @@ private:
         return k == 0 ? t.a : k == 1 ? t.b : t.c;
     }
 
-    /// The half-edge of triangle t from one point to another; none if it has none.
+    /// The half-edge of triangle t from one point to another; `none` if there is none.
     [[nodiscard]] std::uint32_t half_edge(std::size_t t, std::uint32_t from, std::uint32_t to) const noexcept
     {
         const triangle& at = triangles_[t];
@@ -94,8 +94,8 @@ private:
         return v + 1 < starts_[high] ? v + 1 : starts_[low];
     }
 
-    /// Twins are found point by point: first each half-edge that leaves the point is noted at its other end, then each
-    /// that arrives looks up the note at its own origin.
+    /// Finds twins point by point. First each half-edge that leaves the point is noted at its other end. Then each
+    /// half-edge that arrives looks up the note at its own origin.
     [[nodiscard]] bool make_table(workspace::scope& scratch, workspace& space) noexcept
     {
         const auto halves = static_cast<std::uint32_t>(3 * triangles_.size());

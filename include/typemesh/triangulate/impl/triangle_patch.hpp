@@ -13,21 +13,21 @@ namespace typemesh::inline TYPEMESH_ABI::detail {
 
 /// A polygon of adjacent triangles that grows triangle by triangle and is retriangulated in the best way.
 ///
-///            c3 ------- c2            corners counter-clockwise; a point that the region's boundary visits twice along
-///           /  '-._    /  \           the polygon is two corners of it. With m corners it has m - 2 triangles.
-///         c4        '-c0 -- c1
+///            c3 ------- c2            Corners are counter-clockwise. If the region's boundary visits a point twice
+///           /  '-._    /  \           along the polygon, the point is two corners. A polygon with m corners has
+///         c4        '-c0 -- c1        m - 2 triangles.
 ///
-/// What is best is decided by the levels of the triangles (see triangle_heights): the fewest of the lowest triangles,
-/// then the fewest of the next level, and so on. All triangulations are considered, by dynamic programming: the best
+/// The levels of the triangles (see triangle_heights) decide which triangulation is best: the fewest of the lowest
+/// triangles, then the fewest of the next level, and so on. Dynamic programming considers all triangulations: the best
 /// one over corners i to j consists of the best over i to k, the best over k to j, and the triangle i k j between them,
 /// for the best k. Triangles need only be counter-clockwise: if they fill in a polygon's corners, they then cover its
 /// inside once.
 ///
-/// Cost   at most m^3 / 6 triangles are examined
+/// Cost   examines at most m^3 / 6 triangles
 /// From   G. Klincsek, Minimal triangulations of polygonal domains (1980)
 class triangle_patch {
 public:
-    static constexpr std::uint32_t most = 32;  ///< corners: their counts of each level fit into 5 bits
+    static constexpr std::uint32_t most = 32;  ///< corners: the counts of each level fit into 5 bits
 
     triangle_patch(array_view<const grid_point> points, array_view<triangle> triangles, const triangle_heights& heights,
                    triangle_neighbours& neighbours) noexcept
@@ -37,11 +37,11 @@ public:
 
     struct outcome {
         bool improved;  ///< some triangles have changed
-        bool clear;     ///< none of those examined is low any more
+        bool clear;     ///< no examined triangle is low any more
     };
 
-    /// Grows around triangle t, retriangulating whatever can be improved, until no triangle in it is low. Subtracts the
-    /// triangles examined from `looks` and ends when it is used up.
+    /// Grows around triangle t, and retriangulates everything that can be improved, until no triangle in it is low.
+    /// Subtracts the examined triangles from `looks` and ends when it is used up.
     [[nodiscard]] outcome raise(std::uint32_t t, std::int64_t& looks) noexcept
     {
         start(t);
@@ -79,7 +79,7 @@ private:
         cost_ = cost(place_[0], place_[1], place_[2], orientation(place_[0], place_[1], place_[2]));
     }
 
-    /// Adds the triangle across the longest edge that has one; false when there is none, or no space.
+    /// Adds the triangle across the longest edge that has one. False if there is none, or no room.
     [[nodiscard]] bool grow() noexcept
     {
         for (;;) {
@@ -101,7 +101,7 @@ private:
         }
     }
 
-    /// The number of triangles of each level but 0, of the lowest triangles in the highest bits.
+    /// The number of triangles of each level except 0; the highest bits count the lowest triangles.
     [[nodiscard]] std::uint64_t cost(grid_point a, grid_point b, grid_point c, std::int64_t doubled_area) const noexcept
     {
         const std::uint32_t level = heights_.level(a, b, c, doubled_area);
@@ -159,12 +159,12 @@ private:
         return best_[0][size_ - 1];
     }
 
-    /// Replaces the old triangles by the best ones.
+    /// Replaces the old triangles with the best ones.
     void exchange() noexcept
     {
         constexpr std::uint32_t none = triangle_neighbours::none;
         std::uint32_t outside[most],
-            partner[most];  // across each edge; when that is an edge of this polygon, its number
+            partner[most];  // across each edge; if that is an edge of this polygon, its number
         for (std::uint32_t i = 0; i < size_; ++i) {
             outside[i] = neighbours_.knows_all() ? neighbours_.across(edge_[i]) : none;
             partner[i] = size_;
@@ -207,7 +207,7 @@ private:
     std::uint32_t corner_[most];
     grid_point place_[most];
     std::uint32_t edge_[most];  // the inner half-edge from corner i to the next
-    bool closed_[most];         // nothing more to add across it
+    bool closed_[most];         // no triangle to add across this edge
     std::uint32_t taken_[most];
     std::uint64_t best_[most][most];
     std::uint8_t apex_[most][most];

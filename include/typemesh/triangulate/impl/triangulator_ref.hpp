@@ -8,18 +8,18 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// Refers to a triangulator of any type, which must outlive it. A whole region is cut behind one call.
+/// Refers to a triangulator of any type, which must outlive it. One indirect call cuts a whole region.
 class triangulator_ref {
 public:
-    /// One table for each type of triangulator.
+    /// There is one table for each type of triangulator.
     struct calls {
         using proof = result<region> (*)(const void* how, const contours& loops, workspace& space,
                                          triangle_list& out) noexcept;
 
         error (*cut)(const void* how, const region& r, workspace& space, triangle_list& out) noexcept;
         policy_key (*key)(const void* how) noexcept;
-        proof prove = nullptr;           // null: no proving_triangulator
-        proof prove_touching = nullptr;  // null: no touching_triangulator
+        proof prove = nullptr;           // null: it is no proving_triangulator
+        proof prove_touching = nullptr;  // null: it is no touching_triangulator
         bool has_final_diagonals = false;
     };
     template <triangulator T>
@@ -33,13 +33,13 @@ public:
     }
     triangulator_ref(const void* how, const calls& does) noexcept : how_{how}, does_{&does} {}
 
-    /// cut_region()
+    /// Calls cut_region().
     [[nodiscard]] error cut(const region& r, workspace& space, triangle_list& out) const noexcept
     {
         return does_->cut(how_, r, space, out);
     }
 
-    /// See proving_triangulator and touching_triangulator; the triangles are not settled yet.
+    /// See proving_triangulator and touching_triangulator; low triangles have not been flipped yet.
     [[nodiscard]] bool proves() const noexcept { return does_->prove != nullptr; }
     [[nodiscard]] bool proves_touching() const noexcept { return does_->prove_touching != nullptr; }
     [[nodiscard]] result<region> prove(const contours& loops, workspace& space, triangle_list& out) const noexcept
