@@ -7,7 +7,8 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// A set of classes of characters, for tests of several at once. Class: an enumeration of at most 64 values from 0 on.
+/// A set of character classes, for testing several at once. Class is an enumeration of at most 64 values that start at
+/// 0.
 template <class Class>
 class class_set {
 public:
