@@ -21,8 +21,8 @@ struct analysis_options {
 ///
 ///     a.analyse(text, o, found)    empties `found` and fills it in. Levels, graphemes and scripts follow Unicode.
 ///                                  Where lines may end depends on the analyser, and so does whether a needed
-///                                  dictionary is missing. Paragraphs end at paragraph separators (Bidi_Class B: line feed,
-///                                  U+2029 and similar), and so do lines.
+///                                  dictionary is missing. Paragraphs end at paragraph separators (Bidi_Class B:
+///                                  line feed, U+2029 and similar), and so do lines.
 ///
 /// Fails  error::too_large: the text has more than 2^32 - 1 units
 ///        error::out_of_memory, and any other error of the analyser; `found` is then empty
