@@ -28,8 +28,8 @@ struct line_metrics {
 ///     s.units_per_em()                    as in outline_source; for the same font
 ///     s.metrics(direction)                the font's line metrics, for horizontal or vertical lines
 ///     s.shape(text, first, last, o, run)  appends the glyphs of text[first, last) to run.glyphs in drawing order. The
-///                                         pen starts at (0, 0). The text is one line without line breaks, or a segment of
-///                                         a line between two tabs: see shape_line(). It returns the pen's offset:
+///                                         pen starts at (0, 0). The text is one line without line breaks, or a segment
+///                                         of a line between two tabs: see shape_line(). It returns the pen's offset:
 ///                                         {advance x, advance y} in font units. Horizontal lines always run to the
 ///                                         right, vertical lines down. o.direction is the direction of the line;
 ///                                         letters keep their own. Clusters count from the start of `text`, in its
