@@ -40,8 +40,7 @@ struct break_piece {
     {
         return end == piece_end::line || end == piece_end::paragraph;
     }
-    /// Whether part of the piece is visible in a line that ends with it. White space is not, but a single soft hyphen
-    /// is.
+    /// Whether part of it is visible in a line that ends with it. White space is not; a single soft hyphen is.
     [[nodiscard]] constexpr bool is_visible() const noexcept { return drawn || width > 0.0 || end_change > 0.0; }
 
     /// The room that suffices for the piece anywhere in a line: 0 for white space.
