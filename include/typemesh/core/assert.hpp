@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-/// Checks what the caller must guarantee: TYPEMESH_ASSERT(condition, "one sentence").
+/// Checks a precondition that the caller must meet: TYPEMESH_ASSERT(condition, "one sentence").
 ///
 /// Only mistakes of the calling program are asserted. Bad fonts and full buffers are reported as `error`.
 ///

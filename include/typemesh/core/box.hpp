@@ -22,8 +22,7 @@ struct box {
         low = {p.x < low.x ? p.x : low.x, p.y < low.y ? p.y : low.y};
         high = {p.x > high.x ? p.x : high.x, p.y > high.y ? p.y : high.y};
     }
-    /// Grows to hold all of `other`. An empty box changes nothing. It is not an overload of add(): {x, y} would match
-    /// both.
+    /// Grows to hold all of `other`. An empty box changes nothing. It is not called add(): {x, y} would match both.
     constexpr void merge(const box& other) noexcept
     {
         if (other.empty()) return;

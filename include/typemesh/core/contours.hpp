@@ -41,8 +41,7 @@ struct contours {
     buffer<std::uint32_t> starts;
     array_view<const curve> curves;  ///< owned by the outline
     typemesh::grid grid;
-    double tolerance = 0.0;                   ///< in cells: the limit of the distance between edges and curves; 0:
-                                              ///< unknown
+    double tolerance = 0.0;                   ///< in cells: limit of the distance between edges and curves; 0: unknown
     std::uint32_t max_points = 0xFFFF'FFFFu;  ///< limit for discretise(); clear() does not change it
 
     /// How to treat corners that touch, in regions made of these loops and of offsets of them; see

@@ -64,8 +64,7 @@ struct grid {
         return g;
     }
 
-    /// Halves `cells` until an em has at most `max_per_em` cells. If it had more than half as many before, it still
-    /// has.
+    /// Halves `cells` until an em has at most `max_per_em` cells. More than half as many remain, if there were so many.
     void coarsen(double max_per_em) noexcept
     {
         while (cells * units_per_em > max_per_em && cells > 0x1p-40) {

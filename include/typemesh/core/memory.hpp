@@ -8,8 +8,7 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// The source of scratch memory. It is three pointers, so that no container and no signature needs an allocator
-/// parameter.
+/// The source of scratch memory: three pointers, so that no container and no signature needs an allocator parameter.
 ///
 /// `allocate` returns at least `bytes` bytes aligned to `alignment` (a power of two), or null. After null, the call
 /// that needed the bytes fails with error::out_of_memory and leaves all objects usable. `deallocate` gets the same size

@@ -114,9 +114,8 @@ private:
 ///
 ///     if (auto written = plan->write(sink); !written) puts(written.error().message());
 ///
-/// A result is true on success. Calls used to return an error, which was true on failure. Code written for that must
-/// not compile, so an unnamed result<void> does not convert to bool: write `if (!plan->write(sink))`, or call
-/// has_value().
+/// A result is true on success. Calls used to return an error, which was true on failure. Such code must not compile,
+/// so an unnamed result<void> does not convert to bool: write `if (!plan->write(sink))`, or call has_value().
 template <>
 class [[nodiscard]] result<void> {
 public:

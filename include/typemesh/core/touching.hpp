@@ -8,8 +8,7 @@
 namespace typemesh::inline TYPEMESH_ABI {
 
 /// How to treat corners in which the boundary of the filled area touches itself. In the mesh, a vertical edge with four
-/// faces stands above such a point. Slicers accept such edges; programs that compute with solids (OpenSCAD, CGAL)
-/// refuse them.
+/// faces stands above such a point. Slicers accept it; programs that compute with solids (OpenSCAD, CGAL) refuse it.
 ///
 ///         |:::::          / ::::         /::::::
 ///     ----+------     ---' .------    --'  .------     keep     the region stays as it is drawn

@@ -113,9 +113,8 @@ public:
                     [](void*, void*, std::size_t, std::size_t) noexcept {}};
         }
 
-        /// Ensures that the next `bytes` bytes fit into the rest of this block and one more block. Otherwise they could
-        /// be spread over many blocks, each with an unused rest. Returns false when out of memory. No inner scope may
-        /// be open.
+        /// Ensures that the next `bytes` bytes fit into the rest of this block and one more block. Otherwise many
+        /// blocks could have an unused rest. Returns false when out of memory. No inner scope may be open.
         [[nodiscard]] bool reserve(std::size_t bytes) noexcept
         {
             scope whole{workspace_};

@@ -161,8 +161,8 @@ private:
         return glyphs.append(now_.view()) ? error{} : error{error::out_of_memory};
     }
 
-    /// Shapes all holes with one face. The item's own face also shapes what was given up. `open`: whether there were
-    /// any.
+    /// Shapes all holes with one face. The item's own face also shapes text that was given up. `open`: whether there
+    /// were any.
     template <class Faces>
     error fill_with(Faces& faces, const job& of, std::uint32_t face, bool& open) noexcept
     {
@@ -282,8 +282,8 @@ private:
         return false;
     }
 
-    /// The first hole from a cluster on, which begins a grapheme. It is empty and after the last cluster if there is
-    /// none.
+    /// The first hole from a cluster on, which begins a grapheme. If there is none, it is empty, after the last
+    /// cluster.
     [[nodiscard]] hole next_hole(std::size_t from) const noexcept
     {
         hole h{from, from};

@@ -10,8 +10,7 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// Lays out a text: cuts it at its line breaks (line_break_at; they have no glyphs), shapes every line and positions
-/// it.
+/// Lays out a text: cuts it at its line breaks (line_break_at; they have no glyphs), shapes and positions every line.
 ///
 ///         x = 0, left-aligned                        columns go from right to left;
 ///     y = 0  |Hello                  <- baseline     the first is centred on x = 0    |   |

@@ -14,8 +14,7 @@ namespace typemesh::inline TYPEMESH_ABI {
 /// UAX #9 calls it the level of the paragraph. Letters keep their own direction: a Hebrew word reads to the left in a
 /// left-to-right line, too, but the full stop after it is on its right.
 enum class direction : std::uint8_t {
-    automatic,  ///< the direction of the first letter, otherwise of the requested script: left-to-right or
-                ///< right-to-left
+    automatic,  ///< left-to-right or right-to-left: as the first letter, otherwise as the requested script
     left_to_right,
     right_to_left,
     top_to_bottom,  ///< columns, each to the left of the previous one; in Mongolian to its right: column_progress
@@ -34,8 +33,7 @@ inline constexpr feature no_ligatures[] = {{"liga", 0}, {"clig", 0}};
 /// The input of a shaper besides the text.
 struct shape_options {
     typemesh::direction direction = typemesh::direction::automatic;
-    std::string_view language = {};  ///< BCP 47, such as "tr" or "zh-Hant"; empty: none, never the locale of the
-                                     ///< machine
+    std::string_view language = {};  ///< BCP 47, such as "tr" or "zh-Hant"; empty: none, never the machine's locale
     std::string_view script = {};    ///< ISO 15924, such as "Arab"; empty: found from the text
     std::span<const feature> features = {};  ///< in addition to the default features of the script
     bool ligatures = true;  ///< optional ligatures ("liga", "clig"), unless `features` has them; none in spaced text

@@ -31,8 +31,7 @@ enum class glyph_flags : std::uint8_t {
     return (static_cast<unsigned>(set) & static_cast<unsigned>(one)) != 0;
 }
 
-/// A glyph between shaping and layout: it has an advance but no position yet. Lengths are in font units of the shaper,
-/// y up.
+/// A glyph between shaping and layout: it has an advance but no position yet. Lengths are in the shaper's units, y up.
 struct shaped_glyph {
     glyph_id id = 0;
     cluster_id cluster = 0;

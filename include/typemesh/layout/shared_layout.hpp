@@ -111,8 +111,7 @@ private:
         }
     };
 
-    /// Finds the lines, and groups them into about `wanted` blocks of equal length. No block is too short to be
-    /// worthwhile.
+    /// Finds the lines, and groups them into about `wanted` blocks of equal length. Very short blocks are avoided.
     error find_lines(text_view text, std::size_t wanted) noexcept
     {
         lines_.clear();

@@ -16,8 +16,8 @@ namespace typemesh::inline TYPEMESH_ABI {
 /// contours are closed with a line. After the first error all further calls are ignored; finish() returns it.
 class outline_recorder {
 public:
-    /// Starts recording into `out`, which is emptied first and must outlive the recorder. It gets at most `most`
-    /// curves.
+    /// Starts recording into `out`, which is emptied first and must outlive the recorder. It gets `most` curves at
+    /// most.
     explicit outline_recorder(outline& out, std::uint32_t most = 0xFFFF'FFFFu) noexcept : out_{out}, most_{most}
     {
         out_.clear();
@@ -109,8 +109,7 @@ static_assert(outline_sink<outline_recorder>);
 ///
 ///     most    the maximum number of curves of the glyph
 ///
-/// Fails with the source's error (error::unknown_glyph, ...), otherwise like finish(). The content of `out` is then
-/// meaningless.
+/// Fails with the source's error (error::unknown_glyph, ...), otherwise like finish(); `out` is then meaningless.
 template <outline_source Source>
 result<void> record(Source& source, glyph_id id, outline& out, std::uint32_t most = 0xFFFF'FFFFu) noexcept
 {

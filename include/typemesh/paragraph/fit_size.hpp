@@ -45,8 +45,7 @@ struct size_trial {
 ///     height    across the lines, from the first line's ascender to the last line's descender
 ///     options   width and ellipsis are ignored; the text has at most max_lines lines
 ///
-/// Some breakers, for example total_fit, may make more lines in a wider room. A larger size that would fit may then be
-/// missed.
+/// Some breakers, such as total_fit, may make more lines in a wider room. A larger size that fits may then be missed.
 ///
 /// Fails  error::bad_option: width or height are not positive and finite, the text needs more than max_lines lines,
 ///        or there is no text, as before set(); and

@@ -13,8 +13,7 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// The side to which a place between two graphemes belongs. It matters at the end of a line, and where the direction
-/// changes.
+/// The side to which a place between two graphemes belongs. It matters at line ends, and where the direction changes.
 enum class affinity : std::uint8_t {
     downstream,  ///< to the grapheme after it
     upstream,    ///< to the grapheme before it
@@ -47,8 +46,7 @@ public:
     {
     }
 
-    /// The box of a line: as wide as its visible part, from descender to ascender. It is empty if there is no such
-    /// line.
+    /// The box of a line: as wide as its visible part, from descender to ascender. Empty if there is no such line.
     [[nodiscard]] box line_box(std::size_t line) const noexcept
     {
         if (line >= lines_.size()) return {};
@@ -77,8 +75,7 @@ public:
         return {line, point_of(lines_[line], back ? found.trailing : found.leading), found.to_the_left};
     }
 
-    /// The place nearest to a point. Without lines, it is the text's beginning. Cost: O(lines), and O(clusters of the
-    /// line)
+    /// The place nearest to a point; without lines, the text's beginning. Cost: O(lines), and O(clusters of the line)
     [[nodiscard]] text_place caret_from(point p) const noexcept
     {
         if (lines_.empty()) return {};

@@ -9,8 +9,7 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// A width that surely has room for text measured with the same width, in spite of rounding: it is wider by 10^-12 of
-/// its value.
+/// A width that has room for text measured with the same width, in spite of rounding: it is wider by 10^-12 of it.
 [[nodiscard]] constexpr double widened(double width) noexcept { return width + 1e-12 * width; }
 
 /// The room of lines, in font units.

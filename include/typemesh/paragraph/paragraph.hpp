@@ -40,8 +40,7 @@ struct paragraph_size {
     double height = 0.0;  ///< from the first line's ascender to the last line's descender
 };
 
-/// A text that is shaped once and then laid out at any width, as often as needed. Directions may be mixed, and lines
-/// are broken.
+/// A text that is shaped once and then laid out at any width, as often as needed, with mixed directions.
 ///
 ///     paragraph words{font};
 ///     if (auto set = words.set(text); !set) puts(set.error().message());
@@ -50,8 +49,7 @@ struct paragraph_size {
 ///
 /// The text, and everything that the options refer to, must stay unchanged until the next set(). If glyphs change at a
 /// line's end, they are shaped again, with the text around them. Memory is kept: after warm-up nothing is allocated
-/// here. Only one thread at a time may use a paragraph. A paragraph that was moved from has no text until its next
-/// set().
+/// here. Only one thread at a time may use a paragraph. Once moved from, it has no text until its next set().
 template <item_shaper Font, text_analyser Analyser = unicode_analyser, line_breaker Breaker = first_fit>
 class paragraph {
 public:
@@ -209,8 +207,7 @@ private:
         return {};
     }
 
-    /// Measures the advances of a space, which is the unit of tab stops, and of a digit. A text without tabs needs
-    /// neither.
+    /// Measures a space, which is the unit of tab stops, and a digit. A text without tabs needs neither.
     error measure_tabs() noexcept
     {
         space_ = digit_ = 0.0;

@@ -19,8 +19,7 @@ enum class wrap_mode : std::uint8_t {
     grapheme,          ///< after every grapheme
 };
 
-/// The side of the width to which lines are aligned. Start is left if a paragraph is read to the right, otherwise
-/// right.
+/// The side of the width to which lines are aligned. Start is left if a paragraph reads to the right, else right.
 enum class line_alignment : std::uint8_t {
     start,
     end,
@@ -32,12 +31,10 @@ enum class line_alignment : std::uint8_t {
 
 /// How justified lines become wider. If this way is not possible, spaces become wider.
 enum class justification : std::uint8_t {
-    automatic,  ///< in lines with Chinese or Japanese, gaps beside ideographs and spaces equally; in other lines,
-                ///< spaces
+    automatic,  ///< gaps beside ideographs and spaces equally in lines with Chinese or Japanese, otherwise spaces
     spaces,
     letters,  ///< all gaps between letters and spaces equally, except between joined letters
-    kashida,  ///< if the font allows it, strokes between joined letters of Arabic and related scripts; the rest in
-              ///< spaces
+    kashida,  ///< strokes between joined letters of Arabic and related scripts, if the font allows it; then spaces
 };
 
 /// The part of the text at y = 0, or the text's position in a box that extends from y = 0 down by its height.

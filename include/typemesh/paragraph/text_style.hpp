@@ -43,8 +43,8 @@ enum class script_position : std::uint8_t { normal, superscript, subscript };
 ///                painted like its first character.
 struct text_style {
     std::uint16_t face = 0;  ///< of the shaper's faces
-    double size = 1.0;       ///< times the text's size; more than 0. Solids stay as deep, and bevels as wide, as for
-                             ///< size 1
+    double size = 1.0;       ///< times the text's size; more than 0. It does not change the depth of solids and the
+                             ///< width of bevels
     double letter_spacing = 0.0;             ///< in addition to the whole text's
     std::span<const feature> features = {};  ///< after the features of the whole text
     std::string_view language = {};          ///< empty: the whole text's

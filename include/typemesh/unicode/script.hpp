@@ -41,8 +41,7 @@ class script_set {
 public:
     constexpr script_set() noexcept = default;
 
-    /// The set of one code point. It is universal for Common, Inherited and Unknown code points, including private
-    /// ones.
+    /// The set of one code point. It is universal for Common, Inherited and Unknown ones, including private ones.
     ///
     /// Cost   O(log(ranges)): eleven reads of a table of 9 kB, none for ASCII
     [[nodiscard]] static script_set of(char32_t c) noexcept { return numbered(range_of(c).number); }

@@ -16,8 +16,7 @@ enum class encoding : std::uint8_t { utf8, utf16 };
 
 /// The caller's text in place: UTF-8 (char, char8_t) or UTF-16 (char16_t). The view copies nothing and owns nothing.
 ///
-/// Offsets and clusters count units: bytes of UTF-8, 16-bit units of UTF-16. Invalid units are read as U+FFFD (see
-/// utf.hpp).
+/// Offsets and clusters count units: bytes of UTF-8, 16-bit units of UTF-16. Invalid units read as U+FFFD (utf.hpp).
 class text_view {
 public:
     constexpr text_view() noexcept = default;

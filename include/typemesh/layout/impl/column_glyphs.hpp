@@ -33,8 +33,7 @@ inline void turn_glyphs(array_view<shaped_glyph> glyphs, const column_metrics& c
 }
 
 /// Puts an item's glyphs, shaped as in a line, side by side into the space of one character of a column. This space is
-/// an em, and the gaps between the glyphs take at most half of it. The glyphs become one cluster, which begins at
-/// `first`.
+/// an em, and the gaps between the glyphs take at most half of it. The result is one cluster, which begins at `first`.
 ///
 /// Returns the factor along x that makes the glyphs narrower: 1 if they fit.
 inline double combine_glyphs(array_view<shaped_glyph> glyphs, const column_metrics& column, cluster_id first) noexcept

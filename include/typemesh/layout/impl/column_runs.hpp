@@ -36,8 +36,7 @@ struct column_run {
     }
 };
 
-/// The orientation of a grapheme in columns, UAX #50: the orientation of its first character, or upright if a mark
-/// encloses it.
+/// The orientation of a grapheme in columns, UAX #50: as its first character, or upright if a mark encloses it.
 [[nodiscard]] inline vertical_orientation grapheme_orientation(text_view text, std::size_t first,
                                                                std::size_t last) noexcept
 {

@@ -40,8 +40,8 @@ public:
         return table.size();
     }
 
-    /// Adds the values at the table's end that are not in the index yet. Returns false when out of memory; the index is
-    /// then empty.
+    /// Adds the values at the table's end that are new to the index. Returns false when out of memory, and is then
+    /// empty.
     ///
     /// Cost  O(new values), on average over many calls
     [[nodiscard]] bool read(array_view<const Value> table) noexcept

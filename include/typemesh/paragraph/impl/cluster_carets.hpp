@@ -27,8 +27,7 @@ public:
         bool turned = false;        ///< the glyphs lie on their side: their font treats them as in a line
     };
 
-    /// Gets the carets of a cluster from a font. They are kept if their number is right, they ascend, and they lie
-    /// inside.
+    /// Gets the carets of a cluster from a font. Keeps them if their number is right, they ascend, and they lie inside.
     ///
     ///     glyphs   the glyphs of the cluster, as they are set
     ///

@@ -255,8 +255,7 @@ private:
         return k;
     }
 
-    /// Splits invisible clusters off the first hanging white space after them. Returns the slice that begins with the
-    /// white space.
+    /// Splits invisible clusters off the first hanging white space after them. Returns the white space's slice.
     result<std::size_t> part_hanging(const shaped_text& shaped) noexcept
     {
         for (std::size_t k = visible_; k < slices_.size(); ++k) {

@@ -94,8 +94,7 @@ public:
     }
 
     /// The caret positions inside a ligature, along the line from the start of its cluster's pen, in font units,
-    /// ascending. There is one fewer than the ligature has graphemes, or none if the font does not say. Cost: O(log
-    /// ligatures)
+    /// ascending. One fewer than the ligature's graphemes, or none if the font has none. Cost: O(log ligatures)
     [[nodiscard]] array_view<const double> carets_of(std::uint32_t cluster) const noexcept
     {
         return carets_.of(cluster);
@@ -189,7 +188,7 @@ public:
         carets_.clear();
     }
 
-    /// Removes all clusters and glyphs from these numbers on, if there are so many. A moved-from object has none.
+    /// Removes all clusters and glyphs from these numbers on, if they exist. A moved-from object has none.
     void truncate(std::size_t clusters, std::size_t glyphs) noexcept
     {
         if (clusters < clusters_.size()) clusters_.truncate(clusters);

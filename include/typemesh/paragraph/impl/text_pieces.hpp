@@ -16,8 +16,7 @@ namespace typemesh::inline TYPEMESH_ABI {
 
 /// The source of a piece in its shaped text.
 struct shaped_piece {
-    std::uint32_t cluster = 0;   ///< the cluster of the piece's first unit; for an empty piece, the index after the
-                                 ///< last cluster
+    std::uint32_t cluster = 0;   ///< the cluster of its first unit; for an empty piece, the index after the last one
     std::uint32_t cut = no_cut;  ///< the changes if a line ends with the piece
 };
 
@@ -83,8 +82,7 @@ public:
             for (std::uint32_t u = cluster.first + 1; u <= cluster.last; ++u) {
                 const bool tab = u == cluster.last && has(cluster.flags, cluster_flags::tab);
                 if (u < size && !tab && !may_end(shaped.analysis.marks[u])) continue;
-                const bool never = u < size && !may_end(shaped.analysis.marks[u]);  // for example a tab before a
-                                                                                    // bracket
+                const bool never = u < size && !may_end(shaped.analysis.marks[u]);  // a tab before a bracket
                 const piece_end end = never ? piece_end::never : end_at(shaped, cluster, u);
                 joined_ = joined_ || never;
                 if (error e = close(shaped, shaper, {c, u, end, tab}, now, words_)) return e;
@@ -101,8 +99,8 @@ public:
         return {};
     }
 
-    /// The pieces for a wrap mode: the words, or all graphemes, or words of which the ones that do not fit into
-    /// `narrowest` are broken. The list lives until the next call. It shapes only text that no earlier call has shaped.
+    /// The pieces for a wrap mode: the words, or all graphemes, or words, broken if they do not fit into `narrowest`.
+    /// The list lives until the next call. It shapes only text that no earlier call has shaped.
     template <item_shaper Shaper>
     result<const list*> pieces_for(wrap_mode wrap, double narrowest, shaped_text& shaped, Shaper& shaper) noexcept
     {

@@ -192,8 +192,7 @@ private:
         --valid_isolates_;
     }
 
-    /// BD7 and BD13: finds level runs. A run that ends with an isolate initiator is linked to the run of the matching
-    /// pdi.
+    /// BD7 and BD13: finds level runs. A run that ends with an isolate initiator is linked to the matching pdi's run.
     void find_runs() noexcept
     {
         using enum bidi_class;

@@ -49,9 +49,7 @@ inline void resolve_numbers(const bidi_sequence& sequence) noexcept
     using enum bidi_class;
     bidi_class* const t = sequence.classes;
     const std::size_t n = sequence.size;
-    bidi_class before =
-        sequence.start;  // before these rules; no rule needs the new class of a separator after W4, because a digit
-                         // follows it
+    bidi_class before = sequence.start;  // before these rules: after W4, no rule needs the class of a separator
     bool latin = sequence.start == l;
     for (std::size_t k = 0, next = 0; k < n; k = next) {
         next = k + 1;
@@ -71,8 +69,7 @@ inline void resolve_numbers(const bidi_sequence& sequence) noexcept
     }
 }
 
-/// Rules N1 and N2: characters between two letters of the same direction take it. All others take the direction of the
-/// embedding.
+/// Rules N1 and N2: characters between two letters of one direction take it. All others take the embedding direction.
 inline void resolve_neutrals(const bidi_sequence& sequence) noexcept
 {
     bidi_class* const t = sequence.classes;

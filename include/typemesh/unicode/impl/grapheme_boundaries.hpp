@@ -9,8 +9,7 @@
 namespace typemesh::inline TYPEMESH_ABI {
 
 /// Finds where graphemes begin. A reader sees a grapheme as one character: a letter with its marks, a conjunct of Indic
-/// scripts, a stack of Khmer or Burmese, an emoji of several code points. These are the extended grapheme clusters of
-/// UAX #29.
+/// scripts, a stack of Khmer or Burmese, an emoji of several code points. (UAX #29: extended grapheme clusters)
 class grapheme_boundaries {
 public:
     /// Whether a grapheme begins with this character. Call it for each character of a text in order.

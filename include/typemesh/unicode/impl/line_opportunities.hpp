@@ -127,8 +127,7 @@ private:
         return aksaras.holds(before_) && aksaras.holds(c) && is_at(after(i), vf);
     }
 
-    /// The rules of LB21 to LB30b about two neighbours: for each class, the classes that a break must not separate from
-    /// it.
+    /// The rules of LB21 to LB30b about two neighbours: for each class, the classes that must stay with it.
     struct neighbours {
         static constexpr std::size_t count = static_cast<std::size_t>(line_class::sa_mark) + 1;
         classes after[count];
