@@ -49,7 +49,8 @@ inline void resolve_numbers(const bidi_sequence& sequence) noexcept
     using enum bidi_class;
     bidi_class* const t = sequence.classes;
     const std::size_t n = sequence.size;
-    bidi_class before = sequence.start;  // before these rules: after W4, no rule needs the class of a separator
+    bidi_class before =
+        sequence.start;  // before these rules: no rule needs a separator's class after W4, because a digit follows it
     bool latin = sequence.start == l;
     for (std::size_t k = 0, next = 0; k < n; k = next) {
         next = k + 1;
