@@ -15,8 +15,8 @@ namespace typemesh::inline TYPEMESH_ABI {
 template <class T>
 class array_view {
 public:
-    using element_type = T;  ///< the same names as in std::span
-    using value_type = std::remove_cv_t<T>;
+    using element_type = T;                  ///< as in std::span
+    using value_type = std::remove_cv_t<T>;  ///< as in std::span
 
     constexpr array_view() noexcept = default;
     constexpr array_view(T* first, std::size_t count) noexcept : data_{first}, size_{count} {}

@@ -15,6 +15,7 @@ namespace typemesh::inline TYPEMESH_ABI {
 /// that you write for the library (in a policy, a font or a sink) return an error: `return {};` on success, and
 /// otherwise for example `return error::out_of_memory;`. `message()` is a plain sentence.
 struct [[nodiscard]] error {
+    /// What went wrong.
     enum kind : std::uint8_t {
         none,
         out_of_memory,        ///< the memory source returned null

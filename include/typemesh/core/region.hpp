@@ -52,6 +52,7 @@ public:
     /// The order of the points, as in contours::order(). It is empty if they have not been sorted.
     [[nodiscard]] array_view<const std::uint32_t> order() const noexcept { return order_; }
     [[nodiscard]] array_view<const curve> curves() const noexcept { return curves_; }
+    /// The grid of its points.
     [[nodiscard]] typemesh::grid grid() const noexcept { return grid_; }
 
     /// In cells: the limit of the distance between edges and curves, except at crossings. 0: unknown (loops made by

@@ -22,7 +22,7 @@ template <class T>
 class [[nodiscard]] result {
 public:
     using value_type = T;
-    using error_type = typemesh::error;
+    using error_type = typemesh::error;  ///< the error, as a type
 
     result(T value) noexcept : value_{std::move(value)}, has_value_{true} {}
     result(typemesh::error e) noexcept : nothing_{}, error_{e}

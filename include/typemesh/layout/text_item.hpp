@@ -27,6 +27,7 @@ struct text_item {
     glyph_orientation orientation = glyph_orientation::horizontal;
     double squeeze = 1.0;  ///< for combined glyphs: the factor that makes them narrower, a result of shaping
 
+    /// Whether it is read from right to left.
     [[nodiscard]] constexpr bool to_the_left() const noexcept { return (level & 1u) != 0; }
 };
 

@@ -47,6 +47,7 @@ public:
         return {};
     }
 
+    /// The runs; there are none for lines.
     [[nodiscard]] std::span<const column_run> runs() const noexcept { return runs_.view(); }
     [[nodiscard]] const column_metrics& metrics() const noexcept { return metrics_; }
 

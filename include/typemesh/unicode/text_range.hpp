@@ -12,6 +12,7 @@ struct text_range {
     std::uint32_t first = 0;
     std::uint32_t last = 0;
 
+    /// Whether the unit lies in the range.
     [[nodiscard]] constexpr bool holds(std::uint32_t unit) const noexcept { return unit >= first && unit < last; }
 };
 

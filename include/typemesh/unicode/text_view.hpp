@@ -54,6 +54,7 @@ public:
         TYPEMESH_ASSERT(encoding_ == typemesh::encoding::utf8, "a text in UTF-16 was read as UTF-8");
         return static_cast<const char*>(units_);
     }
+    /// The units of a text in UTF-16.
     [[nodiscard]] const char16_t* utf16() const noexcept
     {
         TYPEMESH_ASSERT(encoding_ == typemesh::encoding::utf16, "a text in UTF-8 was read as UTF-16");
