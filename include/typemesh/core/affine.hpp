@@ -16,7 +16,7 @@ struct affine {
         return {xx * p.x + xy * p.y + dx, yx * p.x + yy * p.y + dy};
     }
 
-    /// Number by number; one with a NaN equals none.
+    /// Compares the numbers one by one. A map with a NaN equals no map.
     friend constexpr bool operator==(const affine& a, const affine& b) noexcept
     {
         return same(a.xx, b.xx) && same(a.xy, b.xy) && same(a.dx, b.dx) && same(a.yx, b.yx) && same(a.yy, b.yy) &&
@@ -24,7 +24,7 @@ struct affine {
     }
 };
 
-/// The map that scales first: map(factor * p) for every p.
+/// The map that first scales by `factor` and then applies `map`: result(p) = map(factor * p) for every p.
 [[nodiscard]] constexpr affine scaled_before(const affine& map, double factor) noexcept
 {
     return {map.xx * factor, map.xy * factor, map.dx, map.yx * factor, map.yy * factor, map.dy};

@@ -9,14 +9,14 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// Values that lie one after the other in memory that others own: a pointer and a count. It is what std::span is, and
-/// converts to and from it. Compilers take far less time and memory for it: a std::span checks the concepts of
+/// A pointer and a count: consecutive values in memory that somebody else owns. It does the job of std::span, and
+/// converts to and from it. Compilers take far less time and memory for it, because a std::span checks the concepts of
 /// iterators and ranges for each type of element.
 template <class T>
 class array_view {
 public:
-    using element_type = T;                  ///< as std::span has it
-    using value_type = std::remove_cv_t<T>;  ///< likewise
+    using element_type = T;                  ///< as in std::span
+    using value_type = std::remove_cv_t<T>;  ///< as in std::span
 
     constexpr array_view() noexcept = default;
     constexpr array_view(T* first, std::size_t count) noexcept : data_{first}, size_{count} {}
@@ -25,7 +25,7 @@ public:
     {
     }
 
-    /// Of all that has data() and size(): std::span, std::vector, buffer.
+    /// Converts from anything with data() and size(): std::span, std::vector, buffer.
     template <class Array>
         requires(!std::is_same_v<std::remove_cvref_t<Array>, array_view>) && requires(Array& a) {
             a.size();
@@ -35,14 +35,15 @@ public:
     {
     }
 
-    // One for each kind of value, so that each is as good as the constructor of std::span for ranges, and preferred.
+    // There is one overload for each kind of value. Each one matches as well as std::span's constructor for ranges, and
+    // is preferred to it.
     constexpr operator std::span<T>() & noexcept { return {data_, size_}; }
     constexpr operator std::span<T>() const& noexcept { return {data_, size_}; }
     constexpr operator std::span<T>() && noexcept { return {data_, size_}; }
 
     [[nodiscard]] constexpr T* data() const noexcept { return data_; }
     [[nodiscard]] constexpr std::size_t size() const noexcept { return size_; }
-    /// The size of all in memory.
+    /// The size of all elements in bytes.
     [[nodiscard]] constexpr std::size_t size_bytes() const noexcept { return size_ * sizeof(T); }
     [[nodiscard]] constexpr bool empty() const noexcept { return size_ == 0; }
     [[nodiscard]] constexpr T* begin() const noexcept { return data_; }
@@ -51,11 +52,11 @@ public:
     [[nodiscard]] constexpr T& front() const noexcept { return *data_; }
     [[nodiscard]] constexpr T& back() const noexcept { return data_[size_ - 1]; }
 
-    /// Its first values.
+    /// The first `count` elements.
     [[nodiscard]] constexpr array_view first(std::size_t count) const noexcept { return {data_, count}; }
-    /// Its last values.
+    /// The last `count` elements.
     [[nodiscard]] constexpr array_view last(std::size_t count) const noexcept { return {end() - count, count}; }
-    /// Those from one on: all, or so many.
+    /// The elements from index `at` on: all of them, or `count` of them.
     [[nodiscard]] constexpr array_view subspan(std::size_t at) const noexcept { return {data_ + at, size_ - at}; }
     [[nodiscard]] constexpr array_view subspan(std::size_t at, std::size_t count) const noexcept
     {

@@ -7,7 +7,7 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// An axis-aligned bounding box. Empty (low above high) until the first point is added.
+/// An axis-aligned bounding box. It is empty (low is above high) until the first point is added.
 struct box {
     point low{(std::numeric_limits<double>::max)(), (std::numeric_limits<double>::max)()};
     point high{std::numeric_limits<double>::lowest(), std::numeric_limits<double>::lowest()};
@@ -22,7 +22,7 @@ struct box {
         low = {p.x < low.x ? p.x : low.x, p.y < low.y ? p.y : low.y};
         high = {p.x > high.x ? p.x : high.x, p.y > high.y ? p.y : high.y};
     }
-    /// Grows to hold all of `other`; an empty box changes nothing. Not called add(): {x, y} would fit both.
+    /// Grows to hold all of `other`. An empty box changes nothing. It is not called add(): {x, y} would match both.
     constexpr void merge(const box& other) noexcept
     {
         if (other.empty()) return;

@@ -14,7 +14,7 @@ namespace typemesh::inline TYPEMESH_ABI {
 
 namespace detail {
 
-/// What all buffers are, whatever the type of their elements, which are counted in bytes.
+/// The part of a buffer that does not depend on the type of its elements. It counts in bytes.
 class buffer_bytes {
 public:
     buffer_bytes(const buffer_bytes&) = delete;
@@ -71,10 +71,11 @@ protected:
 
 }  // namespace detail
 
-/// A growing array of trivially copyable values over `memory`, whose growth can fail without an exception.
+/// A growing array of trivially copyable values over `memory`. Its growth can fail without an exception.
 ///
-/// Everything that grows returns false (or null) when memory runs out, and then nothing has changed. clear() keeps the
-/// storage: after warm-up nothing is allocated. Growth moves the elements and invalidates spans and pointers to them.
+/// Every function that grows the buffer returns false (or null) when out of memory, and then nothing has changed.
+/// clear() keeps the storage, so nothing is allocated after warm-up. Growth moves the elements and invalidates spans
+/// and pointers to them.
 template <class T>
 class buffer : detail::buffer_bytes {
     static_assert(__is_trivially_copyable(T), "a typemesh::buffer holds values that can be copied as bytes");
@@ -122,14 +123,14 @@ public:
         size_ = size;
     }
 
-    /// Makes the capacity at least `wanted`: growth up to that size then neither fails nor moves the elements.
+    /// Makes the capacity at least `wanted`. Growth up to that size then neither fails nor moves the elements.
     [[nodiscard]] bool reserve(std::size_t wanted) noexcept
     {
         return wanted <= capacity_ || grow(wanted, sizeof(T), alignof(T));
     }
 
-    /// Appends `count` uninitialised elements and returns the first; null when memory runs out (or, for count = 0, when
-    /// there is no storage yet).
+    /// Appends `count` uninitialised elements and returns the first. Returns null when out of memory (or, for count =
+    /// 0, if there is no storage yet).
     [[nodiscard]] T* append(std::size_t count) noexcept
     {
         if (count > capacity_ - size_ && !grow_by(count, sizeof(T), alignof(T))) return nullptr;
@@ -138,7 +139,7 @@ public:
         return first;
     }
 
-    /// Appends copies of `values`, which may lie in this very buffer.
+    /// Appends copies of `values`, which may lie in this same buffer.
     [[nodiscard]] bool append(array_view<const T> values) noexcept
     {
         if (values.empty()) return true;

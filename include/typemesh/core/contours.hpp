@@ -14,38 +14,38 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// How many points a glyph's contours may have, unless the caller says otherwise: see text_options::max_points.
+/// The default limit for the number of points in a glyph's contours: see text_options::max_points.
 inline constexpr std::uint32_t default_most_points = 1'000'000;
 
-/// Where a straight edge comes from: its first point lies at t0 of `curve`, its second at t1. t0 > t1 where the contour
-/// has been reversed and runs against its curve. The two differ, however short the edge, as long as floats can tell
-/// them apart.
+/// The origin of a straight edge: its first point lies at t0 of `curve`, its second at t1. If the contour has been
+/// reversed and runs against its curve, t0 > t1. t0 and t1 differ even for very short edges, as long as floats can
+/// represent the difference.
 struct contour_edge {
     std::uint32_t curve = 0;
     float t0 = 0.0f;
     float t1 = 1.0f;
 };
 
-/// Closed polylines on the grid: what a discretiser makes of curves by flattening them, and what fill reads. Nothing is
-/// proven about them; see region.
+/// Closed polylines on the grid. A discretiser makes them from curves, and fill reads them. Nothing is proven about
+/// them; see region.
 ///
-///     points   [ first contour | second contour | ... ]            each contour's last point is joined to its first
+///     points   [ first contour | second contour | ... ]            the last edge of a contour ends at its first point
 ///     edges    edges[i] runs from points[i] to the next point of the same contour
 ///     starts   [ 0 | first point of each further contour | ... | points.size() ]
 ///     curves   the curves that the edges refer to
 ///
-/// Every contour has at least 3 points and no two equal neighbours.
+/// Every contour has at least 3 points, and its neighbouring points differ.
 struct contours {
     buffer<grid_point> points;
     buffer<contour_edge> edges;
     buffer<std::uint32_t> starts;
-    array_view<const curve> curves;  ///< not owned: the outline's
+    array_view<const curve> curves;  ///< owned by the outline
     typemesh::grid grid;
-    double tolerance = 0.0;                   ///< in cells: how far the edges may be from their curves; 0: unknown
-    std::uint32_t max_points = 0xFFFF'FFFFu;  ///< discretise() refuses to put in more; clear() leaves this alone
+    double tolerance = 0.0;                   ///< in cells: limit of the distance between edges and curves; 0: unknown
+    std::uint32_t max_points = 0xFFFF'FFFFu;  ///< limit for discretise(); clear() does not change it
 
-    /// What is to become of corners that touch, in regions made of these loops and of what moves away from them; see
-    /// fill/corner_parting.hpp. clear() leaves this alone.
+    /// How to treat corners that touch, in regions made of these loops and of offsets of them; see
+    /// fill/corner_parting.hpp. clear() does not change it.
     touching corners = touching::keep;
 
     explicit contours(memory source = heap()) noexcept : points{source}, edges{source}, starts{source}, order_{source}
@@ -66,9 +66,9 @@ struct contours {
         forget_order();
     }
 
-    /// The indices of the points in the order of a left-to-right sweep: by x, then y, then index. Empty unless they
-    /// have been sorted (see sort_points() in sweep/impl/sweep_order.hpp) since their number last changed and since
-    /// clear() or forget_order(). After moving points one of these must be called; this is asserted.
+    /// The indices of the points in the order of a left-to-right sweep: by x, then y, then index. It is empty until
+    /// sort_points() (sweep/impl/sweep_order.hpp) has sorted them. A change in the number of points, clear() and
+    /// forget_order() make it empty again. After moving points call one of these two; this is asserted.
     [[nodiscard]] array_view<const std::uint32_t> order() const noexcept
     {
         if (order_.size() != points.size()) return {};
@@ -79,7 +79,8 @@ struct contours {
     }
     void forget_order() noexcept { order_.clear(); }
 
-    /// An array for the order of `size` points, to be filled in; null, and no order, when memory runs out.
+    /// An array for the order of `size` points, which the caller fills in. Returns null when out of memory; then there
+    /// is no order.
     [[nodiscard]] std::uint32_t* new_order(std::size_t size) noexcept
     {
         order_.clear();

@@ -7,14 +7,14 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// A Bezier curve of degree two: p0, one control point, p2.
+/// A quadratic Bezier curve: p0, one control point, p2.
 struct quadratic {
     point p0, p1, p2;
 
     [[nodiscard]] constexpr point at(double t) const noexcept { return lerp(lerp(p0, p1, t), lerp(p1, p2, t), t); }
 };
 
-/// A Bezier curve of degree three: p0, two control points, p3.
+/// A cubic Bezier curve: p0, two control points, p3.
 struct cubic {
     point p0, p1, p2, p3;
 
@@ -36,7 +36,7 @@ struct curve {
     std::uint32_t degree = 1;
     point p[4] = {};
 
-    /// A line, a quadratic or a cubic as a piece of an outline.
+    /// Makes a piece of an outline from a line, a quadratic or a cubic.
     [[nodiscard]] static constexpr curve from(point a, point b) noexcept { return {1, {a, b}}; }
     [[nodiscard]] static constexpr curve from(const quadratic& q) noexcept { return {2, {q.p0, q.p1, q.p2}}; }
     [[nodiscard]] static constexpr curve from(const cubic& c) noexcept { return {3, {c.p0, c.p1, c.p2, c.p3}}; }

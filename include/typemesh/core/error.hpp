@@ -9,56 +9,56 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// What went wrong and where: the only way this library reports failure. Nothing throws.
+/// What went wrong and where. The library reports failures in no other way; nothing throws.
 ///
-/// What you call answers with a result (result.hpp), which is true when all is well and otherwise has an error. What
-/// you write for the library to call (a policy, a font, a sink) returns an error: `return {};` when all is well, else
-/// `return error::out_of_memory;`, say. `message()` is a plain sentence.
+/// Functions that you call return a result (result.hpp), which is true on success and otherwise has an error. Functions
+/// that you write for the library (in a policy, a font or a sink) return an error: `return {};` on success, and
+/// otherwise for example `return error::out_of_memory;`. `message()` is a plain sentence.
 struct [[nodiscard]] error {
     /// What went wrong.
     enum kind : std::uint8_t {
         none,
         out_of_memory,        ///< the memory source returned null
-        buffer_too_small,     ///< the caller's vertices or indices do not fit; count = how many are needed
-        index_overflow,       ///< the index type cannot number the vertices; count = how many there are
+        buffer_too_small,     ///< the caller's vertices or indices do not fit; count = the number needed
+        index_overflow,       ///< the index type cannot number the vertices; count = the number of vertices
         too_large,            ///< more than 2^32 - 1 vertices, points or characters
         unreadable_file,      ///< the file cannot be opened or read
         not_a_font,           ///< the font library does not recognise the bytes as a font
-        no_such_face,         ///< the file or the outline source has no face with that number; count = how many it has
-        no_such_look,         ///< a glyph names a look that its run's table does not hold; count = how many it holds
-        other_units,          ///< a run's units per em are not those of the font that is to draw it
+        no_such_face,         ///< the file or outline source has no face with that number; count = the number of faces
+        no_such_look,         ///< a glyph names a look that its run's table does not have; count = the number of looks
+        other_units,          ///< the run and the font that draws it have different units per em
         no_such_family,       ///< no font of that family is installed or in the given collection
         no_such_style,        ///< the family has no font of that style; `option` names the property
         no_font,              ///< a text_mesher has no font yet
         not_a_shaper,         ///< a text was given to a font that only draws: give it a glyph_run
-        unlocked_cache,       ///< several workers need a glyph_cache with a lock
+        unlocked_cache,       ///< several workers share a glyph_cache without a lock
         no_cache_key,         ///< a policy with data members has no cache_key(), which a glyph_cache needs
-        no_outlines,          ///< the font holds bitmaps only, or is not scalable
+        no_outlines,          ///< the font has only bitmaps, or is not scalable
         unknown_glyph,        ///< the font has no such glyph, or its outline cannot be loaded
-        unknown_variation,    ///< the font has no such axis; count = its tag, the first letter highest
+        unknown_variation,    ///< the font has no such axis; count = its tag, first letter in the highest bits
         bad_feature,          ///< the tag of an OpenType feature is not four printable ASCII characters
-        bad_outline,          ///< a contour does not start with move(), or the like
+        bad_outline,          ///< a contour does not start with move(), or a similar mistake
         outline_not_finite,   ///< an outline contains NaN or infinity
         outline_beyond_grid,  ///< an outline is too large for the integer grid
-        too_many_pieces,      ///< contours cross more often than the caller allows; count = that limit
-        too_many_points,      ///< an outline has more curves or points than the caller allows; count = that limit
+        too_many_pieces,      ///< contours cross more often than the caller allows; count = the limit
+        too_many_points,      ///< an outline has more curves or points than the caller allows; count = the limit
         crossing_contours,    ///< contours cross, touch or overlap where they must not; count: see triangulator.hpp
-        nothing_left,         ///< a glyph made thinner is nowhere as thick as what is taken off
-        edges_not_moved,      ///< a glyph's edges, moved by any part of the distance, cross on the grid
+        nothing_left,         ///< the glyph is thinner everywhere than the amount taken off
+        edges_not_moved,      ///< a glyph's moved edges cross on the grid, for any part of the distance
         bad_tolerance,        ///< a tolerance is not a positive finite number
         bad_option,           ///< an option is outside its range; `option` names it
-        overlapping_spans,    ///< two spans of a text's styles hold the same character
+        overlapping_spans,    ///< two spans of a text's styles contain the same character
         needs_shaping,        ///< the plain shaper cannot set this script correctly
         font_library_failed,  ///< FreeType, HarfBuzz or DirectWrite refused; count = its own error number, if any
-        not_written,          ///< a sink could not keep all that it was given: the disk is full, say
-        refused_by_user,      ///< for policies of the caller's own
+        not_written,          ///< a sink could not store all of its input, for example because the disk is full
+        refused_by_user,      ///< for the caller's own policies
     };
 
     kind code = none;                 ///< what went wrong
     glyph_id glyph = no_glyph;        ///< the glyph concerned, or no_glyph
     cluster_id cluster = no_cluster;  ///< its position in the caller's text, or no_cluster
-    std::uint64_t count = 0;          ///< its meaning stands beside each code
-    const char* option = nullptr;     ///< the name of the bad option, or of what is too small
+    std::uint64_t count = 0;          ///< described beside each code
+    const char* option = nullptr;     ///< the name of the bad option, or of the buffer that is too small
 
     constexpr error() noexcept = default;
     constexpr error(kind k, std::uint64_t how_many = 0) noexcept : code{k}, count{how_many} {}
@@ -87,7 +87,7 @@ struct [[nodiscard]] error {
         return e;
     }
 
-    /// True when something is wrong.
+    /// True if something went wrong.
     [[nodiscard]] explicit constexpr operator bool() const noexcept { return code != none; }
     friend constexpr bool operator==(const error& e, kind k) noexcept { return e.code == k; }
 
@@ -100,7 +100,7 @@ struct [[nodiscard]] error {
         return e;
     }
 
-    /// One sentence, without numbers. Never null; it lives as long as the program.
+    /// One sentence, without numbers. It is never null and lives as long as the program.
     [[nodiscard]] constexpr const char* message() const noexcept
     {
         switch (code) {
@@ -149,8 +149,8 @@ struct [[nodiscard]] error {
     }
 };
 
-/// Writes the sentence with its numbers into `out`, always zero-terminated and truncated where it does not fit (200
-/// characters always suffice); returns out.data(), or "" when `out` is empty.
+/// Writes the sentence with its numbers into `out`. The text is always zero-terminated, and truncated if it does not
+/// fit (200 characters always suffice). Returns out.data(), or "" if `out` is empty.
 ///
 ///     glyph 37, cluster 4: Contours of the outline cross, touch or overlap.
 ///     The caller's buffer is too small for the mesh. (needed: 720 vertices)

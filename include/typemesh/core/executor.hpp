@@ -8,29 +8,29 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// The task that the concept `executor` is checked with.
+/// The concept `executor` is checked with this task.
 struct ignore_tasks {
     constexpr void operator()(std::size_t, std::size_t) const noexcept {}
 };
 
-/// Runs tasks, in several threads or in one: a job system of the caller's, or thread_pool (adapt/threads.hpp). The
-/// library itself starts no threads.
+/// Runs tasks, in several threads or in one: the caller's job system, or thread_pool (adapt/threads.hpp). The library
+/// itself starts no threads.
 ///
-///     x.workers()       how many tasks may run at a time, at least 1; constant for the life of x
+///     x.workers()       the maximum number of tasks at a time, at least 1; constant for the life of x
 ///     x.run(n, task)    calls task(i, worker) once for each i < n, in any order, worker < workers(), and returns when
 ///                       all calls have returned; n may be 0
 ///
-/// The compiler checks the signatures. The author promises the rest: within one run(), two calls with the same worker
-/// never overlap, so that per-worker state is used by one thread at a time; the tasks see what was written before
-/// run(), and the caller sees afterwards what they wrote. Tasks are noexcept, may be called through a const reference,
-/// and do not call run() of the same executor.
+/// The compiler checks the signatures. The author guarantees the rest. Within one run(), two calls with the same
+/// worker never overlap, so only one thread at a time uses a worker's state. The tasks see everything written before
+/// run(), and afterwards the caller sees everything that they wrote. Tasks are noexcept, may be called through a const
+/// reference, and do not call run() of the same executor.
 template <class X>
 concept executor = requires(X& x, std::size_t n, const ignore_tasks& task) {
     { x.workers() } noexcept -> std::convertible_to<std::size_t>;
     { x.run(n, task) } noexcept;
 };
 
-/// The executor without threads: one worker, the caller itself, and tasks in ascending order.
+/// The executor without threads. Its one worker is the caller, and tasks run in ascending order.
 struct one_worker {
     [[nodiscard]] static constexpr std::size_t workers() noexcept { return 1; }
 

@@ -7,14 +7,14 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// Which points closed contours fill, decided by the winding number w: how often the contours wind around the point,
-/// counter-clockwise positive.
+/// Which points are inside closed contours. This depends on the winding number w: how often the contours wind around
+/// the point, counter-clockwise positive.
 enum class fill_rule : std::uint8_t {
-    non_zero,  ///< filled where w != 0: what TrueType, CFF and PostScript mean
-    even_odd,  ///< filled where w is odd
+    non_zero,  ///< inside where w != 0: the rule of TrueType, CFF and PostScript
+    even_odd,  ///< inside where w is odd
 };
 
-/// Whether a place with this winding number is filled.
+/// Whether points with this winding number are inside.
 [[nodiscard]] constexpr bool is_filled(fill_rule rule, std::int32_t winding) noexcept
 {
     return (winding & (rule == fill_rule::non_zero ? -1 : 1)) != 0;

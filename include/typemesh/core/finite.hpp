@@ -8,7 +8,7 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// True for every number but NaN and the infinities. Reads the bits, so it works under -ffast-math too.
+/// True for every number except NaN and the infinities. It reads the bits, so it also works under -ffast-math.
 [[nodiscard]] inline bool is_finite(double value) noexcept
 {
     std::uint64_t bits = 0;

@@ -11,11 +11,11 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// The integer grid on which all geometry is decided: `cells` grid steps per font unit, a power of two (512 for
-/// ordinary fonts).
+/// The integer grid on which all geometric decisions are made. `cells` is the number of grid steps per font unit, a
+/// power of two (512 for ordinary fonts).
 ///
-/// Every grid point is within snap_error() of the point it stands for, and is what is drawn in the end, up to rounding
-/// to 32-bit floats.
+/// Every grid point is within snap_error() of the point that it replaces. The output has the grid points, up to
+/// rounding to 32-bit floats.
 struct grid {
     static constexpr double reach = 0x1p28;  ///< no coordinate is farther from 0 than this many cells
 
@@ -23,22 +23,22 @@ struct grid {
     double units_per_em = 0.0;  ///< relates cells to the em (see triangulate/impl/triangle_heights.hpp); 0: unknown
     double span = 0.0;          ///< in cells; no two points are farther apart. 0: unknown
 
-    /// Half a cell's diagonal, in font units: how far snap() can move a point.
+    /// Half a cell's diagonal, in font units: the maximum distance by which snap() moves a point.
     [[nodiscard]] constexpr double snap_error() const noexcept { return 0.70710678118654757 / cells; }
 
-    /// The nearest grid point. Needs |p| * cells <= reach.
+    /// The nearest grid point. Precondition: |p| * cells <= reach.
     [[nodiscard]] grid_point snap(point p) const noexcept { return {nearest(p.x * cells), nearest(p.y * cells)}; }
 
-    /// The position of a grid point in font units; exact.
+    /// The position of a grid point in font units; it is exact.
     [[nodiscard]] constexpr point place(grid_point g) const noexcept { return {g.x / cells, g.y / cells}; }
 
-    /// The grid for an outline: 512 cells per unit where the em has 64 to 65,536 units; for any other em the power of
-    /// two that gives it 2^20 to 2^21 cells; halved until `around` (a box that holds all control points) fits. It
-    /// stores the em and the box's diagonal.
+    /// The grid for an outline. An em of 64 to 65,536 units has 512 cells per unit. For any other em the cells per unit
+    /// are the power of two that gives the em 2^20 to 2^21 cells. They are halved until `around` (a box that holds all
+    /// control points) fits. The grid stores the em and the box's diagonal.
     ///
     /// Fails  error::bad_option: units_per_em is not positive and finite
     ///        error::outline_not_finite: a corner of the box is NaN or infinite
-    ///        error::outline_beyond_grid: not even 2^-40 cells per unit would fit
+    ///        error::outline_beyond_grid: the box does not even fit with 2^-40 cells per unit
     [[nodiscard]] static result<grid> fitting(double units_per_em, const box& around) noexcept
     {
         const bool sensible = is_finite(units_per_em) && units_per_em > 0x1p-40 && units_per_em < 0x1p40;
@@ -64,7 +64,7 @@ struct grid {
         return g;
     }
 
-    /// Halves `cells` until an em has no more than `max_per_em`; it has more than half as many if it had before.
+    /// Halves `cells` until an em has at most `max_per_em` cells. More than half as many remain, if there were so many.
     void coarsen(double max_per_em) noexcept
     {
         while (cells * units_per_em > max_per_em && cells > 0x1p-40) {
@@ -73,7 +73,7 @@ struct grid {
         }
     }
 
-    /// Sets `span` for points that all lie in this box, or as far outside as snapping and crossings move them.
+    /// Sets `span` for points in this box, or as far outside as snapping and crossings move them.
     void span_over(const box& around) noexcept
     {
         const double width = (around.high.x - around.low.x) * cells, height = (around.high.y - around.low.y) * cells;
@@ -81,8 +81,8 @@ struct grid {
     }
 
 private:
-    /// Rounds half to even: adding 2^52 + 2^51 to a double leaves the integer in its lowest bits. 1 ns faster than
-    /// lrint, and no compiler flag can fold it away, since the bits are read as an integer.
+    /// Rounds half to even: adding 2^52 + 2^51 to a double leaves the integer in its lowest bits. This is 1 ns faster
+    /// than lrint. No compiler flag can fold it away, since the bits are read as an integer.
     [[nodiscard]] static std::int32_t nearest(double v) noexcept
     {
         const double shifted = v + 0x1.8p52;

@@ -7,9 +7,9 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// How many pieces a glyph's contours may be cut into where they cross, unless the caller says otherwise. That many
-/// take 0.4 s and 130 MB of scratch memory where each edge crosses nearly all others, and never more than 210 MB. Of
-/// the 6.8 million glyphs in some 3,700 font files of Debian, at 1/16000 em, none has more than 12,642 (Aegean, glyph
+/// The default limit for the number of pieces into which crossings cut a glyph's contours. If each edge crosses nearly
+/// all others, that many pieces take 0.4 s and 130 MB of scratch memory; they never take more than 210 MB. Some 3,700
+/// font files of Debian have 6.8 million glyphs; at 1/16000 em, none of them has more than 12,642 pieces (Aegean, glyph
 /// 3931).
 inline constexpr std::uint32_t default_most_pieces = 1'000'000;
 

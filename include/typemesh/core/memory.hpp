@@ -8,13 +8,13 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// Where scratch memory comes from: three pointers, so that no container and no signature needs an allocator parameter.
+/// The source of scratch memory: three pointers, so that no container and no signature needs an allocator parameter.
 ///
-/// `allocate` returns at least `bytes` bytes aligned to `alignment` (a power of two), or null: the call that needed
-/// them then fails with error::out_of_memory and leaves everything usable. `deallocate` gets the same size and
-/// alignment. One memory is used by one thread at a time unless its author allows more.
+/// `allocate` returns at least `bytes` bytes aligned to `alignment` (a power of two), or null. After null, the call
+/// that needed the bytes fails with error::out_of_memory and leaves all objects usable. `deallocate` gets the same size
+/// and alignment. Only one thread at a time uses a memory, unless its author allows more.
 struct memory {
-    void* user = nullptr;  ///< passed to both
+    void* user = nullptr;  ///< passed to both functions
     void* (*allocate)(void* user, std::size_t bytes, std::size_t alignment) noexcept = nullptr;
     void (*deallocate)(void* user, void* block, std::size_t bytes, std::size_t alignment) noexcept = nullptr;
 };

@@ -9,15 +9,15 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// A policy's options as bits, which tell cached results apart: up to four numbers.
+/// A policy's options as bits, which distinguish cached results: up to four numbers.
 ///
 ///     struct my_discretiser {
 ///         double distance;
 ///         int levels;
 ///         option_bits cache_key() const noexcept { return {distance, levels}; }
 ///
-/// Two policies of one type that can give different results must have different bits; options that do not affect what
-/// is cached are best left out. A policy with more state than fits may count its changes.
+/// If two policies of one type can give different results, they must have different bits. Leave out options that do not
+/// affect the cached result. A policy whose state does not fit may count its changes instead.
 struct option_bits {
     std::uint64_t words[4] = {};
 

@@ -7,7 +7,7 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// Twice the signed area of the triangle a, b, c: positive when counter-clockwise, zero exactly when collinear.
+/// Twice the signed area of the triangle a, b, c. It is positive if counter-clockwise, and zero exactly if collinear.
 ///
 /// Exact. Budget: |coordinate| <= 2^28, differences < 2^30, products < 2^60, their difference < 2^61.
 [[nodiscard]] constexpr std::int64_t orientation(grid_point a, grid_point b, grid_point c) noexcept

@@ -15,7 +15,7 @@ namespace typemesh::inline TYPEMESH_ABI {
 ///     curves   [ curves of the first contour | of the second | ... ]
 ///     starts   [ 0 | first curve of each further contour | ... | curves.size() ]; empty if there is no contour
 ///
-/// In a contour each curve begins where the one before it ends, and the last ends where the first began.
+/// In a contour each curve begins where the previous one ends, and the last one ends where the first began.
 struct outline {
     buffer<curve> curves;
     buffer<std::uint32_t> starts;

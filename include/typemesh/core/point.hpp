@@ -8,7 +8,7 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// A position or a direction in the plane, in font units unless said otherwise; x to the right, y up.
+/// A position or a direction in the plane, in font units unless stated otherwise. x points to the right, y up.
 struct point {
     double x = 0.0;
     double y = 0.0;
@@ -22,15 +22,15 @@ struct point {
 
 /// The dot product.
 [[nodiscard]] constexpr double dot(point a, point b) noexcept { return a.x * b.x + a.y * b.y; }
-/// The z of the cross product: positive if b lies to the left of a.
+/// The z coordinate of the cross product: positive if b lies to the left of a.
 [[nodiscard]] constexpr double cross(point a, point b) noexcept { return a.x * b.y - a.y * b.x; }
 /// The Euclidean length.
 [[nodiscard]] inline double length(point a) noexcept { return std::sqrt(dot(a, a)); }
 
-/// a at s = 0, b at s = 1.
+/// Linear interpolation: a at s = 0, b at s = 1.
 [[nodiscard]] constexpr point lerp(point a, point b, double s) noexcept { return (1.0 - s) * a + s * b; }
 
-/// A position on the integer grid on which every decision is made (see grid.hpp); |coordinate| <= 2^28.
+/// A position on the integer grid on which all decisions are made (see grid.hpp); |coordinate| <= 2^28.
 struct grid_point {
     std::int32_t x = 0;
     std::int32_t y = 0;
@@ -40,15 +40,15 @@ struct grid_point {
     {
         return std::uint64_t{static_cast<std::uint32_t>(y)} << 32 | static_cast<std::uint32_t>(x);
     }
-    /// Without a branch: sweeps compare equal points about as often as different ones.
+    /// Has no branch, because sweeps compare equal points about as often as different ones.
     friend constexpr bool operator==(grid_point a, grid_point b) noexcept { return a.word() == b.word(); }
 };
 
-/// A float as a double, which is exact: named, so that compilers may warn about every other conversion from float to
-/// double (-Wdouble-promotion).
+/// Converts a float to a double, which is exact. It has a name, so that compilers may warn about every other conversion
+/// from float to double (-Wdouble-promotion).
 [[nodiscard]] constexpr double as_double(float value) noexcept { return static_cast<double>(value); }
 
-/// Two, three and four 32-bit floats: the types of the output.
+/// Two 32-bit floats. The output consists of vec2, vec3 and vec4.
 struct vec2 {
     float x = 0.0f;
     float y = 0.0f;

@@ -9,10 +9,10 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// A filled area of the plane, proven valid: boundary cycles with the interior on their left, outer loops
-/// counter-clockwise, holes clockwise; no two edges cross or overlap, no point lies inside an edge, there are no spikes
-/// and no equal consecutive points. Cycles may pass through a point more than once (see is_touching), each time along a
-/// sector of interior of their own.
+/// A filled area of the plane, proven valid. Its boundary cycles have the interior on their left: outer loops are
+/// counter-clockwise, holes clockwise. No two edges cross or overlap, no point lies inside an edge, and there are no
+/// spikes and no equal consecutive points. Cycles may pass through a point more than once (see is_touching), each time
+/// along a separate sector of the interior.
 ///
 ///     +-------------<-----------+      points, edges, starts, curves as in contours
 ///     |  outer      +--->--+    |
@@ -20,10 +20,10 @@ namespace typemesh::inline TYPEMESH_ABI {
 ///     |             +--<---+    |      n + 2h - 2c triangles over these points
 ///     +------------->-----------+
 ///
-/// outer_of() (fill/outer_of.hpp) tells which outer loop a hole lies in.
+/// outer_of() (fill/outer_of.hpp) finds the outer loop around a hole.
 ///
-/// A view: it refers to the contours it was proven from and lives no longer than they do. Only fill and proving
-/// triangulators make one, through proven(); whoever calls that vouches for all of the above.
+/// A region is a view: it refers to the contours that were proven, which must outlive it. Only fill and proving
+/// triangulators make a region, through proven(). The caller of proven() guarantees all of the above.
 class region {
 public:
     region() noexcept = default;
@@ -49,17 +49,17 @@ public:
     [[nodiscard]] array_view<const grid_point> points() const noexcept { return points_; }
     [[nodiscard]] array_view<const contour_edge> edges() const noexcept { return edges_; }
     [[nodiscard]] array_view<const std::uint32_t> starts() const noexcept { return starts_; }
-    /// The order of the points, as contours::order() has it; empty unless they have been sorted.
+    /// The order of the points, as in contours::order(). It is empty if they have not been sorted.
     [[nodiscard]] array_view<const std::uint32_t> order() const noexcept { return order_; }
     [[nodiscard]] array_view<const curve> curves() const noexcept { return curves_; }
-    /// The grid that its points lie on.
+    /// The grid of its points.
     [[nodiscard]] typemesh::grid grid() const noexcept { return grid_; }
 
-    /// In cells: how far the edges may be from their curves, except at crossings; 0: unknown (loops made by hand,
-    /// discretisers that keep no tolerance).
+    /// In cells: the limit of the distance between edges and curves, except at crossings. 0: unknown (loops made by
+    /// hand, or by a discretiser that keeps no tolerance).
     [[nodiscard]] double tolerance() const noexcept { return tolerance_; }
     [[nodiscard]] std::uint32_t holes() const noexcept { return holes_; }
-    /// Loops that bound area from outside; the others are holes.
+    /// The number of outer loops. The other loops are holes.
     [[nodiscard]] std::uint32_t outers() const noexcept { return outers_; }
     [[nodiscard]] std::uint32_t loop_count() const noexcept
     {
@@ -69,10 +69,10 @@ public:
     /// Whether the cycles pass through some point more than once. If not, all points are distinct.
     [[nodiscard]] bool is_touching() const noexcept { return touching_; }
 
-    /// What is to become of corners that touch: see contours.
+    /// How to treat corners that touch: see contours.
     [[nodiscard]] typemesh::touching corners() const noexcept { return corners_; }
 
-    /// n + 2h - 2c; below 2^32 for every region that fits into 32-bit memory.
+    /// n + 2h - 2c. It is below 2^32 for every region that fits into 32-bit memory.
     [[nodiscard]] std::uint32_t triangle_count() const noexcept
     {
         return static_cast<std::uint32_t>(points_.size()) + 2 * holes_ - 2 * outers_;

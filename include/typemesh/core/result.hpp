@@ -11,13 +11,13 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// A value, or the error that prevented it, with the names of C++23's std::expected.
+/// A value, or the error that prevented it. The names are the names of C++23's std::expected.
 ///
 ///     if (auto made = f()) use(*made); else puts(made.error().message());
 ///     auto mesh = open(file).and_then([](font& f) noexcept { return f.outline(glyph); });
 ///
-/// Using the value of a failed result is the caller's mistake, an assertion. A result whose value was moved from still
-/// has that value.
+/// Using the value of a failed result is a mistake of the caller, and asserted. A result whose value was moved from
+/// still has that value.
 template <class T>
 class [[nodiscard]] result {
 public:
@@ -51,7 +51,7 @@ public:
     }
     ~result() { drop(); }
 
-    /// Whether there is a value; otherwise error() says why not.
+    /// Whether there is a value. If not, error() is the reason.
     [[nodiscard]] bool has_value() const noexcept { return has_value_; }
     [[nodiscard]] explicit operator bool() const noexcept { return has_value_; }
 
@@ -64,10 +64,10 @@ public:
     [[nodiscard]] T* operator->() noexcept { return checked(); }
     [[nodiscard]] const T* operator->() const noexcept { return checked(); }
 
-    /// What went wrong; error::none when there is a value.
+    /// What went wrong; error::none if there is a value.
     [[nodiscard]] typemesh::error error() const noexcept { return error_; }
 
-    /// What `next(value)` returns, which is a result as well; or this error.
+    /// Returns the result of `next(value)`, or this error.
     template <class Next>
     [[nodiscard]] auto and_then(Next&& next) & noexcept -> std::remove_cvref_t<decltype(next(std::declval<T&>()))>
     {
@@ -104,19 +104,18 @@ private:
 
     union {
         T value_;
-        char nothing_;  ///< where there is no value
+        char nothing_;  ///< active if there is no value
     };
     bool has_value_ = false;
     typemesh::error error_;
 };
 
-/// Success, or the error that prevented it: what calls answer that have no value to give.
+/// Success, or the error that prevented it. Calls that have no value to return use it.
 ///
 ///     if (auto written = plan->write(sink); !written) puts(written.error().message());
 ///
-/// A result is true when all is well. Calls used to return an error, which was true when something was wrong. To keep
-/// code for that from compiling, an unnamed result<void> does not convert to bool: write `if (!plan->write(sink))`, or
-/// call has_value().
+/// A result is true on success. Calls used to return an error, which was true on failure. Such code must not compile,
+/// so an unnamed result<void> does not convert to bool: write `if (!plan->write(sink))`, or call has_value().
 template <>
 class [[nodiscard]] result<void> {
 public:
@@ -132,11 +131,11 @@ public:
     [[nodiscard]] constexpr bool operator!() const noexcept { return !has_value(); }
     explicit operator bool() const&& = delete;
 
-    /// What went wrong; error::none when nothing did.
+    /// What went wrong; error::none on success.
     [[nodiscard]] constexpr typemesh::error error() const noexcept { return error_; }
     friend constexpr bool operator==(const result& r, typemesh::error::kind k) noexcept { return r.error_ == k; }
 
-    /// What `next()` returns, which is a result as well; or this error.
+    /// Returns the result of `next()`, or this error.
     template <class Next>
     [[nodiscard]] auto and_then(Next&& next) const noexcept -> std::remove_cvref_t<decltype(next())>
     {
@@ -148,7 +147,7 @@ private:
     typemesh::error error_;
 };
 
-/// For overloads beside those that take a value, so that a forgotten `*` is reported in one sentence.
+/// For overloads beside the ones that take a value: the compiler then reports a forgotten `*` in one sentence.
 template <class T>
 constexpr error refuse_result() noexcept
 {
@@ -158,13 +157,13 @@ constexpr error refuse_result() noexcept
     return error::bad_option;
 }
 
-/// Likewise for functions that take several values: the value itself, or that sentence for a result.
+/// The same for functions that take several values: returns the value itself.
 template <class T>
 T& refuse_result(T& value) noexcept
 {
     return value;
 }
-/// The refusal: it does not compile.
+/// Does not compile, and shows the sentence above.
 template <class T>
 T& refuse_result(result<T>& made) noexcept
 {

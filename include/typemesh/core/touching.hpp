@@ -7,8 +7,8 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// What becomes of corners in which the boundary of filled area touches itself. Above such a point stands an upright
-/// edge with four faces, which slicers do not mind, and programs that compute with solids refuse (OpenSCAD, CGAL).
+/// How to treat corners in which the boundary of the filled area touches itself. In the mesh, a vertical edge with four
+/// faces stands above such a point. Slicers accept it; programs that compute with solids (OpenSCAD, CGAL) refuse it.
 ///
 ///         |:::::          / ::::         /::::::
 ///     ----+------     ---' .------    --'  .------     keep     the region stays as it is drawn

@@ -9,9 +9,10 @@
 #define TYPEMESH_VERSION_MINOR 1
 #define TYPEMESH_VERSION_PATCH 0
 
-/// The inline namespace around everything: typemesh::vec3 is typemesh::v0_1_0::vec3. Where the units of one program use
-/// different versions of the library, or are compiled in different ways (with NDEBUG or without, with
-/// typemesh::compiled or without), none runs another's functions; the linker refuses to pass objects between them.
+/// The inline namespace around everything: typemesh::vec3 is typemesh::v0_1_0::vec3. The translation units of one
+/// program may use different versions of the library, or different settings (with NDEBUG or without, with
+/// typemesh::compiled or without). No unit then runs another's functions; the linker refuses to pass objects between
+/// units.
 #if defined(NDEBUG) && defined(TYPEMESH_COMPILED)
 #define TYPEMESH_ABI v0_1_0_compiled
 #elif defined(NDEBUG)

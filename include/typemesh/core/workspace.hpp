@@ -13,17 +13,17 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// Scratch memory that stages take and give back as on a stack, and that is kept for the next call.
+/// Scratch memory that works as a stack: stages take memory and give it back. The memory is kept for the next call.
 ///
-///     workspace::scope scratch{space};                // when it ends, it gives back all that was taken through it
-///     auto* rank = scratch.take<std::uint32_t>(n);    // n values, not initialised; null when memory runs out
+///     workspace::scope scratch{space};                // its destructor gives back everything taken through it
+///     auto* rank = scratch.take<std::uint32_t>(n);    // n values, not initialised; null when out of memory
 ///
-/// Blocks never move: pointers stay valid until their scope ends. When the outermost scope ends and several blocks were
-/// needed, one block replaces them, as large as the most that was ever taken at a time: after warm-up nothing is
-/// allocated. It is kept until trim(). A workspace serves one thread at a time.
+/// Blocks never move: pointers stay valid until their scope ends. If several blocks were needed when the outermost
+/// scope ends, one block replaces them. It is as large as the most memory that was ever taken at a time, so nothing is
+/// allocated after warm-up. It is kept until trim(). A workspace serves one thread at a time.
 class workspace {
     static constexpr std::size_t alignment = 64;     // a cache line, and enough for any vector register
-    static constexpr std::size_t least = 16 * 1024;  // bytes per block; more if more is taken at once
+    static constexpr std::size_t least = 16 * 1024;  // bytes per block; a larger take makes a larger block
 
     struct alignas(alignment) block {
         block* next;
@@ -55,10 +55,10 @@ public:
     }
     ~workspace() { release(first_); }
 
-    /// The memory behind it, for buffers that should draw from the same source.
+    /// The source of its memory, for buffers that should use the same source.
     [[nodiscard]] memory source() const noexcept { return source_; }
 
-    /// Bytes held now, used or not.
+    /// The bytes that it holds now, used or not.
     [[nodiscard]] std::size_t capacity() const noexcept
     {
         std::size_t total = 0;
@@ -66,7 +66,7 @@ public:
         return total;
     }
 
-    /// Gives all memory back to its source, after a text of unusual glyphs for example. The next call allocates anew.
+    /// Gives all memory back to its source, for example after a text of unusual glyphs. The next call allocates again.
     void trim() noexcept
     {
         TYPEMESH_ASSERT(depth_ == 0, "a workspace was trimmed while a scope was open");
@@ -76,7 +76,7 @@ public:
         joined_ = false;
     }
 
-    /// Gives back, when it ends, all that was taken through it; scopes nest.
+    /// When a scope ends, it gives back everything taken through it. Scopes nest.
     class scope {
     public:
         explicit scope(workspace& w) noexcept
@@ -92,7 +92,7 @@ public:
             workspace_.leave();
         }
 
-        /// `count` uninitialised values, or null when memory runs out; never null merely because count = 0.
+        /// `count` uninitialised values, or null when out of memory. It is never null only because count = 0.
         template <class T>
         [[nodiscard]] T* take(std::size_t count) noexcept
         {
@@ -102,8 +102,8 @@ public:
             return static_cast<T*>(workspace_.take_bytes(count * sizeof(T)));
         }
 
-        /// Memory for buffers that live no longer than the scope: what they let go is given back when it ends. They may
-        /// not grow while an inner scope is open.
+        /// Memory for buffers that live no longer than the scope. Memory that they release is given back when the scope
+        /// ends. They must not grow while an inner scope is open.
         [[nodiscard]] memory source() noexcept
         {
             return {&workspace_,
@@ -113,17 +113,17 @@ public:
                     [](void*, void*, std::size_t, std::size_t) noexcept {}};
         }
 
-        /// Makes sure that the next `bytes` bytes fit into the rest of this block and one more, instead of into many
-        /// blocks, each with an unused rest. False when memory runs out. No inner scope may be open.
+        /// Ensures that the next `bytes` bytes fit into the rest of this block and one more block. Otherwise many
+        /// blocks could have an unused rest. Returns false when out of memory. No inner scope may be open.
         [[nodiscard]] bool reserve(std::size_t bytes) noexcept
         {
             scope whole{workspace_};
             return whole.take<std::byte>(bytes) != nullptr;
         }
 
-        /// Gives back all that was taken through this scope except these values, which move down to where it began, one
-        /// array after the other. List them in the order in which they were taken; no inner scope may be open. Takes
-        /// no memory. Empty blocks go back to their source, so that what is taken next does not come on top of them.
+        /// Gives back everything taken through this scope except these values, which move down to its beginning, one
+        /// array after the other. List them in the order in which they were taken. No inner scope may be open. It
+        /// allocates nothing. Empty blocks go back to their source, so that later takes do not add to them.
         template <class... T>
         void keep(array_view<T>&... kept) noexcept
         {
@@ -161,12 +161,12 @@ private:
         return take_from_next(wanted);
     }
 
-    /// From the next block that is large enough, or a new one.
+    /// Takes from the next block that is large enough, or from a new one.
     void* take_from_next(std::size_t wanted) noexcept
     {
         do {
             block*& next = current_ == nullptr ? first_ : current_->next;
-            while (next != nullptr && next->bytes < wanted) {  // empty, left over from a scope that has ended
+            while (next != nullptr && next->bytes < wanted) {  // empty: left over from a scope that has ended
                 block* too_small = next;
                 next = too_small->next;
                 too_small->next = nullptr;
@@ -181,7 +181,7 @@ private:
         return take_here(wanted);
     }
 
-    /// From existing blocks: the first one with enough space.
+    /// Takes from the first existing block with enough space.
     void* take_there(std::size_t wanted) noexcept
     {
         wanted = rounded(wanted);
@@ -214,7 +214,7 @@ private:
         taken_ = taken;
     }
 
-    /// Except the one block that holds everything after warm-up.
+    /// Releases all empty blocks, except the one block that holds everything after warm-up.
     void release_empty() noexcept
     {
         const bool is_warm = current_ == nullptr && first_ != nullptr && joined_;
@@ -246,8 +246,8 @@ private:
     block* current_ = nullptr;
     std::size_t depth_ = 0;
     std::size_t taken_ = 0;  // now
-    std::size_t most_ = 0;   // at a time
-    bool joined_ = false;    // the first block is one that leave() has made
+    std::size_t most_ = 0;   // maximum at a time
+    bool joined_ = false;    // leave() has made the first block
 };
 
 }  // namespace typemesh::inline TYPEMESH_ABI

@@ -7,14 +7,14 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// How a line is aligned to the origin: its left edge, its middle or its right edge is at x = 0, whatever the other
-/// lines do, so a text can be placed by its anchor. Columns likewise: their top, middle or bottom is at y = 0.
+/// How a line is aligned to the origin: its left edge, its middle or its right edge is at x = 0. This does not depend
+/// on the other lines, so a text can be placed by its anchor. Similarly, a column's top, middle or bottom is at y = 0.
 ///
 ///     left       centre      right
 ///     |Hello      Hel|lo      Hello|
 ///     |world!    worl|d!     world!|
 ///
-/// Left and right are as on paper: right-to-left text does not swap them.
+/// Left and right are absolute: right-to-left text does not swap them.
 enum class alignment : std::uint8_t { left, centre, right };
 
 }  // namespace typemesh::inline TYPEMESH_ABI

@@ -7,33 +7,34 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// How letters stand in a column whose script is written in lines: Latin, Greek, Arabic, and digits of all of them.
+/// The orientation of letters in a column if their script is normally written in lines: Latin, Greek, Arabic, and the
+/// digits of all scripts.
 enum class column_latin : std::uint8_t {
-    sideways,  ///< turned clockwise by a quarter, as UAX #50 has it; Hebrew and Arabic are then read upwards
-    upright,   ///< one below the other, whatever their script
+    sideways,  ///< turned clockwise by a quarter, as in UAX #50; Hebrew and Arabic are then read upwards
+    upright,   ///< one below the other, for all scripts
 };
 
-/// To which side of a column the next one stands.
+/// The side of a column on which the next column follows.
 enum class column_progress : std::uint8_t {
-    automatic,   ///< to the right in Mongolian and its relatives (column_progress.hpp), else to the left
+    automatic,   ///< to the right in Mongolian and its relatives (column_progress.hpp), otherwise to the left
     leftwards,   ///< as in Chinese and Japanese
     rightwards,  ///< as in Mongolian
 };
 
-/// How a range of a text stands in a column.
+/// The orientation of a range of a text in a column.
 enum class column_style : std::uint8_t {
-    automatic,  ///< every character as Unicode (UAX #50) and column_options say
-    upright,    ///< all of it, one below the other
-    sideways,   ///< all of it
-    combined,   ///< side by side in the room of one character (tate-chu-yoko), made narrower where that is too small
+    automatic,  ///< every character follows Unicode (UAX #50) and column_options
+    upright,    ///< all characters, one below the other
+    sideways,   ///< all characters
+    combined,   ///< side by side in the space of one character (tate-chu-yoko), made narrower if necessary
 };
 
-/// How characters stand in columns.
+/// The orientation of characters in columns.
 struct column_options {
     column_latin latin = column_latin::sideways;
-    std::uint8_t combined_digits = 0;  ///< numbers of so many ASCII digits or fewer are combined: 2 for dates
-    double combined_gap = 0.0;         ///< em added between combined letters, 0 to 0.5: room to make them bolder
-    column_progress progress = column_progress::automatic;  ///< which side the next column stands on
+    std::uint8_t combined_digits = 0;  ///< numbers of at most this many ASCII digits are combined: 2 for dates
+    double combined_gap = 0.0;         ///< em added between combined letters, 0 to 0.5: space to make them bolder
+    column_progress progress = column_progress::automatic;  ///< the side of the next column
 };
 
 }  // namespace typemesh::inline TYPEMESH_ABI

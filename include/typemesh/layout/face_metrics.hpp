@@ -8,7 +8,7 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// A bar that a font suggests: its upper edge lies `top` above the baseline.
+/// A bar that a font suggests. Its upper edge is `top` above the baseline.
 struct bar_metrics {
     double top = 0.0;
     double thickness = 0.0;  ///< from top to bottom, in em
@@ -16,11 +16,11 @@ struct bar_metrics {
 
 /// Small letters that a font suggests.
 struct script_metrics {
-    double size = 1.0;  ///< times the other letters'
+    double size = 1.0;  ///< relative to normal letters
     double rise = 0.0;  ///< of their baseline; negative for subscripts
 };
 
-/// What a font says of what is set with its letters. Lengths are in em.
+/// The font's suggestions for bars and small letters. Lengths are in em.
 struct face_metrics {
     bar_metrics underline{-0.1, 0.05};
     bar_metrics strike_through{0.28, 0.05};
@@ -28,15 +28,15 @@ struct face_metrics {
     script_metrics subscript{0.65, -0.15};
 };
 
-/// The same in other units.
+/// Returns the metrics multiplied by a factor, for other units.
 [[nodiscard]] constexpr line_metrics scaled(const line_metrics& m, double factor) noexcept
 {
     return {factor * m.ascender, factor * m.descender, factor * m.gap};
 }
 
-/// Of a shaper's faces, or of the only one: its own, if it has any.
+/// The suggestions of one of a shaper's faces, or of its only face. If the shaper has none, returns the defaults.
 ///
-///     s.suggested_metrics()        of a shaper of one face      s.suggested_metrics(face)      of several
+///     s.suggested_metrics()        for a shaper of one face      s.suggested_metrics(face)      of several faces
 template <class Shaper>
 [[nodiscard]] face_metrics face_metrics_of([[maybe_unused]] const Shaper& s,
                                            [[maybe_unused]] std::uint32_t face) noexcept
@@ -53,8 +53,8 @@ template <class Shaper>
         return {};
 }
 
-/// The metrics of one of a shaper's faces for lines, in units of the first: s.metrics(direction, face), or the first
-/// one's.
+/// The line metrics of one of a shaper's faces, in units of the first face: s.metrics(direction, face), or the metrics
+/// of the first face.
 template <class Shaper>
 [[nodiscard]] line_metrics line_metrics_of(Shaper& s, direction d, [[maybe_unused]] std::uint32_t face) noexcept
 {
@@ -66,9 +66,9 @@ template <class Shaper>
         return s.metrics(d);
 }
 
-/// How far a line of one of a shaper's faces reaches to both sides, in units of the first: as its metrics say, but a
-/// column at least as far as letters of the face that lie on their side in it. Vertical metrics are often those of an
-/// ideograph alone: half an em to each side and no gap.
+/// How far a line of one of a shaper's faces extends to both sides, in units of the first face. This follows the face's
+/// metrics, but a column is at least wide enough for letters of the face that lie on their side in it. Vertical metrics
+/// often cover only an ideograph: half an em to each side and no gap.
 template <class Shaper>
 [[nodiscard]] line_metrics line_reach_of(Shaper& s, direction d, std::uint32_t face = 0) noexcept
 {

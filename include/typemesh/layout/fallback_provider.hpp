@@ -11,12 +11,13 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// Finds fonts for what the caller's own lack: among those installed on a machine, or wherever fonts come from.
+/// Finds fonts for text that the caller's fonts lack: among the installed fonts, or in any other source.
 ///
 ///     p.font_for(text, grapheme, script, language)    a font that has all of text[grapheme.first, grapheme.last), or
-///                                                     null if there is none. The font is the provider's and lives as
-///                                                     long; asked for the same twice, it gives the same font.
-///                                                     script as in text_item, language as in shape_options: of two
+///                                                     null if there is none. The provider owns the font, which lives
+///                                                     as long. The same query returns the same font. `script` is as
+///                                                     in text_item, `language` as in shape_options; they may decide
+///                                                     between two fonts.
 ///                                                     fonts they may decide
 template <class P, class Font>
 concept fallback_provider =

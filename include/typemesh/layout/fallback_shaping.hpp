@@ -22,28 +22,28 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// Shapes with several faces: what one has no glyphs for, the next one shapes.
+/// Shapes with several faces. If a face lacks glyphs, the next face shapes that part.
 ///
-///     text      t e a   R S T !      Face 0 shapes all of it, face 1 the hole, with the text round it as context: its
-///     face 0    t e a   - - - !      letters join as in face 1 alone.
+///     text      t e a   R S T !      Face 0 shapes the whole text. Face 1 shapes the hole; the text around it is
+///     face 0    t e a   - - - !      context, so its letters join as with face 1 only.
 ///     face 1            R S T
 ///
-/// A hole is whole graphemes and whole clusters, so no grapheme comes from two faces. Controls, and characters that are
-/// not drawn, are never looked for in another face. What no face has stays as the item's own face draws it, flagged as
-/// missing. A face is chosen by its number alone: first that of the item, then the others from 0 on.
+/// A hole consists of whole graphemes and whole clusters, so no grapheme has two faces. Controls and invisible
+/// characters are never looked up in another face. Text that no face has is drawn by the item's own face, flagged as
+/// missing. Faces are tried by number: first the item's face, then the others from 0 on.
 ///
-/// `Faces` below, which several classes are:
+/// The parameter `Faces` below is one of several classes:
 ///
-///     f.face_count()                         they are numbered from 0; what is found adds to them
+///     f.face_count()                         faces are numbered from 0; found faces are added
 ///     f.shape_item(text, item, o, glyphs)    as in item_shaper, by face item.face, in the units of face 0 and with the
-///                                            number on the glyphs: see font_faces.hpp
+///                                            face's number in the glyphs: see font_faces.hpp
 ///     f.shape(text, first, last, o, run)     as in shaper, by face 0
-///     f.units_per_em(), f.column_middle()    as in item_shaper, of face 0
-///     f.has_vertical_form(c)                 as in item_shaper: whether any face has
-///     f.find(text, range, script, language)  result: the number of another face for a grapheme that no face has;
-///                                            no_face if there is none. What finds nothing leaves it out.
+///     f.units_per_em(), f.column_middle()    as in item_shaper, for face 0
+///     f.has_vertical_form(c)                 as in item_shaper: whether any face has the form
+///     f.find(text, range, script, language)  result: the number of another face for a grapheme that no face has, or
+///                                            no_face if there is none. Classes that find no faces omit it.
 ///
-/// Keeps its memory for the next item.
+/// It keeps its memory for the next item.
 class fallback_shaping {
 public:
     static constexpr std::uint32_t no_face = 0xFFFFu;
@@ -59,11 +59,11 @@ public:
     {
     }
 
-    /// Shapes an item as an item_shaper does; `face` of each glyph says where it comes from.
+    /// Shapes an item like an item_shaper. `face` of each glyph is the face that the glyph belongs to.
     ///
-    /// Fails  as the faces do, but for error::needs_shaping of others than the item's own: they lack that script
-    /// Cost   what the item's own face takes, if that has all glyphs; else once more for each hole and face, and O(n)
-    ///        for each face that is tried
+    /// Fails  as the faces do, except that error::needs_shaping of other faces counts as a missing script
+    /// Cost   the cost of the item's own face, if that has all glyphs; otherwise one more call for each hole and face,
+    ///            and O(n) for each face that is tried
     template <class Faces>
     error shape_item(Faces& faces, text_view text, const text_item& item, const shape_options& how,
                      buffer<shaped_glyph>& glyphs) noexcept
@@ -75,8 +75,8 @@ public:
         return has(all, glyph_flags::missing) ? fill_holes(faces, {text, item, how}, before, glyphs) : error{};
     }
 
-    /// Shapes a line as a shaper does. The first face's own shape() is asked first; where that lacks nothing, the run
-    /// is the same as without the other faces.
+    /// Shapes a line like a shaper. It first tries the first face's own shape(). If that lacks nothing, the run is the
+    /// same as without the other faces.
     template <class Faces>
     result<point> shape(Faces& faces, text_view text, std::size_t first, std::size_t last, const shape_options& how,
                         glyph_run& run) noexcept
@@ -119,7 +119,7 @@ private:
     struct cluster {
         cluster_id first = 0;
         std::uint32_t glyph = 0, glyph_count = 0;
-        bool missing = false;  // and may be looked for
+        bool missing = false;  // and may be looked up in other faces
         bool unsafe = false;
     };
 
@@ -161,7 +161,8 @@ private:
         return glyphs.append(now_.view()) ? error{} : error{error::out_of_memory};
     }
 
-    /// Shapes all holes with one face; with the item's own, also what was given up. `open`: whether there were any.
+    /// Shapes all holes with one face. The item's own face also shapes text that was given up. `open`: whether there
+    /// were any.
     template <class Faces>
     error fill_with(Faces& faces, const job& of, std::uint32_t face, bool& open) noexcept
     {
@@ -197,8 +198,8 @@ private:
         if (e) return e;
         const array_view<shaped_glyph> made = made_.view().subspan(before);
         if (of.item.to_the_left()) reverse(made);
-        // Where a line could not end before it cannot now, for what stands beside the hole has not been shaped again.
-        // Nor can it in a grapheme, of which a part may have another face.
+        // A line could not end before an unsafe cluster, and cannot now, because the text beside the hole has not been
+        // shaped again. A line cannot end inside a grapheme either: part of it may have another face.
         std::size_t k = h.first;
         for (shaped_glyph& g : made) {
             while (k + 1 < h.last && clusters_[k + 1].first <= g.cluster) ++k;
@@ -208,8 +209,8 @@ private:
         return {};
     }
 
-    /// Has faces found for what the first `known` ones lack, and gives up what there is none for. Of a hole that gets
-    /// one the rest is left to that face.
+    /// Looks for faces for the text that the first `known` faces lack, and gives up text that has none. If a face is
+    /// found, that face gets the rest of the hole.
     template <class Faces>
     error ask(Faces& faces, const job& of, std::uint32_t known) noexcept
     {
@@ -268,7 +269,7 @@ private:
         return {};
     }
 
-    /// Whether text[first, last) holds more than controls and what is not drawn.
+    /// Whether text[first, last) contains more than controls and invisible characters.
     [[nodiscard]] static bool is_drawn(text_view text, std::size_t first, std::size_t last) noexcept
     {
         using enum grapheme_class;
@@ -281,7 +282,8 @@ private:
         return false;
     }
 
-    /// The first hole from a cluster on, which begins a grapheme; behind the last cluster if there is none.
+    /// The first hole from a cluster on, which begins a grapheme. If there is none, it is empty, after the last
+    /// cluster.
     [[nodiscard]] hole next_hole(std::size_t from) const noexcept
     {
         hole h{from, from};
@@ -302,7 +304,7 @@ private:
         return now_.view().subspan(c.glyph, c.glyph_count);
     }
 
-    /// Takes over clusters [first, last) as they are.
+    /// Copies clusters [first, last) unchanged.
     [[nodiscard]] bool keep(std::size_t first, std::size_t last) noexcept
     {
         if (first == last) return true;
@@ -316,8 +318,8 @@ private:
         for (std::size_t i = 0, k = glyphs.size(); i + 1 < k; ++i) swap_values(glyphs[i], glyphs[--k]);
     }
 
-    buffer<shaped_glyph> now_;   // of the item, in the order of its text
-    buffer<shaped_glyph> made_;  // what the holes of those become
+    buffer<shaped_glyph> now_;   // glyphs of the item, in the order of its text
+    buffer<shaped_glyph> made_;  // the glyphs with the holes filled
     buffer<cluster> clusters_;
     buffer<std::uint32_t> graphemes_;
     buffer<shaped_glyph> line_;

@@ -10,27 +10,27 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// Turns items of a text into glyphs with advances, for whoever breaks lines: a paragraph.
+/// Turns items of a text into glyphs with advances, for code that breaks lines: a paragraph.
 ///
 ///     s.units_per_em(), s.metrics(direction)   as in shaper
 ///     s.shape_item(text, item, o, glyphs)      appends the glyphs of text[item.first, item.last) in drawing order: to
-///                                              the right, or down. Clusters ascend, from right to left they descend;
-///                                              none is less than a base and its marks. What is not drawn may have no
-///                                              glyph. The item's level decides the direction, whatever the letters
-///                                              say, and o.direction is not read; its script is item.script unless
-///                                              o.script names another. The text round the item is context: letters
-///                                              join across its ends. The item may be any part of another, so a shaper
-///                                              keeps nothing between two calls.
-///                                              Only upright items are shaped as in a column, sideways and combined
-///                                              ones as in a line: see column_glyphs.hpp.
-///     s.has_vertical_form(c)                   only for columns: whether the font has another glyph of a character
-///                                              for them; if a shaper cannot tell, none
-///     s.column_middle()                        likewise: what height above the baseline stands in a column's middle
-///                                              where letters lie on their side; by default half-way between ascender
-///                                              and descender
+///                                              the right, or down. Clusters ascend; from right to left they descend.
+///                                              A cluster is at least a base and its marks. Invisible characters may
+///                                              have no glyph. The item's level decides the direction, for any
+///                                              letters, and o.direction is not used. The script is item.script
+///                                              unless o.script names another. The text around the item is context:
+///                                              letters join across its ends. The item may be any part of another, so
+///                                              a shaper keeps no state between two calls.
+///                                              Only upright items are shaped as in a column; sideways and combined
+///                                              items are shaped as in a line: see column_glyphs.hpp.
+///     s.has_vertical_form(c)                   only for columns: whether the font has a different glyph of a character
+///                                              for columns; without this function, no character has one
+///     s.column_middle()                        only for columns: the height above the baseline that is in the middle
+///                                              of a column if letters lie on their side. By default it is halfway
+///                                              between ascender and descender.
 ///
-/// Fails  error::needs_shaping: the shaper is not made for this script
-///        error::out_of_memory, and whatever else it finds; `glyphs` may then hold some of the item's
+/// Fails  error::needs_shaping: the shaper does not support this script
+///        error::out_of_memory, and any other error of the shaper; `glyphs` may then have some of the item's glyphs
 template <class S>
 concept item_shaper =
     requires(S& s, text_view text, const text_item& item, const shape_options& o, buffer<shaped_glyph>& glyphs) {
@@ -39,7 +39,7 @@ concept item_shaper =
         { s.shape_item(text, item, o, glyphs) } noexcept -> std::same_as<error>;
     };
 
-/// s.has_vertical_form(c); false of a shaper that does not know.
+/// s.has_vertical_form(c), or false if the shaper does not know.
 template <class S>
 [[nodiscard]] bool vertical_form_of(S& s, char32_t c) noexcept
 {

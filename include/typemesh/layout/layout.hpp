@@ -10,10 +10,9 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// Lays out a text: cuts it at its line breaks (line_break_at; they leave no glyph), has every line shaped and
-/// positions it.
+/// Lays out a text: cuts it at its line breaks (line_break_at; they have no glyphs), shapes and positions every line.
 ///
-///         x = 0, left-aligned                        columns go from right to left,
+///         x = 0, left-aligned                        columns go from right to left;
 ///     y = 0  |Hello                  <- baseline     the first is centred on x = 0    |   |
 ///            |                                                                        C   A
 ///     y = -d |world!                                                                  D   B
@@ -22,15 +21,15 @@ namespace typemesh::inline TYPEMESH_ABI {
 ///
 /// The distance d is ascender - descender + gap of the shaper's first face by line_reach_of() (one em if that is not
 /// positive), times line_spacing. A text has one line more than it has breaks: an empty text is one empty line. Spaces
-/// at a line's ends belong to it, and so do tabs, which lead to the next tab stop and leave no glyph either (see
+/// at a line's ends belong to the line. So do tabs, which move the pen to the next tab stop and have no glyphs (see
 /// shape_line()). letter_spacing adds to the shaper's advances, see letter_spacing.hpp.
 ///
-///     run   emptied first; then it gets glyphs, lines, units_per_em, and what was missing or invalid
+///     run   emptied first; it gets glyphs, lines, units_per_em, and counts of missing glyphs and invalid units
 ///
 /// Fails  error::bad_option: line_spacing, tab_width or letter_spacing is NaN or infinite, or tab_width negative
 ///        error::too_large: the text has more than 2^32 - 1 units
-///        error::out_of_memory, and whatever the shaper returns; `run` is then empty
-/// Cost   O(n) besides the shaper's
+///        error::out_of_memory, and any error of the shaper; `run` is then empty
+/// Cost   O(n) plus the shaper's cost
 template <shaper Shaper>
 result<void> layout(Shaper& shaper, text_view text, const shape_options& how, const layout_options& options,
                     glyph_run& run) noexcept

@@ -10,12 +10,12 @@ namespace typemesh::inline TYPEMESH_ABI {
 /// How shaped lines are arranged.
 struct layout_options {
     alignment align = alignment::left;
-    double line_spacing = 1.0;    ///< times the font's own distance between lines; any finite number
-    double tab_width = 4.0;       ///< between tab stops, in spaces; 0: a tab is like other characters (shape_line.hpp)
+    double line_spacing = 1.0;    ///< times the font's distance between lines; any finite number
+    double tab_width = 4.0;       ///< between tab stops, in spaces; 0: tabs are ordinary characters (shape_line.hpp)
     double letter_spacing = 0.0;  ///< added between letters, in em; any finite number (see letter_spacing.hpp)
 };
 
-/// The error of an option that is out of range, or none.
+/// The error for an option that is out of range, or none.
 [[nodiscard]] inline error refused_option(const layout_options& options) noexcept
 {
     if (!is_finite(options.line_spacing)) return error::bad("line_spacing");

@@ -12,8 +12,8 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// True for the characters of scripts whose letters are written joined: Arabic, Syriac, N'Ko, Mandaic, Mongolian,
-/// Phags-pa and their kin. By blocks of Unicode 15.
+/// True for the characters of scripts whose letters are joined: Arabic, Syriac, N'Ko, Mandaic, Mongolian, Phags-pa and
+/// related scripts. It is based on the blocks of Unicode 15.
 [[nodiscard]] constexpr bool is_written_joined(char32_t c) noexcept
 {
     constexpr detail::code_range ranges[] = {
@@ -24,18 +24,18 @@ namespace typemesh::inline TYPEMESH_ABI {
     return c >= 0x0600 && detail::holds(ranges, c);
 }
 
-/// Moves the letters of a shaped segment farther apart, or, with a negative distance, closer together.
+/// Moves the letters of a shaped segment farther apart. A negative distance moves them closer together.
 ///
 ///     Hamburg          H a m b u r g        n letters have n - 1 distances between them. Letters are clusters: a base
-///                                           and its marks, or whatever else the shaper keeps together, stay together.
+///                                           and its marks, or other text that the shaper keeps together.
 ///
-/// No distance is added between two letters of a script that is written joined, which would tear them apart, and none
-/// at characters that are not drawn. Spaces count as letters.
+/// No distance is added between two letters of a joined script, which would tear them apart, and none at invisible
+/// characters. Spaces count as letters.
 ///
-///     glyphs      of text[.., last), in drawing order, as the shaper left them; `down`: of a column
+///     glyphs      of text[.., last), in drawing order, unchanged after the shaper; `down`: of a column
 ///     distance    in font units
 ///
-/// Returns how much longer the segment has become. Cost: O(n)
+/// Returns the increase of the segment's length. Cost: O(n)
 inline double space_letters(text_view text, std::size_t last, double distance, bool down,
                             array_view<placed_glyph> glyphs) noexcept
 {

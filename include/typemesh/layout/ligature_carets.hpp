@@ -10,11 +10,11 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// A shaper that knows where carets stand within its ligatures.
+/// A shaper that knows the caret positions in its ligatures.
 ///
-///     s.ligature_carets(face, id, down, carets)   appends the places between the letters of a glyph, along the line
+///     s.ligature_carets(face, id, down, carets)   appends the positions between the letters of a glyph along the line,
 ///                                                 from the glyph's own (0, 0), in font units of the shaper: to the
-///                                                 right, in columns down; none if it knows nothing of them
+///                                                 right, in columns down. It appends none if it knows none.
 ///
 /// Fails  error::out_of_memory
 template <class S>

@@ -11,18 +11,18 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// How a glyph of a run is drawn: from which face, through which map, in which style.
+/// How a glyph of a run is drawn: its face, its map and its style.
 ///
-///     {}                                 the source's first face as it is
-///     {.face = 1}                        another face, its em as large as the first one's
+///     {}                                 the source's first face, unchanged
+///     {.face = 1}                        another face, with the same em size as the first one
 ///     {.map = {.xx = 0.6, .yy = 0.6}}    small letters, as deep as the others
 ///     {.map = {.xy = 0.2}}               slanted
-///     {.style = style_id{3}}             with a material or colour of its own
+///     {.style = style_id{3}}             with its own material or colour
 ///
-/// Looks that differ only in style share what is built.
+/// Looks that differ only in style share their meshes.
 struct look {
     std::uint32_t face = 0;  ///< of the outline source; see outline/face_source.hpp, and bar_face.hpp for bars
-    affine map = {};         ///< of the outline, about the glyph's own (0, 0), in the run's units
+    affine map = {};         ///< of the outline, around the glyph's own (0, 0), in the run's units
     style_id style = {};     ///< the caller's number
 
     friend constexpr bool operator==(const look& a, const look& b) noexcept
@@ -30,12 +30,12 @@ struct look {
         return a.face == b.face && a.map == b.map && a.style == b.style;
     }
 
-    /// Equal for equal looks.
+    /// Equal looks have equal hashes.
     friend std::uint64_t hash_of(const look& l) noexcept
     {
         std::uint64_t hash = mixed_key(l.face, static_cast<std::uint64_t>(l.style));
         for (double number : {l.map.xx, l.map.xy, l.map.dx, l.map.yx, l.map.yy, l.map.dy}) {
-            number += 0.0;  // of both zeros one
+            number += 0.0;  // turns -0 into +0
             std::uint64_t bits = 0;
             std::memcpy(&bits, &number, sizeof bits);
             hash = mixed_key(hash, bits);

@@ -23,12 +23,13 @@ template <std::size_t N>
 
 }  // namespace detail
 
-/// True for characters that would be set wrongly one glyph after the other, by character map and advance: right-to-left
-/// and joining scripts, scripts that reorder, stack or attach their signs (those of India, Thai, Lao, Tibetan, Burmese,
+/// True for characters that need more than placing glyph after glyph, by character map and advance: right-to-left and
+/// joining scripts, scripts that reorder, stack or attach their signs (Indian scripts, Thai, Lao, Tibetan, Burmese,
 /// Khmer, ...), conjoining Hangul, combining marks of every script, joiners and bidirectional controls.
 ///
-/// What remains is plain: Latin, Greek, Cyrillic, Armenian, Georgian, Ethiopic, Cherokee, Han, kana, Hangul syllables,
-/// Yi and the like, punctuation and symbols. By blocks of Unicode 15; when in doubt, true.
+/// All other characters are plain: Latin, Greek, Cyrillic, Armenian, Georgian, Ethiopic, Cherokee, Han, kana, Hangul
+/// syllables, Yi and similar scripts, punctuation and symbols. It is based on the blocks of Unicode 15, and true in
+/// case of doubt.
 [[nodiscard]] constexpr bool is_complex(char32_t c) noexcept
 {
     constexpr detail::code_range ranges[] = {
@@ -46,8 +47,8 @@ template <std::size_t N>
     return c >= 0x0300 && detail::holds(ranges, c);
 }
 
-/// True for characters that are not drawn, even where the font has no glyph for them: soft hyphen, zero-width space,
-/// word joiner, variation selectors, byte order mark. From Unicode's Default_Ignorable_Code_Point.
+/// True for characters that are invisible, even if the font has no glyph for them: soft hyphen, zero-width space, word
+/// joiner, variation selectors, byte order mark. It follows Unicode's Default_Ignorable_Code_Point.
 [[nodiscard]] constexpr bool is_default_ignorable(char32_t c) noexcept
 {
     constexpr detail::code_range ranges[] = {

@@ -8,16 +8,16 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// What a shaper says of a glyph; a set, joined by |. The first two are the same for all glyphs of a cluster, and
-/// about the place in the text where the cluster begins.
+/// The shaper's notes on a glyph: a set, joined by |. The first two are the same for all glyphs of a cluster; they
+/// concern the place in the text where the cluster begins.
 enum class glyph_flags : std::uint8_t {
     none = 0,
-    unsafe_to_break = 1u << 0,  ///< a line that ends here needs both sides shaped again
+    unsafe_to_break = 1u << 0,  ///< if a line ends here, both sides must be shaped again
     tatweel = 1u << 1,          ///< U+0640 may be inserted here to fill a line
     missing = 1u << 2,          ///< the font has no glyph for this text: the id is its .notdef
-    sideways = 1u << 3,         ///< it has been laid on its side, in a column; see column_glyphs.hpp
-    combined = 1u << 4,         ///< it has been put beside others, in a column
-    parted = 1u << 5,           ///< the first glyph of an emoji that has fallen apart; see emoji_sequence.hpp
+    sideways = 1u << 3,         ///< the glyph lies on its side, in a column; see column_glyphs.hpp
+    combined = 1u << 4,         ///< the glyph is beside others, in a column
+    parted = 1u << 5,           ///< the first glyph of an emoji that is drawn in parts; see emoji_sequence.hpp
 };
 
 [[nodiscard]] constexpr glyph_flags operator|(glyph_flags a, glyph_flags b) noexcept
@@ -25,20 +25,19 @@ enum class glyph_flags : std::uint8_t {
     return static_cast<glyph_flags>(static_cast<unsigned>(a) | static_cast<unsigned>(b));
 }
 
-/// Whether a set contains a flag; of several, any.
+/// Whether a set contains a flag. With several flags: whether it contains any of them.
 [[nodiscard]] constexpr bool has(glyph_flags set, glyph_flags one) noexcept
 {
     return (static_cast<unsigned>(set) & static_cast<unsigned>(one)) != 0;
 }
 
-/// A glyph between shaping and layout: not yet at a position, but with its advance. Lengths are in font units of the
-/// shaper, y up.
+/// A glyph between shaping and layout: it has an advance but no position yet. Lengths are in the shaper's units, y up.
 struct shaped_glyph {
     glyph_id id = 0;
     cluster_id cluster = 0;
-    double advance = 0.0;    ///< how far the pen moves along the line: to the right, in columns down
+    double advance = 0.0;    ///< the pen's move along the line: to the right, in columns down
     point offset = {};       ///< from the pen to the glyph's own (0, 0)
-    std::uint16_t face = 0;  ///< of the shaper's faces the one that `id` belongs to
+    std::uint16_t face = 0;  ///< the shaper's face that `id` belongs to
     glyph_flags flags = glyph_flags::none;
 };
 

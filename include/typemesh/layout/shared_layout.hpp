@@ -18,14 +18,14 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// layout() with its lines shaped by several workers, each with a shaper and a run of its own. The result is the same,
-/// and the error is that of the first line with one. Keeps its memory for the next text.
+/// layout() whose lines are shaped by several workers, each with its own shaper and run. The result is the same. The
+/// error is the error of the first line that has one. It keeps its memory for the next text.
 class shared_layout {
 public:
     explicit shared_layout(memory source = heap()) noexcept : lines_{source}, blocks_{source} {}
 
-    /// `shaper_of(worker)` and `run_of(worker)` return what the worker shapes with and into; the content
-    /// of the latter is meaningless before and after. `shaper` is used for units and metrics only.
+    /// `shaper_of(worker)` and `run_of(worker)` return the worker's shaper and run. The content of this run is
+    /// meaningless before and after. `shaper` is used only for units and metrics.
     ///
     /// Fails  as layout() does
     template <executor Executor, shaper Shaper, class ShaperOf, class RunOf>
@@ -48,7 +48,8 @@ public:
         }
         workers.run(blocks_.size(), [&, this](std::size_t b, std::size_t worker) noexcept {
             glyph_run& own = run_of(worker);
-            own.missing = own.parted = own.invalid_units = 0;  // a shaper may take its own first for the first of all
+            own.missing = own.parted = own.invalid_units = 0;  // otherwise a shaper could mistake its own first place
+                                                               // for the first of all
             own.first_missing = own.first_parted = own.first_invalid_unit = no_cluster;
             for (line& l : lines_of(b)) {
                 l.worker = static_cast<std::uint32_t>(worker);
@@ -87,13 +88,13 @@ private:
     struct line {
         std::size_t begin, end;    // in the text
         std::size_t number;        // among the lines
-        std::size_t first, count;  // its glyphs in the worker's run
+        std::size_t first, count;  // the glyphs of the line in the worker's run
         std::uint32_t worker;
         double advance;
         error failure;
     };
 
-    /// Lines that one worker shapes, one after the other, and what it found.
+    /// Consecutive lines that one worker shapes, and its counts.
     struct block {
         std::size_t first_line;
         std::uint32_t missing, parted, invalid_units;
@@ -110,7 +111,7 @@ private:
         }
     };
 
-    /// Finds the lines, and groups them into about so many blocks of equal length, none too short to be worthwhile.
+    /// Finds the lines, and groups them into about `wanted` blocks of equal length. Very short blocks are avoided.
     error find_lines(text_view text, std::size_t wanted) noexcept
     {
         lines_.clear();
@@ -139,7 +140,7 @@ private:
         return lines_.view().subspan(blocks_[b].first_line, last - blocks_[b].first_line);
     }
 
-    /// Renumbers the looks of the workers' runs for the whole run, in the order in which its glyphs use them.
+    /// Renumbers the looks of the workers' runs for the whole run, in the order of use by its glyphs.
     template <class RunOf>
     error number_looks(const RunOf& run_of, std::size_t workers, glyph_run& run) noexcept
     {

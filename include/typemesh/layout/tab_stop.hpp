@@ -7,13 +7,13 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// How near a tab stop may be for a tab to lead there, from the advance of "0": half of it, as in CSS, so that what a
-/// tab parts does not read as one word.
+/// The minimum distance of a tab stop to which a tab may move, from the advance of "0". It is half of that, as in CSS,
+/// so that text before and after the tab does not look like one word.
 [[nodiscard]] constexpr double least_tab(double digit) noexcept { return 0.5 * digit; }
 
-/// Where a pen goes on behind a tab: at the next stop; at the one behind that, if the next is nearer than `least`.
+/// The pen's position after a tab: the next stop, or the stop after it if the next one is nearer than `least`.
 ///
-///     apart    between stops, which are counted from 0; more than 0
+///     apart    the distance between stops, which start at 0; more than 0
 [[nodiscard]] inline double tab_stop_behind(double pen, double apart, double least) noexcept
 {
     const double stop = (std::floor(pen / apart) + 1.0) * apart;

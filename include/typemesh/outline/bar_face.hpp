@@ -7,11 +7,11 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// The number of a face that every outline source has besides its own. Whatever the glyph, it draws the square from
-/// (0, 0) to (1, 1), in units of the source's first face: the map of a look makes an underline of it.
+/// The number of an extra face that every outline source has. For any glyph, it draws the square from (0, 0) to (1, 1),
+/// in units of the source's first face. The map of a look turns this square into an underline.
 inline constexpr std::uint32_t bar_face = 0xFFFF'FFFFu;
 
-/// Draws that square.
+/// Draws this square.
 template <outline_sink Sink>
 void draw_bar(Sink& sink) noexcept
 {

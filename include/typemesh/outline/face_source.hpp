@@ -16,14 +16,14 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// An outline source of several faces, numbered from 0, for the looks of a glyph_run to choose from. As an
-/// outline_source it is its face 0.
+/// An outline source with several faces, numbered from 0. The looks of a glyph_run choose among them. Used as an
+/// outline_source, it is its face 0.
 ///
-///     s.face_count()                how many there are; at least 1
-///     s.units_per_em(face)          as an outline_source's, of one face; face < face_count()
+///     s.face_count()                the number of faces; at least 1
+///     s.units_per_em(face)          as in outline_source, but for one face; face < face_count()
 ///     s.fill(face)
 ///     s.outline(face, id, sink)
-///     s.variation_key(face)         only if it has a variation_key(); see variation_key.hpp
+///     s.variation_key(face)         only if the source has a variation_key(); see variation_key.hpp
 template <class S>
 concept face_source = outline_source<S> && requires(S& s, std::uint32_t face, glyph_id id, ignore_outline& sink) {
     { s.face_count() } noexcept -> std::convertible_to<std::uint32_t>;
@@ -32,7 +32,7 @@ concept face_source = outline_source<S> && requires(S& s, std::uint32_t face, gl
     { s.outline(face, id, sink) } noexcept -> std::same_as<error>;
 };
 
-/// The number of faces of an outline source: one unless it has a face_count().
+/// The number of faces of an outline source: one if it has no face_count().
 template <outline_source Source>
 [[nodiscard]] std::uint32_t face_count_of(Source& source) noexcept
 {
@@ -63,7 +63,7 @@ template <outline_source Source>
     else
         return source.fill();
 }
-/// One of its outlines: fails as the source does.
+/// Draws one outline of a face. Fails as the source does.
 template <outline_source Source, outline_sink Sink>
 error outline_of(Source& source, std::uint32_t face, glyph_id id, Sink& sink) noexcept
 {
@@ -74,7 +74,7 @@ error outline_of(Source& source, std::uint32_t face, glyph_id id, Sink& sink) no
         return source.outline(id, sink);
 }
 
-/// variation_of() of one face.
+/// The variation_of() one face.
 template <class Source>
 [[nodiscard]] std::uint64_t variation_of(const Source& source, std::uint32_t face) noexcept
 {
@@ -87,9 +87,9 @@ template <class Source>
         return variation_of(source);
 }
 
-/// Maps every point of an outline. Curves that shrink to a point are dropped, and so are contours of nothing else.
+/// Maps every point of an outline. Curves that shrink to a point are dropped, and so are contours without other curves.
 ///
-/// Fails  error::outline_not_finite; `out` then holds nothing meaningful
+/// Fails  error::outline_not_finite; the content of `out` is then meaningless
 inline error map_outline(const affine& map, outline& out) noexcept
 {
     std::uint32_t first = 0, kept = 0, contours = 0;
@@ -115,12 +115,12 @@ inline error map_outline(const affine& map, outline& out) noexcept
     return {};
 }
 
-/// One face of an outline source as a source of its own, its outlines mapped, in units that the caller chooses.
-/// The source and the map must outlive it.
+/// One face of an outline source as a source of its own. Its outlines are mapped, and the caller chooses the units. The
+/// source and the map must outlive it.
 template <outline_source Source>
 class mapped_face {
 public:
-    /// Without a map (null) outlines stay as they are.
+    /// Without a map (null), outlines stay unchanged.
     mapped_face(Source& source, std::uint32_t face, const affine* map, double units_per_em) noexcept
         : source_{&source}, map_{map}, units_per_em_{units_per_em}, face_{face}
     {
@@ -137,7 +137,7 @@ public:
         return outline_of(*source_, face_, id, through);
     }
 
-    /// record() with the same result, but mapped after recording, so that the source draws into one type of sink.
+    /// Gives the same result as record(), but maps after recording. The source thus draws into only one type of sink.
     error record(glyph_id id, typemesh::outline& out) noexcept
     {
         outline_recorder recorder{out};

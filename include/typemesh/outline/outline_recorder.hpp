@@ -10,10 +10,10 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// The sink that keeps an outline as curves (core/outline.hpp): the first step of every mesh.
+/// A sink that stores an outline as curves (core/outline.hpp). It is the first step of every mesh.
 ///
-/// Curves of length zero are dropped, and so are contours without a curve, from the bounds too; open contours are
-/// closed with a line. After the first error all further calls are ignored; finish() returns it.
+/// Curves of length zero are dropped, and so are contours without a curve; the bounds do not include them. Open
+/// contours are closed with a line. After the first error all further calls are ignored; finish() returns it.
 class outline_recorder {
 public:
     /// Starts recording into `out`, which is emptied first and must outlive the recorder. It gets `most` curves at
@@ -68,7 +68,7 @@ public:
             error_ = error::out_of_memory;
     }
 
-    /// Closes the last contour and returns how it went: error::outline_not_finite, error::bad_outline (a contour that
+    /// Closes the last contour and returns the first error: error::outline_not_finite, error::bad_outline (a contour
     /// does not begin with move), error::too_many_points, error::out_of_memory, error::too_large, or none.
     error finish() noexcept
     {
@@ -105,12 +105,11 @@ private:
 
 static_assert(outline_sink<outline_recorder>);
 
-/// Reads one glyph of a source into `out`, with its fill rule: the whole stage in one call.
+/// Reads one glyph of a source into `out`, with its fill rule. This is the whole stage in one call.
 ///
-///     most    how many curves the glyph may have
+///     most    the maximum number of curves of the glyph
 ///
-/// Fails with the source's own error (error::unknown_glyph, ...), else as finish() does; `out` then holds nothing
-/// meaningful.
+/// Fails with the source's error (error::unknown_glyph, ...), otherwise like finish(); `out` is then meaningless.
 template <outline_source Source>
 result<void> record(Source& source, glyph_id id, outline& out, std::uint32_t most = 0xFFFF'FFFFu) noexcept
 {

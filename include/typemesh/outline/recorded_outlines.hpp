@@ -8,12 +8,12 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// An outline source of your own drawings: logos, icons, figures for a test.
+/// An outline source for your own drawings: logos, icons, test shapes.
 ///
 ///     recorded_outlines icons{1000.0};                              // units per em
 ///     auto id = icons.add([](outline_sink auto& pen) {
 ///         pen.move({0, 0}); pen.line({800, 0}); pen.quadratic({800, 900}, {0, 900}); pen.close();
-///     });                                                           // ids count from 0
+///     });                                                           // ids start at 0
 class recorded_outlines {
 public:
     explicit recorded_outlines(double units_per_em, fill_rule rule = fill_rule::non_zero,
@@ -27,7 +27,7 @@ public:
     {
     }
 
-    /// Calls draw(sink) once and keeps what it draws; returns its id. A failed add() leaves the set unchanged. Errors:
+    /// Calls draw(sink) once, stores the drawing and returns its id. A failed add() leaves the set unchanged. Errors:
     /// see outline_recorder.
     template <class Draw>
     result<glyph_id> add(Draw&& draw) noexcept

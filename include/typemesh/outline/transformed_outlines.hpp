@@ -11,7 +11,7 @@ namespace typemesh::inline TYPEMESH_ABI {
 
 namespace detail {
 
-/// Passes on to a sink what a map makes of each point.
+/// Maps each point and passes it on to a sink.
 template <outline_sink Sink>
 struct mapping_sink {
     Sink& to;
@@ -26,8 +26,8 @@ struct mapping_sink {
 
 }  // namespace detail
 
-/// A source whose outlines are another's, transformed: slanted (`{.xy = 0.2}`), condensed, mirrored. Advances stay the
-/// same. The other source must outlive it.
+/// A source that transforms the outlines of another source: slanted (`{.xy = 0.2}`), condensed, mirrored. Advances stay
+/// the same. The other source must outlive it.
 template <outline_source Source>
 class transformed_outlines {
 public:

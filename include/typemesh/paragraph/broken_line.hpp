@@ -9,15 +9,15 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// A line as it was broken: pieces [first, last) of a list, at least one. Lengths are in font units.
+/// A line after breaking: pieces [first, last) of a list, at least one. Lengths are in font units.
 struct broken_line {
     const text_pieces::list& all;  ///< the pieces of the text
     std::size_t first = 0;
     std::size_t last = 0;
-    double pen = 0.0;    ///< where it starts
-    bool drops = false;  ///< it is the last line, and text behind it is dropped
+    double pen = 0.0;    ///< the start of the line
+    bool drops = false;  ///< this is the last line, and the text after it is dropped
 
-    /// Where it ends if the spaces behind its last tab shrink as far as they may. Cost: O(pieces)
+    /// The end of the line if the spaces after its last tab shrink as far as they may. Cost: O(pieces)
     [[nodiscard]] double least_end(const line_room& room) const noexcept
     {
         const std::span<const break_piece> p = all.pieces.view();

@@ -9,8 +9,8 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// Fills line after line: each ends at the last place where it still fits. A word that is longer than a line begins one
-/// of its own, and is broken where that is allowed in need, else it sticks out.
+/// Fills line after line: each line ends at the last place where it still fits. A word that is longer than a line
+/// begins a new line. It is broken at in_need places if there are any, and otherwise sticks out.
 ///
 /// Cost  O(n): no piece is read in more than two lines
 struct first_fit {
@@ -27,7 +27,7 @@ struct first_fit {
         return {};
     }
 
-    /// The piece behind the line that begins with piece `begin` and the pen at `pen`.
+    /// The index after the last piece of the line that begins with piece `begin` and with the pen at `pen`.
     [[nodiscard]] static std::size_t end_of(std::span<const break_piece> pieces, std::size_t begin, double pen,
                                             const line_room& room) noexcept
     {

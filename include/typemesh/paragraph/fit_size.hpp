@@ -10,14 +10,14 @@ namespace typemesh::inline TYPEMESH_ABI {
 
 namespace detail {
 
-/// Measures a paragraph at one size of an em after the other.
+/// Measures a paragraph at several sizes of an em.
 template <class Paragraph>
 struct size_trial {
     Paragraph& words;
     double width, height;  // of the box
     paragraph_options options;
 
-    /// Whether the text fits into the box at a size.
+    /// Whether the text fits into the box at this size.
     result<bool> fits(double size) noexcept
     {
         options.width = width / size;
@@ -35,20 +35,20 @@ struct size_trial {
 }  // namespace detail
 
 /// The largest size of an em at which a paragraph's text fits into a box, to a millionth. Lines end as the options say,
-/// but no word is broken to fit a larger size, unless at every grapheme (wrap_mode::grapheme).
+/// but no word is broken to fit a larger size, except with wrap_mode::grapheme.
 ///
-///     auto size = fit_size(words, 30.0, 10.0, options);            of 30 by 10, in the unit of the mesh
+///     auto size = fit_size(words, 30.0, 10.0, options);            30 by 10, in the unit of the mesh
 ///     options.width = 30.0 / *size;
-///     words.lay_out(options, run);                                 drawn with text_options::size = *size
+///     words.lay_out(options, run);                                 draw with text_options::size = *size
 ///
-///     width     along the lines: in columns down
-///     height    across them, from the first line's ascender to the last one's descender
-///     options   width and ellipsis do not count; with max_lines it fits into so many
+///     width     along the lines; in columns down
+///     height    across the lines, from the first line's ascender to the last line's descender
+///     options   width and ellipsis are ignored; the text has at most max_lines lines
 ///
-/// Breakers that may make more lines of a wider room, as total_fit may, can leave a larger size that would fit.
+/// Some breakers, such as total_fit, may make more lines in a wider room. A larger size that fits may then be missed.
 ///
-/// Fails  error::bad_option: width or height are not positive and finite, the text demands more than max_lines, or
-///        there is none, as before set(); and
+/// Fails  error::bad_option: width or height are not positive and finite, the text needs more than max_lines lines,
+///        or there is no text, as before set(); and
 ///        as paragraph::measure() does
 /// Cost   some 30 calls of measure()
 template <class Paragraph>
@@ -61,7 +61,8 @@ result<double> fit_size(Paragraph& words, double width, double height, const par
     trial.options.width = paragraph_options{}.width;
     if (options.wrap == wrap_mode::word_or_grapheme) trial.options.wrap = wrap_mode::word;
 
-    // On as few lines as the text demands: it fits for certain so, and no larger size is less high.
+    // Measure with as few lines as the text's line breaks allow. The text certainly fits at the size `low`, and at no
+    // size above `high`.
     const auto natural = words.measure(trial.options);
     if (!natural) return natural.error();
     if (!trial.is_whole()) return error::bad("max_lines");

@@ -8,19 +8,19 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// A line of a paragraph that has been laid out. Lengths are in font units, along the line.
+/// A line of a paragraph after layout. Lengths are in font units, along the line.
 struct laid_line {
     std::uint32_t first = 0;  ///< in the text
     std::uint32_t last = 0;
     std::uint32_t first_slice = 0;
     std::uint32_t slices = 0;
-    std::uint8_t level = 0;  ///< of its paragraph: odd ones are read to the left
-    double left = 0.0;       ///< where what is visible begins
-    double width = 0.0;      ///< of what is visible: white space at its end hangs
+    std::uint8_t level = 0;  ///< of its paragraph: odd levels are read to the left
+    double left = 0.0;       ///< the start of the visible part
+    double width = 0.0;      ///< of the visible part: white space at its end hangs
     line_metrics metrics = {};
-    point origin = {};  ///< the pen where all lines begin
+    point origin = {};  ///< the pen at position 0 along the line
 
-    /// Where what is visible ends.
+    /// The end of the visible part.
     [[nodiscard]] constexpr double right() const noexcept { return left + width; }
 };
 

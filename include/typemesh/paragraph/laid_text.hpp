@@ -13,14 +13,13 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// To which side a place between two graphemes belongs, where that makes a difference: at the end of a line, or where
-/// the direction changes.
+/// The side to which a place between two graphemes belongs. It matters at line ends, and where the direction changes.
 enum class affinity : std::uint8_t {
-    downstream,  ///< to the grapheme behind it
-    upstream,    ///< to the one before it
+    downstream,  ///< to the grapheme after it
+    upstream,    ///< to the grapheme before it
 };
 
-/// Where a caret stands.
+/// The position of a caret.
 struct caret {
     std::uint32_t line = 0;
     point at = {};             ///< on the baseline, in em
@@ -35,10 +34,10 @@ struct text_place {
 };
 
 /// A text that a paragraph has laid out, for carets, selections and mice. All lengths are in em; text_options::size
-/// makes output units of them. A view: it lives until the paragraph's next call.
+/// converts them to output units. It is a view: it lives until the paragraph's next call.
 ///
-/// Places are between graphemes. Where a cluster holds several (a ligature), carets stand where the font says, else
-/// each has an equal part of it.
+/// Places are between graphemes. If a cluster has several graphemes (a ligature), the font decides the caret positions;
+/// otherwise each grapheme has an equal part of the cluster.
 class laid_text {
 public:
     laid_text(const shaped_text& shaped, std::span<const laid_line> lines, std::span<const line_slice> slices,
@@ -47,22 +46,22 @@ public:
     {
     }
 
-    /// The box of a line: as wide as what is visible, from descender to ascender. Empty if there is no such line.
+    /// The box of a line: as wide as its visible part, from descender to ascender. Empty if there is no such line.
     [[nodiscard]] box line_box(std::size_t line) const noexcept
     {
         if (line >= lines_.size()) return {};
         return box_of(lines_[line], lines_[line].left, lines_[line].right());
     }
 
-    /// The line that holds a unit of the text; the last one behind its end. Cost: O(log lines)
+    /// The line that contains a unit of the text; after the text's end, the last line. Cost: O(log lines)
     [[nodiscard]] std::uint32_t line_of(std::uint32_t unit) const noexcept
     {
         const auto begins_behind = [&](std::size_t k) noexcept { return lines_[k].first > unit; };
         return static_cast<std::uint32_t>(first_where(1, lines_.size(), begins_behind) - 1);
     }
 
-    /// The caret before text[unit], which is moved to the beginning of its grapheme. Upstream it stands at the end of
-    /// what precedes, unless that is a line break. Without lines it stands at (0, 0), in line 0.
+    /// The caret before text[unit], which is moved to the beginning of its grapheme. With affinity::upstream the caret
+    /// is at the end of the previous grapheme, unless that is a line break. Without lines it is at (0, 0), in line 0.
     /// Cost: O(log lines), and O(clusters of the line)
     [[nodiscard]] caret caret_at(std::uint32_t unit, affinity side = affinity::downstream) const noexcept
     {
@@ -76,7 +75,7 @@ public:
         return {line, point_of(lines_[line], back ? found.trailing : found.leading), found.to_the_left};
     }
 
-    /// The place nearest to a point; the text's beginning without lines. Cost: O(lines), and O(clusters of the line)
+    /// The place nearest to a point; without lines, the text's beginning. Cost: O(lines), and O(clusters of the line)
     [[nodiscard]] text_place caret_from(point p) const noexcept
     {
         if (lines_.empty()) return {};
@@ -85,7 +84,7 @@ public:
         const bool down = shaped_->in_columns();
         const double along = em_ * (down ? 0.0 - p.y : p.x);
         text_place best{line.first, affinity::downstream, false};
-        double beside = 0.0, distance = 0.0;  // of the best: to its grapheme, to its edge
+        double beside = 0.0, distance = 0.0;  // distances from the best place: to its grapheme, to its edge
         bool any = false;
         const auto offer = [&](double gap, double edge, text_place place) noexcept {
             if (any && (gap > beside || (gap >= beside && edge >= distance))) return;
@@ -106,9 +105,9 @@ public:
         return best;
     }
 
-    /// The grapheme below a point, among those of the cluster that holds text[unit]: of a ligature one of its letters.
-    /// Of a cluster that shows other text, an ellipsis, what it stands for. Empty without lines, or if nothing of the
-    /// text is shown there. Cost: O(log lines), and O(clusters of the line)
+    /// The grapheme below a point, among the graphemes of the cluster that contains text[unit]; in a ligature, one of
+    /// its letters. If the cluster shows other text (an ellipsis), it is the text that the cluster replaces. The range
+    /// is empty without lines, or if the text is not visible there. Cost: O(log lines), and O(clusters of the line)
     [[nodiscard]] text_range grapheme_at(std::uint32_t unit, point p) const noexcept
     {
         if (lines_.empty() || unit >= shaped_->text().size()) return {};
@@ -141,10 +140,9 @@ public:
     /// Whether the text is set in columns.
     [[nodiscard]] bool in_columns() const noexcept { return shaped_->in_columns(); }
 
-    /// Calls put(box) for each stretch of text[first, last), line by line, from left to right in each: several a line
-    /// where directions are mixed. With a grapheme goes what the line adds to it, a hyphen or kashida, and with what is
-    /// dropped its ellipsis.
-    /// Cost: O(clusters of these lines)
+    /// Calls put(box) for each part of text[first, last), line by line, from left to right in each line. A line of
+    /// mixed directions may have several parts. The box of a grapheme includes a hyphen or kashida that the line adds
+    /// to it. The box of dropped text is its ellipsis. Cost: O(clusters of these lines)
     template <class Put>
     void boxes_of(std::uint32_t first, std::uint32_t last, const Put& put) const noexcept
     {
@@ -166,13 +164,13 @@ public:
     }
 
 private:
-    /// Where a grapheme begins and ends along its line, in the order in which it is read; in font units.
+    /// The start and the end of a grapheme along its line, in reading order; in font units.
     struct edges {
         double leading = 0.0, trailing = 0.0;
         bool to_the_left = false;
     };
 
-    /// What of a slice lies in a range of the text, and whether it reaches the slice's ends.
+    /// The part of a slice in a range of the text, and whether it reaches the slice's ends.
     struct selection {
         double left = 0.0, right = 0.0;
         bool empty = true, from_left = false, to_right = false;
@@ -217,11 +215,11 @@ private:
         return {{a.x, a.y + low}, {b.x, a.y + high}};
     }
 
-    /// The line whose box is nearest; of several that hold the point, the one whose middle is.
+    /// The line with the nearest box. If several boxes contain the point, the line with the nearest middle.
     [[nodiscard]] std::size_t line_near(point p) const noexcept
     {
         std::size_t best = 0;
-        double least = 0.0, beside = 0.0;  // from the best: to its middle, to its box
+        double least = 0.0, beside = 0.0;  // distances from the best line: to its middle, to its box
         for (std::size_t k = 0; k < lines_.size(); ++k) {
             const box b = line_box(k);
             const bool down = shaped_->in_columns();
@@ -252,10 +250,10 @@ private:
         return unit;
     }
 
-    /// What an ellipsis has dropped begins and ends as that does.
+    /// Text that an ellipsis replaces has the edges of the ellipsis.
     [[nodiscard]] edges edges_of(const laid_line& line, std::uint32_t grapheme) const noexcept
     {
-        edges found{line.level % 2 != 0 ? line.left : line.right(), 0.0, line.level % 2 != 0};  // what is dropped
+        edges found{line.level % 2 != 0 ? line.left : line.right(), 0.0, line.level % 2 != 0};  // for dropped text
         if (grapheme == line.first) found.leading = line.level % 2 != 0 ? line.right() : line.left;
         found.trailing = found.leading;
         bool shown = false;
@@ -276,14 +274,14 @@ private:
         return slices_.subspan(line.first_slice, line.slices);
     }
 
-    /// Calls with(unit, edges) for each grapheme of a line that is shown, slice by slice from left to right, within a
-    /// slice in the order of the text.
+    /// Calls with(unit, edges) for each visible grapheme of a line. The slices go from left to right; inside a slice
+    /// the order is the order of the text.
     template <class With>
     void each_grapheme(const laid_line& line, const With& with) const noexcept
     {
         for (const line_slice& s : slices_of(line)) each_grapheme(s, with, [](text_range, const edges&) noexcept {});
     }
-    /// Calls foreign(text_range, edges) for what shows other text in place of a range.
+    /// Calls foreign(text_range, edges) for clusters that show other text in place of a range.
     template <class With, class Foreign>
     void each_grapheme(const line_slice& s, const With& with, const Foreign& foreign) const noexcept
     {
@@ -296,7 +294,7 @@ private:
                 each_part(k, pen, width, back, with);
         });
     }
-    /// Calls with(cluster, pen, width) for each cluster of a slice: where it begins, in the order in which it is read.
+    /// Calls with(cluster, pen, width) for each cluster of a slice, in reading order; `pen` is the cluster's start.
     template <class With>
     void each_cluster(const line_slice& s, const With& with) const noexcept
     {
@@ -305,14 +303,14 @@ private:
         double pen = back ? s.at + s.width : s.at;
         for (std::uint32_t k = s.first; k < s.last; ++k) {
             double width = width_of(*shaped_, s, k);
-            if (k + 1 == s.last) width = std::fabs(end - pen);  // a tab, or without the distance behind it
+            if (k + 1 == s.last) width = std::fabs(end - pen);  // a tab, or a cluster without the spacing after it
             with(k, pen, width);
             pen += back ? -width : width;
         }
     }
 
-    /// The graphemes of a cluster that is so wide and stands at the pen, or before it: parted where the font says,
-    /// else equal.
+    /// Visits the graphemes of a cluster that has this width and is at the pen, or before it. The font divides the
+    /// cluster, otherwise the parts are equal.
     template <class With>
     void each_part(std::uint32_t cluster, double pen, double width, bool back, const With& with) const noexcept
     {
@@ -324,7 +322,7 @@ private:
         for (std::uint32_t u = c.first; u < c.last; ++u) count += begins(u) ? 1u : 0u;
         const std::span<const double> carets = shaped_->carets_of(cluster);
         const bool own = !carets.empty() && carets.size() + 1 == count;
-        const auto place = [&](std::uint32_t number) noexcept {  // of the edge before a grapheme, from the cluster's
+        const auto place = [&](std::uint32_t number) noexcept {  // the edge before a grapheme, relative to the cluster
             if (!own || number == 0 || number == count) return width * number / count;
             return back ? c.advance - carets[count - 1 - number] : carets[number - 1];
         };

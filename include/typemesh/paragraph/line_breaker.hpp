@@ -14,10 +14,10 @@ namespace typemesh::inline TYPEMESH_ABI {
 
 /// Decides where the lines of a text end.
 ///
-///     b.break_lines(pieces, room, ends)   appends for each line the index of the piece behind its last one. Each line
-///                                         has at least one piece; the last one ends with the last piece, or is number
-///                                         room.max_lines. No line ends behind a piece whose end is `never`, every
-///                                         line that holds a piece of `line` or `paragraph` ends with it.
+///     b.break_lines(pieces, room, ends)   appends for each line the index after its last piece. Each line has at least
+///                                         one piece. The last line ends with the last piece, or is line number
+///                                         room.max_lines. No line ends after a piece whose end is `never`. A line with
+///                                         a piece of `line` or `paragraph` ends with that piece.
 ///
 /// Fails  error::out_of_memory
 template <class B>

@@ -28,28 +28,28 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// The least and the greatest width that make a difference, in em.
+/// The smallest and the largest width that make a difference, in em.
 struct paragraph_widths {
-    double narrowest = 0.0;  ///< of the longest word: in less it is broken, or sticks out
-    double widest = 0.0;     ///< of the longest line, if lines end only where the text demands it
+    double narrowest = 0.0;  ///< of the longest word: with less room it is broken, or sticks out
+    double widest = 0.0;     ///< of the longest line, if lines end only at the text's line breaks
 };
 
-/// How large a text is in a layout, in em.
+/// The size of a text in a layout, in em.
 struct paragraph_size {
-    double width = 0.0;   ///< of the longest line with its indent; a greater one changes nothing but alignment
-    double height = 0.0;  ///< from the first line's ascender to the last one's descender
+    double width = 0.0;   ///< of the longest line with its indent; with more width, only the alignment changes
+    double height = 0.0;  ///< from the first line's ascender to the last line's descender
 };
 
-/// A text that is shaped once and then laid out at any width, as often as wanted: directions mixed, lines broken.
+/// A text that is shaped once and then laid out at any width, as often as needed, with mixed directions.
 ///
 ///     paragraph words{font};
 ///     if (auto set = words.set(text); !set) puts(set.error().message());
 ///     auto laid = words.lay_out({.width = 20.0, .align = line_alignment::justify}, run);
 ///     auto plan = mesher.plan(run);
 ///
-/// The text, and what the options refer to, must stay as they are until the next set(): where a line's end changes
-/// glyphs they are shaped again, with what stands round them. Memory is kept: after warm-up nothing is allocated here.
-/// Used by one thread at a time. A paragraph that has been moved from has no text until its next set().
+/// The text, and everything that the options refer to, must stay unchanged until the next set(). If glyphs change at a
+/// line's end, they are shaped again, with the text around them. Memory is kept: after warm-up nothing is allocated
+/// here. Only one thread at a time may use a paragraph. Once moved from, it has no text until its next set().
 template <item_shaper Font, text_analyser Analyser = unicode_analyser, line_breaker Breaker = first_fit>
 class paragraph {
 public:
@@ -72,37 +72,38 @@ public:
           placed_{source}
     {
     }
-    // It refers to its font: neither a temporary nor a result without its `*` will do.
+    // A paragraph refers to its font. It refuses a temporary font, and a result without its `*`.
     explicit paragraph(const Font&&, memory = heap()) = delete;
     template <std::same_as<Font> Made>
     explicit paragraph(result<Made>& font, memory source = heap()) noexcept : paragraph{refuse_result(font), source}
     {
     }
 
-    /// The policies, to change their options between texts.
+    /// The policies; you may change their options between texts.
     [[nodiscard]] Analyser& analyser() noexcept { return analyser_; }
     [[nodiscard]] Breaker& breaker() noexcept { return breaker_; }
 
-    /// Analyses and shapes a text; how.direction is that of the whole: automatic takes each paragraph's from its first
-    /// letter. letter_spacing is in em, as in layout_options.
+    /// Analyses and shapes a text. how.direction applies to the whole text; `automatic` takes each paragraph's
+    /// direction from its first letter. letter_spacing is in em, as in layout_options.
     ///
     /// Fails  error::bad_option: letter_spacing is NaN or infinite; error::too_large; error::out_of_memory; and as the
     ///        analyser and the shaper do. A layout then has no lines.
-    /// Cost   O(n), but for the shaper's; places where a line may end and that are unsafe are shaped twice more
+    /// Cost   O(n), plus the shaper's cost; unsafe places where a line may end are shaped twice more
     result<void> set(text_view text, const shape_options& how = {}, double letter_spacing = 0.0) noexcept
     {
         return set(text, how, std::span<const style_span>{}, letter_spacing);
     }
 
     template <dying_text Text>
-    result<void> set(Text&&, const shape_options& = {}, double = 0.0) = delete;  // it refers to its text
+    result<void> set(Text&&, const shape_options& = {}, double = 0.0) = delete;  // a paragraph refers to its text
 
-    /// The same with styles for parts of the text; how and letter_spacing hold for all of it. What the spans refer to
-    /// must stay as it is until the next set(). How many of their ends were moved: shaped().styles.moved().
+    /// The same with styles for parts of the text. `how` and letter_spacing apply to the whole text. Everything that
+    /// the spans refer to must stay unchanged until the next set(). shaped().styles.moved() is the number of their ends
+    /// that were moved.
     ///
     ///     words.set("E = mc2", {}, spans);      // const style_span spans[] = {{6, 7, {.rise = 0.3}}};
     ///
-    /// Fails besides  as style_spans::read() does
+    /// Fails  also as style_spans::read() does
     result<void> set(text_view text, const shape_options& how, std::span<const style_span> spans,
                      double letter_spacing = 0.0) noexcept
     {
@@ -115,9 +116,9 @@ public:
     template <dying_text Text>
     result<void> set(Text&&, const shape_options&, std::span<const style_span>, double = 0.0) = delete;
 
-    /// Lays the text out: `run` is emptied and gets its glyphs and lines, as layout() gives them.
+    /// Lays the text out. `run` is emptied and gets the glyphs and lines, as in layout().
     ///
-    /// Fails  error::bad_option: see refused_option(); error::out_of_memory; and, where glyphs are shaped again, as the
+    /// Fails  error::bad_option: see refused_option(); error::out_of_memory; and, if glyphs are shaped again, as the
     ///        shaper does; `run` is then empty
     /// Cost   O(n)
     result<void> lay_out(const paragraph_options& options, glyph_run& run) noexcept
@@ -134,9 +135,9 @@ public:
         return e;
     }
 
-    /// Lays the text out without writing it anywhere: lines() and laid() tell of this layout then.
+    /// Lays the text out without writing it to a run. lines() and laid() then describe this layout.
     ///
-    /// Fails and costs as lay_out()
+    /// It fails and costs as lay_out() does.
     result<paragraph_size> measure(const paragraph_options& options) noexcept
     {
         if (error e = compose_lines(options)) {
@@ -147,7 +148,7 @@ public:
         return paragraph_size{.width = longest_ / em, .height = height_ / em};
     }
 
-    /// Between which widths a width makes a difference. Indents and tab stops do not count.
+    /// The range in which a change of the width makes a difference. Indents and tab stops are ignored.
     [[nodiscard]] paragraph_widths widths() const noexcept
     {
         const double em = units_per_em_ > 0.0 ? units_per_em_ : 1.0;
@@ -165,14 +166,14 @@ public:
         return found;
     }
 
-    /// The lines of the last layout; none after set(), or where it failed.
+    /// The lines of the last layout. There are none after set(), or if the layout failed.
     [[nodiscard]] std::span<const laid_line> lines() const noexcept { return lines_.view(); }
 
     /// The last layout, for carets, selections and mice. It lives until the next call of set(), lay_out()
     /// or measure().
     [[nodiscard]] laid_text laid() const noexcept { return {shaped_, lines_.view(), placed_.view(), units_per_em_}; }
 
-    /// What Unicode says of the text, and its items: for tests and for whoever looks closer.
+    /// The text's Unicode properties and its items: for tests and for code that needs the details.
     [[nodiscard]] const shaped_text& shaped() const noexcept { return shaped_; }
 
 private:
@@ -206,7 +207,7 @@ private:
         return {};
     }
 
-    /// The advances of a space, which tab stops count in, and a digit. A text without tabs does without.
+    /// Measures a space, which is the unit of tab stops, and a digit. A text without tabs needs neither.
     error measure_tabs() noexcept
     {
         space_ = digit_ = 0.0;
@@ -236,7 +237,7 @@ private:
         placed_.clear();
     }
 
-    /// Finds all lines and what stands where in each.
+    /// Finds all lines and the positions in each line.
     error compose_lines(const paragraph_options& options) noexcept
     {
         forget_lines();
@@ -275,7 +276,7 @@ private:
         return {shaped_, pieces_, *font_, room_, options};
     }
 
-    /// Finds where lines end, and all pieces that they need: what is shaped for them is kept for later layouts.
+    /// Finds the ends of lines, and all pieces that they need. Text shaped for them is kept for later layouts.
     result<const list*> break_lines(const paragraph_options& options) noexcept
     {
         const double narrowest = options.indent > 0.0 ? room_.width - room_.indent : room_.width;
@@ -306,7 +307,7 @@ private:
         return {all, first, last, room_.start(begins), drops};
     }
 
-    /// The level of the paragraph that a unit of the text is in.
+    /// The level of the paragraph that contains a unit of the text.
     [[nodiscard]] std::uint8_t level_at(std::uint32_t unit) const noexcept
     {
         if (shaped_.analysis.paragraphs.empty()) return 0;
@@ -358,7 +359,7 @@ private:
         return slices_.finish(shaped_, level, line.pen, room_);
     }
 
-    /// Where a line begins whose pen starts at `pen`, from its width.
+    /// The start of a line, from its width. The line's pen starts at `pen`.
     [[nodiscard]] double start_of(line_alignment align, bool back, double pen, double width) const noexcept
     {
         if (align == line_alignment::start || align == line_alignment::justify)
@@ -372,7 +373,7 @@ private:
         return boxed ? indent + spare / 2 : 0.0 - width / 2;
     }
 
-    /// Writes the glyphs of all lines that have been composed.
+    /// Writes the glyphs of all composed lines.
     error write_lines(glyph_run& run) noexcept
     {
         run.units_per_em = units_per_em_;
@@ -394,7 +395,7 @@ private:
         return {};
     }
 
-    /// Tells of words that only a dictionary finds, where lines may end between words.
+    /// Reports words that need a dictionary, if lines may end between words.
     void note_unbroken(const paragraph_options& options, glyph_run& run) const noexcept
     {
         const auto& unbroken = shaped_.analysis.unbroken;
@@ -412,13 +413,13 @@ private:
     line_slices slices_;
     elision elision_;
     line_justifier justifier_;
-    buffer<std::uint32_t> ends_;  // of the lines, in the list of pieces
+    buffer<std::uint32_t> ends_;  // of the lines, as indices in the list of pieces
     buffer<laid_line> lines_;
     buffer<line_slice> placed_;  // of all lines, from left to right
     line_room room_;
     double units_per_em_ = 0.0;
     double space_ = 0.0, digit_ = 0.0;               // their advances
-    std::size_t own_clusters_ = 0, own_glyphs_ = 0;  // of the text: what stands behind belongs to one layout
+    std::size_t own_clusters_ = 0, own_glyphs_ = 0;  // of the text: later ones belong to one layout
     double longest_ = 0.0, height_ = 0.0;            // of the last layout
     line_stack stack_ = line_stack::downwards;
 };

@@ -11,54 +11,54 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// Where a line may end, besides where the text demands it.
+/// Where a line may end, in addition to the text's line breaks.
 enum class wrap_mode : std::uint8_t {
     none,
     word,              ///< where Unicode allows it; a word that is too long sticks out
-    word_or_grapheme,  ///< likewise, but such a word is broken
-    grapheme,          ///< behind every grapheme
+    word_or_grapheme,  ///< the same, but a word that is too long is broken
+    grapheme,          ///< after every grapheme
 };
 
-/// To which side of the width lines are set. Start is left where a paragraph is read to the right, else right.
+/// The side of the width to which lines are aligned. Start is left if a paragraph reads to the right, else right.
 enum class line_alignment : std::uint8_t {
     start,
     end,
     left,
     centre,
     right,
-    justify,  ///< every line but a paragraph's last is made as wide as the width; what cannot be stands at the start
+    justify,  ///< all lines except a paragraph's last get the full width if possible; others are aligned to the start
 };
 
-/// What makes justified lines wider. Where it cannot, spaces do.
+/// How justified lines become wider. If this way is not possible, spaces become wider.
 enum class justification : std::uint8_t {
-    automatic,  ///< in lines with Chinese or Japanese, distances beside ideographs and spaces alike; in others, spaces
+    automatic,  ///< gaps beside ideographs and spaces equally in lines with Chinese or Japanese, otherwise spaces
     spaces,
-    letters,  ///< all distances between letters and spaces alike, but for letters that are written joined
-    kashida,  ///< where the font allows, strokes between joined letters of Arabic and its kin; spaces the rest
+    letters,  ///< all gaps between letters and spaces equally, except between joined letters
+    kashida,  ///< strokes between joined letters of Arabic and related scripts, if the font allows it; then spaces
 };
 
-/// What stands at y = 0, or where the text stands in a box from there down by its height.
+/// The part of the text at y = 0, or the text's position in a box that extends from y = 0 down by its height.
 enum class vertical_anchor : std::uint8_t {
     first_baseline,
     last_baseline,
     top,     ///< the first line's ascender
-    middle,  ///< half-way between the first line's ascender and the last one's descender
+    middle,  ///< halfway between the first line's ascender and the last line's descender
     bottom,
 };
 
-/// Which part of a line gives way to an ellipsis.
+/// The part of a line that an ellipsis replaces.
 enum class ellipsis_place : std::uint8_t { end, middle, start };
 
-/// How high lines are.
+/// The height of lines.
 enum class line_box : std::uint8_t {
-    content,  ///< each as what stands in it: large letters, and faces with other metrics, move lines apart
-    uniform,  ///< all as the first face says for letters of size 1
+    content,  ///< each according to its content: large letters, and faces with other metrics, move lines apart
+    uniform,  ///< all the same: the first face's height for letters of size 1
 };
 
 /// How a shaped text is laid out. Lengths are in em.
 ///
-///     x = 0          x = width       With a width the text stands in a box from x = 0 to there. Without one lines
-///       |In the       |              stand at x = 0, as with layout(): to its right, round it, or to its left.
+///     x = 0          x = width       With a width the text is in a box from x = 0 to x = width. Without a width, lines
+///       |In the       |              are at x = 0, as in layout(): to its right, around it, or to its left.
 ///       |beginning    |
 struct paragraph_options {
     double width = std::numeric_limits<double>::infinity();  ///< of a line, in columns their height; more than 0
@@ -67,17 +67,17 @@ struct paragraph_options {
     justification justify = justification::automatic;  ///< for line_alignment::justify
     vertical_anchor anchor = vertical_anchor::first_baseline;
     double height = 0.0;                     ///< of the box that top, middle and bottom refer to
-    std::uint32_t max_lines = 0xFFFF'FFFFu;  ///< further ones are dropped, 0 is refused
-    text_view ellipsis = {};  ///< for what is dropped or too wide, "..." where a glyph is missing; empty: none
+    std::uint32_t max_lines = 0xFFFF'FFFFu;  ///< further lines are dropped; 0 is refused
+    text_view ellipsis = {};  ///< replaces text that is dropped or too wide; "..." if a glyph is missing; empty: none
     ellipsis_place elide = ellipsis_place::end;
     line_box boxes = line_box::content;
-    double line_spacing = 1.0;               ///< times the distance between lines that their boxes ask for
-    double indent = 0.0;                     ///< of a paragraph's first line, at its start; negative ones hang
+    double line_spacing = 1.0;               ///< times the distance between lines that their boxes require
+    double indent = 0.0;                     ///< of a paragraph's first line, at its start; a negative indent hangs
     double tab_width = 4.0;                  ///< between tab stops, in spaces; 0: none. See tab_stop.hpp
-    std::span<const double> tab_stops = {};  ///< before those: ascending, from a line's start
+    std::span<const double> tab_stops = {};  ///< before the regular stops: ascending, from a line's start
 };
 
-/// The error of an option that is out of range, or none.
+/// The error for an option that is out of range, or none.
 [[nodiscard]] inline error refused_option(const paragraph_options& options) noexcept
 {
     if (!(options.width > 0.0)) return error::bad("width");

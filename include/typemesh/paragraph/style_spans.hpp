@@ -22,7 +22,7 @@ struct style_span {
     text_style style = {};
 };
 
-/// The error of a style that is out of range, or none. `faces`: how many the shaper has.
+/// The error for a style that is out of range, or none. `faces`: the number of the shaper's faces.
 [[nodiscard]] inline error refused_style(const text_style& s, std::uint32_t faces) noexcept
 {
     if (s.face >= faces) return {error::no_such_face, faces};
@@ -34,7 +34,7 @@ struct style_span {
     return {};
 }
 
-/// The styles of a text, by whole graphemes. What no span covers is plain: of style number 0.
+/// The styles of a text, by whole graphemes. Text outside all spans is plain: its style has number 0.
 class style_spans {
 public:
     explicit style_spans(memory source = heap()) noexcept : spans_{source}, borders_{source} {}
@@ -47,13 +47,13 @@ public:
         moved_ = 0;
     }
 
-    /// Takes spans in any order; empty ones are dropped. An end inside a grapheme is moved out of it; where two spans
-    /// meet inside one, that grapheme is of the first. Features and languages must outlive this.
+    /// Reads spans in any order; empty ones are dropped. An end inside a grapheme is moved out of it. If two spans meet
+    /// inside a grapheme, it belongs to the first one. Features and languages must outlive this object.
     ///
-    ///     faces    how many the shaper has
+    ///     faces    the number of the shaper's faces
     ///
-    /// Fails  error::overlapping_spans: two hold the same unit, of the second's beginning;
-    ///        error::bad_option: a span ends before it begins or behind the text, or a number of its style is out of
+    /// Fails  error::overlapping_spans: two spans contain the same unit; the cluster is the second one's beginning;
+    ///        error::bad_option: a span ends before it begins or after the text, or a number of its style is out of
     ///        range; error::no_such_face; error::out_of_memory. There are then no spans.
     /// Cost   O(n log n) for n spans, O(n) if they are in the text's order
     error read(std::span<const style_span> given, const text_analysis& found, std::uint32_t faces) noexcept
@@ -76,7 +76,7 @@ public:
     }
 
     [[nodiscard]] bool empty() const noexcept { return spans_.empty(); }
-    /// In the text's order.
+    /// The spans in the order of the text.
     [[nodiscard]] std::span<const style_span> spans() const noexcept { return spans_.view(); }
 
     /// The number of the style of a unit. Cost: O(log spans)
@@ -86,7 +86,7 @@ public:
             first_where(0, spans_.size(), [&](std::size_t i) noexcept { return spans_[i].last > unit; });
         return k < spans_.size() && spans_[k].first <= unit ? static_cast<std::uint32_t>(k + 1) : 0;
     }
-    /// The range of units round one that have its style. Cost: O(log spans)
+    /// The range of units around a unit that have the same style. Cost: O(log spans)
     [[nodiscard]] text_range range_at(std::uint32_t unit) const noexcept
     {
         const std::size_t k =
@@ -96,19 +96,19 @@ public:
         return spans_[k].first <= unit ? text_range{spans_[k].first, spans_[k].last}
                                        : text_range{before, spans_[k].first};
     }
-    /// The style of a number.
+    /// The style with this number.
     [[nodiscard]] const text_style& operator[](std::uint32_t number) const noexcept
     {
         return number == 0 ? plain_ : spans_[number - 1].style;
     }
 
-    /// Where the text is to be shaped apart, ascending.
+    /// The places where the text must be divided for shaping, ascending.
     [[nodiscard]] std::span<const std::uint32_t> borders() const noexcept { return borders_.view(); }
 
-    /// All decorations that a style has.
+    /// All decorations in the styles.
     [[nodiscard]] decoration decorations() const noexcept { return decorations_; }
 
-    /// How many ends of spans have been moved.
+    /// The number of ends of spans that were moved.
     [[nodiscard]] std::uint32_t moved() const noexcept { return moved_; }
 
 private:
@@ -129,13 +129,13 @@ private:
         return find_borders();
     }
 
-    /// Moves ends out of graphemes, and drops what is empty then.
+    /// Moves ends out of graphemes, and drops spans that are then empty.
     void move_ends(const text_analysis& found) noexcept
     {
         const auto begins = [&found](std::size_t unit) noexcept {
             return unit == found.marks.size() || has(found.marks[unit], text_mark::grapheme);
         };
-        std::uint32_t end = 0;  // of the span before
+        std::uint32_t end = 0;  // of the previous span
         std::size_t kept = 0;
         for (style_span s : spans_) {
             moved_ += (begins(s.first) ? 0u : 1u) + (begins(s.last) ? 0u : 1u);

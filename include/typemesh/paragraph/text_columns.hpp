@@ -16,15 +16,15 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// How a text of a paragraph stands in columns. Keeps its memory for the next text.
+/// The orientation of a paragraph's text in columns. It keeps its memory for the next text.
 class text_columns {
 public:
     explicit text_columns(memory source = heap()) noexcept : spans_{source}, runs_{source} {}
 
     void clear() noexcept { runs_.clear(); }
 
-    /// Finds out how a text stands that has been analysed; nothing for lines. What is combined becomes one grapheme, in
-    /// which no line ends.
+    /// Finds the orientation of an analysed text; does nothing for lines. Combined text becomes one grapheme, in which
+    /// no line ends.
     ///
     /// Fails  error::out_of_memory
     template <item_shaper Shaper>
@@ -47,16 +47,16 @@ public:
         return {};
     }
 
-    /// Empty for lines.
+    /// The runs; there are none for lines.
     [[nodiscard]] std::span<const column_run> runs() const noexcept { return runs_.view(); }
     [[nodiscard]] const column_metrics& metrics() const noexcept { return metrics_; }
 
 private:
-    /// Makes what stands between tabs and line breaks one grapheme.
+    /// Makes the text between tabs and line breaks one grapheme.
     static void join(text_view text, const column_run& run, text_analysis& found) noexcept
     {
         constexpr text_mark within = text_mark::grapheme | text_mark::may_break | text_mark::hyphen;
-        bool behind = true;  // a tab or a break, or nothing
+        bool behind = true;  // after a tab, a break or the start
         for (std::uint32_t u = run.first; u < run.last; ++u) {
             if (!has(found.marks[u], text_mark::grapheme)) continue;
             const bool silent = silent_at(text, u) != 0;

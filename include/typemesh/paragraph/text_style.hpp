@@ -12,7 +12,7 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// Bars drawn with a text; a set, joined by |. Each is a solid of its own, as deep as the letters.
+/// Bars drawn with a text: a set, joined by |. Each bar is a separate solid, as deep as the letters.
 enum class decoration : std::uint8_t {
     none = 0,
     underline = 1u << 0,
@@ -25,30 +25,31 @@ enum class decoration : std::uint8_t {
     return static_cast<decoration>(static_cast<unsigned>(a) | static_cast<unsigned>(b));
 }
 
-/// Whether a set contains a decoration; of several, any.
+/// Whether a set contains a decoration. With several decorations: whether it contains any of them.
 [[nodiscard]] constexpr bool has(decoration set, decoration one) noexcept
 {
     return (static_cast<unsigned>(set) & static_cast<unsigned>(one)) != 0;
 }
 
-/// Small letters above or below the others: the font's own ("sups", "subs") where it has them for the whole stretch,
-/// else smaller ones, of the size and at the height that the font names.
+/// Small letters above or below the others. The font's own letters ("sups", "subs") are used if it has them for the
+/// whole part; otherwise smaller letters, with the size and height that the font suggests.
 enum class script_position : std::uint8_t { normal, superscript, subscript };
 
-/// How a stretch of a text is set. Lengths are in em of the whole text, whatever the size here.
+/// The style of a part of a text. Lengths are in em of the whole text, for any size here.
 ///
-///     shaping    face, size, letter_spacing, features, language, position, column: the text is shaped apart where they
-///                change, so letters are not kerned across, and no ligature crosses
-///     painting   all else: letters stay as they are. A ligature, and whatever else a font keeps together, is painted
-///                as its first character.
+///     shaping    face, size, letter_spacing, features, language, position, column: the text is divided for shaping
+///                where they change, so there is no kerning and no ligature across
+///     painting   all others: letters do not change. A ligature, or any other text that a font keeps together, is
+///                painted like its first character.
 struct text_style {
     std::uint16_t face = 0;  ///< of the shaper's faces
-    double size = 1.0;       ///< times the text's; more than 0. Solids stay as deep, and bevels as wide, as of size 1
-    double letter_spacing = 0.0;             ///< besides the whole text's
-    std::span<const feature> features = {};  ///< behind those of the whole text
+    double size = 1.0;       ///< times the text's size; more than 0. It does not change the depth of solids and the
+                             ///< width of bevels
+    double letter_spacing = 0.0;             ///< in addition to the whole text's
+    std::span<const feature> features = {};  ///< after the features of the whole text
     std::string_view language = {};          ///< empty: the whole text's
     script_position position = script_position::normal;
-    column_style column = column_style::automatic;  ///< how it stands in columns; what is combined takes one em
+    column_style column = column_style::automatic;  ///< the orientation in columns; combined text takes one em
 
     double word_spacing = 0.0;  ///< added to every space
     double rise = 0.0;          ///< of the baseline
@@ -57,7 +58,7 @@ struct text_style {
     style_id style = {};  ///< the caller's number for a material or colour
 };
 
-/// Whether text of both styles is shaped at once.
+/// Whether text of both styles is shaped together.
 [[nodiscard]] inline bool shaped_alike(const text_style& a, const text_style& b) noexcept
 {
     if (a.face != b.face || !same(a.size, b.size) || !same(a.letter_spacing, b.letter_spacing)) return false;

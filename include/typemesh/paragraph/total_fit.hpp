@@ -12,26 +12,26 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// Chooses all line ends of a paragraph together, so that the lines are filled as evenly as possible: the sum of their
-/// demerits is the least, by D. Knuth and M. Plass, "Breaking paragraphs into lines" (1981), without their classes of
+/// Chooses all line ends of a paragraph together, so that the lines are filled as evenly as possible. The sum of their
+/// demerits is minimal: D. Knuth and M. Plass, "Breaking paragraphs into lines" (1981), without their classes of
 /// fitness.
 ///
-///     stretch     by which part of their own width a line's spaces grow until it is full
-///     badness     100 (2 stretch)^3; of spaces that shrink 100 (share of the most that they may)^3; 0 for a line that
-///                 the text ends
+///     stretch     the part of their own width by which a line's spaces grow until the line is full
+///     badness     100 (2 stretch)^3; if spaces shrink, 100 (part of the maximum shrink)^3; 0 for a line that ends at a
+///                 line break of the text
 ///     demerits    (10 + badness)^2, and at a hyphen hyphen_penalty^2
 ///
-/// Where no lines are within the tolerance, first_fit makes one, from the last place where a line may still begin.
+/// If no lines are within the tolerance, first_fit makes one, from the last place where a line may still begin.
 ///
-/// At most 32 beginnings of lines are compared at a time. Where more are possible, as in lines of hundreds of words,
-/// those that promise least are forgotten: lines still keep the tolerance, but need not be the best.
+/// At most 32 starts of lines are compared at a time. If more are possible, as in lines of hundreds of words, the least
+/// promising ones are dropped. Lines still keep the tolerance, but may not be the best.
 ///
-/// Cost  O(n) for n pieces, at most 32 comparisons each; twice that where emergency_stretch is needed
+/// Cost  O(n) for n pieces, at most 32 comparisons each; twice that if emergency_stretch is needed
 struct total_fit {
-    double tolerance = 1.0;          ///< the most stretch of a line: 1 lets spaces double
-    double hyphen_penalty = 50.0;    ///< 0: hyphens are as good as spaces; infinite: none but where first_fit sets them
-    double emergency_stretch = 0.0;  ///< for a paragraph that has no such lines: the part of the width by which each
-                                     ///< may stretch besides
+    double tolerance = 1.0;          ///< the maximum stretch of a line: 1 lets spaces double
+    double hyphen_penalty = 50.0;    ///< 0: hyphens are as good as spaces; infinite: only from first_fit
+    double emergency_stretch = 0.0;  ///< if a paragraph has no such lines: each line may stretch by this part of the
+                                     ///< width in addition
 
     error break_lines(std::span<const break_piece> pieces, const line_room& room,
                       buffer<std::uint32_t>& ends) const noexcept;
@@ -39,7 +39,7 @@ struct total_fit {
 
 namespace detail {
 
-/// The line ends of one stretch of pieces, at whose end the text demands one.
+/// The line ends of a range of pieces, which ends with a line break of the text.
 class best_lines {
 public:
     best_lines(const total_fit& how, std::span<const break_piece> pieces, const line_room& room, bool fresh,
@@ -63,22 +63,22 @@ public:
     }
 
 private:
-    /// A place where a line may begin, as the end of the best lines before it. Lengths are as the pen adds them up.
+    /// A place where a line may begin, with the best lines before it. Lengths are sums of the pen.
     struct start {
         std::uint32_t piece = 0;
-        double origin = 0.0;   // what the pen has added up where the line has its x = 0
-        double before = 0.0;   // the stretch up to where the line's own counts
-        double width = 0.0;    // of the line up to the present piece, without what hangs
-        double stretch = 0.0;  // likewise
+        double origin = 0.0;   // the pen's sum at x = 0 of the line
+        double before = 0.0;   // the stretch before the line's own
+        double width = 0.0;    // of the line up to the current piece, without hanging white space
+        double stretch = 0.0;  // the same for the stretch
         double demerits = 0.0;
-        double forecast = 0.0;  // demerits without those that lines have at least
+        double forecast = 0.0;  // demerits minus the minimum of the lines before
     };
 
     static constexpr double infinite = std::numeric_limits<double>::infinity();
     static constexpr double least = 100.0;  // demerits of a perfect line
     static constexpr std::size_t most = 32;
 
-    /// Fills in begins_. With `always` first_fit helps where there is no way; without, it returns false there.
+    /// Fills in begins_. If there is no solution, `always` lets first_fit help; without it, the result is false.
     bool search(double emergency, bool always) noexcept
     {
         emergency_ = emergency;
@@ -102,7 +102,7 @@ private:
 
     [[nodiscard]] double pen_at(std::size_t piece) const noexcept { return room_.start(fresh_ && piece == first_); }
 
-    /// Has lines begin at `piece` and nowhere else.
+    /// Makes `piece` the only start of lines.
     void begin_at(std::size_t piece, double demerits) noexcept
     {
         pen_ = stretch_ = 0.0;
@@ -110,7 +110,7 @@ private:
         if (piece < last_) add(piece, demerits);
     }
 
-    /// Adds a beginning, in place of the least promising one if there are too many.
+    /// Adds a start. If there are too many, it replaces the least promising one.
     void add(std::size_t piece, double demerits) noexcept
     {
         if (piece == last_) return;
@@ -135,8 +135,8 @@ private:
         starts_[to_++] = s;
     }
 
-    /// Goes over piece k: the best line that ends behind it, with infinite demerits if there is none. Beginnings from
-    /// which lines are too long now are dropped, the last of them into lost_.
+    /// Processes piece k. Returns the best line that ends after it, with infinite demerits if there is none. Starts of
+    /// lines that are now too long are dropped; lost_ gets the last of them.
     start pass(std::size_t k) noexcept
     {
         const break_piece& p = pieces_[k];
@@ -177,7 +177,7 @@ private:
         return best;
     }
 
-    /// Of a line with so much room left; infinite beyond the tolerance.
+    /// Of a line with this much spare room; infinite beyond the tolerance.
     [[nodiscard]] double demerits_of(double spare, double stretch, double shrink, bool ends, bool hyphen) const noexcept
     {
         double share = 0.0;
@@ -192,7 +192,7 @@ private:
         return bad * bad + (hyphen && !ends ? how_.hyphen_penalty * how_.hyphen_penalty : 0.0);
     }
 
-    /// Makes of the chain of beginnings the list of ends, in place. Returns how many.
+    /// Turns the chain of starts into the list of ends, in place. Returns their number.
     std::size_t list_ends() noexcept
     {
         auto next = static_cast<std::uint32_t>(last_);
@@ -217,11 +217,11 @@ private:
     const line_room& room_;
     bool fresh_;
     std::size_t first_, last_;
-    std::span<std::uint32_t> begins_;  // for each piece, where the best line begins that ends behind it
+    std::span<std::uint32_t> begins_;  // for each piece: the start of the best line that ends after it
     double emergency_ = 0.0;
-    double pen_ = 0.0, stretch_ = 0.0;  // added up since begin_at()
+    double pen_ = 0.0, stretch_ = 0.0;  // sums since begin_at()
     start starts_[2 * most];
-    std::size_t from_ = 0, to_ = 0;  // those in use, in the order of the text
+    std::size_t from_ = 0, to_ = 0;  // the starts in use, in the order of the text
     start lost_;
 };
 

@@ -16,29 +16,29 @@ namespace typemesh::inline TYPEMESH_ABI {
 
 namespace detail {
 
-/// What stands for hyphenating's own function object in the concept below.
+/// The concept below uses it instead of hyphenating's function object.
 struct ignore_place {
     void operator()(std::size_t) const noexcept {}
 };
 
 }  // namespace detail
 
-/// Knows where words may be parted with a hyphen: patterns, a dictionary, a service of the system.
+/// Knows where words may be divided with a hyphen: patterns, a dictionary, a service of the system.
 ///
-///     h.hyphenate(text, word, language, put)   calls put(place) for each unit of `word` before which it may be parted,
-///                                              in any order; places that are not inside, or in the midst of a
-///                                              grapheme, count for nothing. `language` is analysis_options::language.
+///     h.hyphenate(text, word, language, put)   calls put(place) for each unit of `word` that may follow a hyphen, in
+///                                              any order. Places outside the word or inside a grapheme are
+///                                              ignored. `language` is analysis_options::language.
 template <class H>
 concept hyphenator = requires(H& h, text_view text, text_range word, std::string_view language) {
     { h.hyphenate(text, word, language, detail::ignore_place{}) } noexcept;
 };
 
-/// An analyser that finds what another one does, and besides where words may be parted with a hyphen:
+/// An analyser that adds hyphenation to another analyser: it also finds where words may be divided with a hyphen:
 ///
 ///     paragraph words{font, heap(), hyphenating{unicode_analyser{}, my_patterns}};
 ///
-/// A word is a run of letters and their marks; a digit, an apostrophe or a hyphen ends it. One that holds soft hyphens
-/// is parted there and nowhere else.
+/// A word is a run of letters and their marks; a digit, an apostrophe or a hyphen ends it. If a word contains soft
+/// hyphens, it is divided only there.
 template <text_analyser Analyser, hyphenator Hyphenator>
 class hyphenating {
 public:
@@ -46,7 +46,7 @@ public:
     {
     }
 
-    /// The policies, to change their options between texts.
+    /// The policies; you may change their options between texts.
     [[nodiscard]] Analyser& analyser() noexcept { return analyser_; }
     [[nodiscard]] Hyphenator& hyphenator() noexcept { return words_; }
 

@@ -10,7 +10,7 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// A script by its four letters in ISO 15924, the first in the highest byte: script_tag("Latn").
+/// A script by its four letters in ISO 15924. The first letter is in the highest byte: script_tag("Latn").
 [[nodiscard]] constexpr std::uint32_t script_tag(const char (&letters)[5]) noexcept
 {
     std::uint32_t tag = 0;
@@ -18,8 +18,8 @@ namespace typemesh::inline TYPEMESH_ABI {
     return tag;
 }
 
-/// Whether text of two scripts is set as text of one: of the same, or of Han, the kana and Bopomofo, which change
-/// within words, share their punctuation and are kerned with each other.
+/// Whether text of two scripts is set as text of one script. This is true for equal scripts, and for Han, the kana and
+/// Bopomofo: these change within words, share their punctuation and are kerned with each other.
 [[nodiscard]] constexpr bool set_as_one(std::uint32_t a, std::uint32_t b) noexcept
 {
     const auto east_asian = [](std::uint32_t s) noexcept {
@@ -28,7 +28,7 @@ namespace typemesh::inline TYPEMESH_ABI {
     return a == b || (east_asian(a) && east_asian(b));
 }
 
-/// Scripts in which a character may occur: Script_Extensions. The universal set stands for a character of all scripts.
+/// The scripts in which a character may occur: Script_Extensions. The universal set means all scripts.
 class script_set {
     static constexpr std::size_t scripts = sizeof detail::script_tags / sizeof detail::script_tags[0];
     static constexpr std::size_t words = (scripts + 63) / 64;
@@ -41,18 +41,18 @@ class script_set {
 public:
     constexpr script_set() noexcept = default;
 
-    /// Of one code point; of Common, Inherited and Unknown ones, among them private ones, the universal set.
+    /// The set of one code point. It is universal for Common, Inherited and Unknown ones, including private ones.
     ///
     /// Cost   O(log(ranges)): eleven reads of a table of 9 kB, none for ASCII
     [[nodiscard]] static script_set of(char32_t c) noexcept { return numbered(range_of(c).number); }
 
-    /// Neighbouring characters of one set, which has a number; 0 is that of the universal set.
+    /// Consecutive characters with the same set, and the number of this set. Number 0 is the universal set.
     struct range {
         char32_t first;
         char32_t last;
         std::size_t number;
     };
-    /// The range that c lies in.
+    /// The range that contains c.
     [[nodiscard]] static range range_of(char32_t c) noexcept
     {
         using detail::script_ranges;
@@ -69,7 +69,7 @@ public:
                 number < 3 ? 0 : number};
     }
 
-    /// The set of that number.
+    /// The set with this number.
     [[nodiscard]] static script_set numbered(std::size_t number) noexcept
     {
         using namespace detail;
@@ -86,13 +86,13 @@ public:
         return set;
     }
 
-    /// Whether it says nothing: the universal set.
+    /// Whether it is the universal set, which excludes no script.
     [[nodiscard]] constexpr bool universal() const noexcept { return preferred_ == 0; }
 
-    /// The script to use where nothing decides between several; 'Zyyy' for the universal set.
+    /// The script to use if nothing decides between several; 'Zyyy' for the universal set.
     [[nodiscard]] constexpr std::uint32_t tag() const noexcept { return detail::script_tags[preferred_]; }
 
-    /// Keeps what is in both; false, and nothing changes, if that is nothing.
+    /// Keeps the scripts that are in both sets. If there are none, returns false and changes nothing.
     constexpr bool intersect(const script_set& other) noexcept
     {
         if (other.universal()) return true;

@@ -15,27 +15,27 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// A paragraph with what ends it, and its level: 0 if it is read to the right, 1 to the left.
+/// A paragraph, including its separator, and its level: 0 if it is read to the right, 1 if it is read to the left.
 struct text_paragraph {
     std::uint32_t first = 0;
     std::uint32_t last = 0;
     std::uint8_t level = 0;
 };
 
-/// What Unicode's algorithms find in a text, by a text_analyser. All places count units, as clusters do.
+/// The results of Unicode's algorithms for a text, found by a text_analyser. All places count units, as clusters do.
 ///
 ///     units     a  b     R  R  S  S  LF      "ab " and the two Hebrew letters R and S, of two bytes each
-///     levels    0  0  0  1  1  1  1  0       one for each unit: odd ones are read to the left
-///     marks     g  g  g  b     g     g       a set for each unit, text_mark: here where graphemes begin (g), the
-///                                            fourth of which, R, may also begin a line (b)
+///     levels    0  0  0  1  1  1  1  0       one for each unit: odd levels are read to the left
+///     marks     g  g  g  b     g     g       a set for each unit, text_mark. Here graphemes begin at g and at b; the
+///                                            fourth grapheme, R, may also begin a line (b).
 struct text_analysis {
     buffer<std::uint8_t> levels;        ///< before rule L1 of UAX #9, which visual_runs() applies
     buffer<text_mark> marks;            ///< where graphemes begin and lines may end
     buffer<script_run> scripts;         ///< no run goes beyond a paragraph
-    buffer<text_paragraph> paragraphs;  ///< one more than there are paragraph separators: the last may be empty
+    buffer<text_paragraph> paragraphs;  ///< one more than there are paragraph separators; the last one may be empty
     buffer<text_range> unbroken;        ///< Thai, Lao, Khmer, Burmese: lines could end inside, but only a dictionary
-                                        ///< tells where, and the analyser has none; each of one script
-    std::uint32_t invalid_units = 0;    ///< places that are not valid UTF and read as U+FFFD
+                                        ///< knows where, and the analyser has none; each range has one script
+    std::uint32_t invalid_units = 0;    ///< places that are not valid UTF and are read as U+FFFD
     std::uint32_t first_invalid_unit = 0;
 
     explicit text_analysis(memory source = heap()) noexcept
@@ -53,7 +53,7 @@ struct text_analysis {
         invalid_units = first_invalid_unit = 0;
     }
 
-    /// The paragraph that holds the unit i; behind the text, the last one. Cost: O(log(paragraphs))
+    /// The paragraph that contains the unit i; after the end of the text, the last one. Cost: O(log(paragraphs))
     [[nodiscard]] const text_paragraph& paragraph_of(std::size_t i) const noexcept
     {
         TYPEMESH_ASSERT(!paragraphs.empty(), "a text was asked for a paragraph before it was analysed");
@@ -62,7 +62,7 @@ struct text_analysis {
     }
 };
 
-/// The runs of one line, which is in one paragraph, from left to right: see visual_order.hpp.
+/// The runs of one line from left to right: see visual_order.hpp. The line must lie in one paragraph.
 ///
 /// Fails  error::out_of_memory
 inline result<void> visual_runs(const text_analysis& text, text_range line, buffer<visual_run>& runs) noexcept

@@ -7,18 +7,18 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// What is known of one unit of a text; a set, joined by |.
+/// The properties of one unit of a text: a set, joined by |.
 ///
-/// The first four and the last are marks of a character's first unit, the others of all its units.
+/// The first four marks and the last one are set on a character's first unit, the others on all its units.
 enum class text_mark : std::uint8_t {
     none = 0,
     character = 1u << 0,   ///< a code point begins here
-    grapheme = 1u << 1,    ///< a grapheme begins here: what a reader takes for one character (UAX #29)
+    grapheme = 1u << 1,    ///< a grapheme begins here: what a reader sees as one character (UAX #29)
     may_break = 1u << 2,   ///< a line may end before this unit (UAX #14)
-    must_break = 1u << 3,  ///< a line ends before this unit, behind a line feed say
-    space = 1u << 4,       ///< white space, which a line may end with beyond its width; no no-break space
-    trailing = 1u << 5,    ///< at the end of a line it is set as the paragraph is: spaces and what is not drawn (L1)
-    separator = 1u << 6,   ///< and so are, anywhere, tabs and what ends a paragraph, with what is trailing before them
+    must_break = 1u << 3,  ///< a line ends before this unit, for example after a line feed
+    space = 1u << 4,       ///< white space, which may extend beyond the width at a line's end; not no-break spaces
+    trailing = 1u << 5,    ///< spaces, invisible characters: they get the paragraph's level at a line's end (L1)
+    separator = 1u << 6,   ///< tabs, paragraph separators: they get it anywhere, with trailing units before them
     hyphen = 1u << 7,      ///< a line that ends before this unit shows a hyphen; U+00AD needs no mark
 };
 
@@ -33,7 +33,7 @@ enum class text_mark : std::uint8_t {
     return static_cast<text_mark>(static_cast<std::uint8_t>(set) & ~static_cast<unsigned>(others));
 }
 
-/// Whether a set contains a mark; of several, any.
+/// Whether a set contains a mark. With several marks: whether it contains any of them.
 [[nodiscard]] constexpr bool has(text_mark set, text_mark one) noexcept
 {
     return (static_cast<std::uint8_t>(set) & static_cast<std::uint8_t>(one)) != 0;

@@ -11,13 +11,12 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// How the units of a text are to be read.
+/// The encoding of a text's units.
 enum class encoding : std::uint8_t { utf8, utf16 };
 
-/// The caller's text in place: UTF-8 (char, char8_t) or UTF-16 (char16_t). Nothing is copied, nothing owned.
+/// The caller's text in place: UTF-8 (char, char8_t) or UTF-16 (char16_t). The view copies nothing and owns nothing.
 ///
-/// Offsets and clusters count units: bytes of UTF-8, 16-bit units of UTF-16. Text that is invalid in its encoding reads
-/// as U+FFFD (see utf.hpp).
+/// Offsets and clusters count units: bytes of UTF-8, 16-bit units of UTF-16. Invalid units read as U+FFFD (utf.hpp).
 class text_view {
 public:
     constexpr text_view() noexcept = default;
@@ -49,7 +48,7 @@ public:
     [[nodiscard]] constexpr bool empty() const noexcept { return size_ == 0; }
     [[nodiscard]] constexpr typemesh::encoding encoding() const noexcept { return encoding_; }
 
-    /// The units themselves; the first only for UTF-8, the second only for UTF-16.
+    /// The units. Call utf8() only for UTF-8, and utf16() only for UTF-16.
     [[nodiscard]] const char* utf8() const noexcept
     {
         TYPEMESH_ASSERT(encoding_ == typemesh::encoding::utf8, "a text in UTF-16 was read as UTF-8");
@@ -62,7 +61,7 @@ public:
         return static_cast<const char16_t*>(units_);
     }
 
-    /// The unit at i, as a number. Needs i < size().
+    /// The unit at i, as a number. Precondition: i < size().
     [[nodiscard]] std::uint32_t unit(std::size_t i) const noexcept
     {
         return encoding_ == typemesh::encoding::utf8 ? static_cast<unsigned char>(utf8()[i]) : utf16()[i];
@@ -81,19 +80,18 @@ private:
     typemesh::encoding encoding_ = typemesh::encoding::utf8;
 };
 
-/// A text that owns its units and is about to die, a temporary std::string: for overloads that refuse it, because they
-/// keep a view of it.
+/// A temporary text that owns its units, such as a std::string. Overloads refuse it if they would keep a view of it.
 template <class Text>
 concept dying_text = !std::is_reference_v<Text> && !std::is_trivially_copyable_v<std::remove_cv_t<Text>> &&
                      std::is_convertible_v<const Text&, text_view>;
 
-/// Text in an encoding that text_view does not take: UTF-32, or wchar_t, which differs from system to system.
+/// Text in an encoding that text_view does not accept: UTF-32, or wchar_t, which differs between systems.
 template <class Text>
 concept foreign_text =
     !std::is_convertible_v<const Text&, text_view> && !std::is_convertible_v<const Text&, std::string_view> &&
     (std::is_convertible_v<const Text&, std::u32string_view> || std::is_convertible_v<const Text&, std::wstring_view>);
 
-/// For overloads beside those that take a text, so that such a text is refused in one sentence.
+/// For overloads beside the ones that take a text. The compiler then refuses foreign text in one sentence.
 template <class Text>
 constexpr error refuse_text() noexcept
 {

@@ -14,8 +14,8 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// The algorithms of Unicode 17.0 by themselves, without a library and without dictionaries: UAX #9, #14, #24 and #29.
-/// Everywhere the same; `language` is not read. Keeps its memory for the next text.
+/// The algorithms of Unicode 17.0, without a library and without dictionaries: UAX #9, #14, #24 and #29. The results
+/// are the same on all systems; `language` is not used. The memory is kept for the next text.
 ///
 /// Cost   O(n) time; 15 bytes for each character of the longest paragraph, 42 more if some are read to the left
 class unicode_analyser {
@@ -59,9 +59,9 @@ private:
         return {};
     }
 
-    /// Decodes a paragraph and looks up its characters. Places have one entry more, the paragraph's end.
+    /// Decodes a paragraph and looks up its characters. `places_` has one more entry, the paragraph's end.
     ///
-    ///     at      where it begins; then where the next one does
+    ///     at      the start of the paragraph; afterwards the start of the next one
     ///     more    whether a separator ends it
     error read_paragraph(text_view text, std::size_t& at, bool& more, text_analysis& found) noexcept
     {
@@ -83,13 +83,13 @@ private:
         return places_.push_back(static_cast<std::uint32_t>(at)) ? error{} : error{error::out_of_memory};
     }
 
-    /// Levels and marks of the paragraph's units, its script runs, and what would need a dictionary.
+    /// Finds the levels and marks of the paragraph's units, its script runs, and the ranges that need a dictionary.
     error mark(text_analysis& found) noexcept
     {
         grapheme_boundaries begins;
         line_opportunities opportunity{characters_.data(), characters_.size()};
         script_itemiser scripts{found.scripts};
-        bool unbroken = false;  // the character before is of a script that needs a dictionary
+        bool unbroken = false;  // the previous character has a script that needs a dictionary
         for (std::size_t k = 0; k < values_.size(); ++k) {
             const character& c = characters_[k];
             const std::size_t runs = found.scripts.size();
@@ -98,7 +98,7 @@ private:
                 scripts.add_mark(values_[k]);
             else if (error e = scripts.add(values_[k], c.bracket, places_[k]))
                 return e;
-            if (found.scripts.size() != runs) unbroken = false;  // another script, another dictionary
+            if (found.scripts.size() != runs) unbroken = false;  // another script needs another dictionary
 
             const text_mark whole = marks_of(c);
             text_mark first = whole | text_mark::character;

@@ -7,23 +7,23 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// One code point as decoded, and where the next one begins.
+/// A decoded code point, and the place of the next one.
 struct code_point {
     char32_t value = 0xFFFD;
     std::size_t next = 0;
-    bool valid = true;  ///< false where U+FFFD stands for something that is not UTF
+    bool valid = true;  ///< false if U+FFFD replaces something that is not valid UTF
 };
 
-/// Decodes the code point at text[i], looking no further than `end`. Needs i < end <= text.size(); never fails, always
-/// advances.
+/// Decodes the code point at text[i]. It reads no further than `end`. It never fails and always advances. Precondition:
+/// i < end <= text.size().
 ///
-/// UTF-8 follows Unicode's "substitution of maximal subparts" (The Unicode Standard, 3.9; WHATWG's decoder does the
-/// same): as many bytes as could begin a code point become one U+FFFD, any other byte becomes one of its own. Overlong
-/// forms, surrogates and values beyond U+10FFFF are invalid.
+/// UTF-8 follows Unicode's "substitution of maximal subparts" (The Unicode Standard, 3.9), and so does WHATWG's
+/// decoder. As many bytes as could begin a code point become one U+FFFD. Any other byte becomes a separate U+FFFD.
+/// Overlong forms, surrogates and values beyond U+10FFFF are invalid.
 ///
-///     E2 82 | 41        one U+FFFD, then A         E2 82 begins a sequence that breaks off
+///     E2 82 | 41        one U+FFFD, then A         E2 82 begins a sequence that is incomplete
 ///     C0 | AF           two U+FFFD                 no sequence begins with C0
-///     ED | A0 | 80      three U+FFFD               a surrogate, which UTF-8 does not write
+///     ED | A0 | 80      three U+FFFD               a surrogate, which is invalid in UTF-8
 ///
 /// In UTF-16 each unpaired half of a surrogate pair is one U+FFFD.
 [[nodiscard]] inline code_point decode(text_view text, std::size_t i, std::size_t end) noexcept
@@ -57,7 +57,7 @@ struct code_point {
     return {value, i + length, true};
 }
 
-/// The same up to the end of the text.
+/// Decodes up to the end of the text.
 [[nodiscard]] inline code_point decode(text_view text, std::size_t i) noexcept { return decode(text, i, text.size()); }
 
 }  // namespace typemesh::inline TYPEMESH_ABI

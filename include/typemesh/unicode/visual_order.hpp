@@ -14,16 +14,16 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// A stretch of one line that is read in one direction.
+/// A part of one line that is read in one direction.
 struct visual_run {
     std::uint32_t first = 0;
     std::uint32_t last = 0;  ///< one past its end
     std::uint8_t level = 0;  ///< odd: read to the left
 };
 
-/// Rule L2 of UAX #9: puts the parts of a line, each with a `level`, from left to right. Before, they stand in the
-/// order in which they are read. `parts` is a std::span, or anything else with data() and size(). Cost: O(n) for each
-/// of the levels, 126 at most
+/// Rule L2 of UAX #9: sorts the parts of a line, each with a `level`, from left to right. Before the call they are in
+/// reading order. `parts` is a std::span, or any other type with data() and size(). Cost: O(n) for each level; there
+/// are at most 126 levels.
 template <class Parts>
 void order_visually(Parts&& parts) noexcept
 {
@@ -39,11 +39,11 @@ void order_visually(Parts&& parts) noexcept
         }
 }
 
-/// Rule L1 of UAX #9: of the parts of a line, from its end to its start, those are set at the level of their paragraph
-/// that are separators (tabs), or white space before one or at the line's end.
+/// Rule L1 of UAX #9. Ask it about the parts of a line from the line's end to its start. It selects separators (tabs),
+/// and white space before a separator or at the line's end. These parts get the level of their paragraph.
 class line_end_rule {
 public:
-    /// Whether the next part towards the start is.
+    /// Whether the rule selects the next part towards the start.
     constexpr bool takes(bool separator, bool white_space) noexcept
     {
         return takes_ = separator || (takes_ && white_space);
@@ -55,7 +55,7 @@ private:
 
 namespace detail {
 
-/// The runs of a line from its end to its start.
+/// Finds the runs of a line from its end to its start.
 inline error line_runs(const std::uint8_t* levels, const text_mark* marks, std::uint8_t paragraph, text_range line,
                        buffer<visual_run>& runs) noexcept
 {
@@ -75,13 +75,13 @@ inline error line_runs(const std::uint8_t* levels, const text_mark* marks, std::
 
 /// Puts one line in visual order: rules L1 and L2 of UAX #9.
 ///
-///     levels, marks   of the units of the text, as in a text_analysis; those of the line are read
+///     levels, marks   of the text's units, as in a text_analysis; only the units of the line are read
 ///     paragraph       the level of its paragraph
 ///     runs            emptied first; gets the line's runs from left to right. Within a run of odd level the characters
-///                     stand from right to left.
+///                     are ordered from right to left.
 ///
 /// Fails  error::out_of_memory
-/// Cost   O(length of the line), and as order_visually()
+/// Cost   O(length of the line), plus the cost of order_visually()
 inline result<void> visual_runs(const std::uint8_t* levels, const text_mark* marks, std::uint8_t paragraph,
                                 text_range line, buffer<visual_run>& runs) noexcept
 {

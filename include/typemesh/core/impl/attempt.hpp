@@ -5,8 +5,8 @@
 
 namespace typemesh::inline TYPEMESH_ABI::detail {
 
-/// Calls action(), which is the caller's or the standard library's and may throw. Returns false if it has thrown; in
-/// builds without exceptions it cannot. Microsoft's compilers name exceptions by a macro of their own.
+/// Calls action(), which belongs to the caller or the standard library and may throw. Returns false if it has thrown,
+/// which cannot happen in builds without exceptions. Microsoft's compilers have their own macro for exceptions.
 template <class Action>
 [[nodiscard]] bool attempt(Action&& action) noexcept
 {

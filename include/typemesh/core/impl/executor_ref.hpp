@@ -7,7 +7,7 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// Refers to an executor of any type, which must outlive it; an executor itself.
+/// Refers to an executor of any type, which must outlive it. It is itself an executor.
 class executor_ref {
 public:
     template <executor Executor>

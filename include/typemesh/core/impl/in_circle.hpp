@@ -9,13 +9,13 @@ namespace typemesh::inline TYPEMESH_ABI {
 
 namespace detail {
 
-/// A signed number of 128 bits, two's complement, in two words.
+/// A signed number of 128 bits in two words, as two's complement.
 struct two_words {
     std::uint64_t high;
     std::uint64_t low;
 };
 
-/// p * q in two words, by multiplying halves: for compilers without a 128-bit type. Needs |each| < 2^62.
+/// p * q in two words. It multiplies halves, for compilers without a 128-bit type. Precondition: |each| < 2^62.
 [[nodiscard]] constexpr two_words product_in_halves(std::int64_t p, std::int64_t q) noexcept
 {
     const std::uint64_t u = static_cast<std::uint64_t>(p < 0 ? -p : p);
@@ -27,7 +27,7 @@ struct two_words {
     return {~size.high + (size.low == 0 ? 1u : 0u), ~size.low + 1u};
 }
 
-/// a * b + c * d in two words, by multiplying halves. Needs |each| < 2^62.
+/// a * b + c * d in two words. It multiplies halves. Precondition: |each| < 2^62.
 [[nodiscard]] constexpr two_words sum_of_products_in_halves(std::int64_t a, std::int64_t b, std::int64_t c,
                                                             std::int64_t d) noexcept
 {
@@ -36,7 +36,7 @@ struct two_words {
     return {first.high + second.high + (low < first.low ? 1u : 0u), low};
 }
 
-/// a * b + c * d in two words. Needs |each| < 2^62.
+/// a * b + c * d in two words. Precondition: |each| < 2^62.
 [[nodiscard]] constexpr two_words sum_of_products(std::int64_t a, std::int64_t b, std::int64_t c,
                                                   std::int64_t d) noexcept
 {
@@ -49,7 +49,7 @@ struct two_words {
 #endif
 }
 
-/// a * b + c * d - e * f in two words, by multiplying halves. Needs |each| < 2^61.
+/// a * b + c * d - e * f in two words. It multiplies halves. Precondition: |each| < 2^61.
 [[nodiscard]] constexpr two_words sum_of_products_in_halves(std::int64_t a, std::int64_t b, std::int64_t c,
                                                             std::int64_t d, std::int64_t e, std::int64_t f) noexcept
 {
@@ -58,7 +58,7 @@ struct two_words {
     return {first.high + second.high + (low < first.low ? 1u : 0u), low};
 }
 
-/// a * b + c * d - e * f in two words. Needs |each| < 2^61.
+/// a * b + c * d - e * f in two words. Precondition: |each| < 2^61.
 [[nodiscard]] constexpr two_words sum_of_products(std::int64_t a, std::int64_t b, std::int64_t c, std::int64_t d,
                                                   std::int64_t e, std::int64_t f) noexcept
 {
@@ -73,7 +73,7 @@ struct two_words {
 
 }  // namespace detail
 
-/// Where d lies relative to the circle through a, b, c (counter-clockwise): 1 inside, 0 on it, -1 outside.
+/// The position of d relative to the circle through a, b, c (counter-clockwise): 1 inside, 0 on it, -1 outside.
 ///
 ///       c             The chord ab is seen from c and from d under two angles: d lies on the circle when they sum to
 ///     /   \           180 degrees, that is when sin(c + d) = 0. With cross and dot for sine and cosine, that is two
@@ -97,20 +97,20 @@ struct two_words {
     return static_cast<std::int64_t>(sum.high) < 0 ? 1 : (sum.high | sum.low) != 0 ? -1 : 0;
 }
 
-/// Of four cocircular points a, d, b, c, whether the diagonal dc is preferred to ab: see prefers_other_diagonal().
+/// Whether the diagonal dc of four cocircular points a, d, b, c is preferred to ab: see prefers_other_diagonal().
 [[nodiscard]] constexpr bool breaks_tie(grid_point a, grid_point b, grid_point c, grid_point d) noexcept
 {
     return lexicographic_less(lexicographic_less(c, d) ? c : d, lexicographic_less(a, b) ? a : b);
 }
 
-/// Whether the Delaunay diagonal of the quadrilateral a, d, b, c (counter-clockwise, cut by ab into two triangles) is
-/// the other one, dc. Of four cocircular points, the Delaunay diagonal is the one that ends at the lexicographically
-/// smallest.
+/// The diagonal ab cuts the quadrilateral a, d, b, c (counter-clockwise) into two triangles. Returns whether the other
+/// diagonal dc is the Delaunay diagonal. If the four points are cocircular, the Delaunay diagonal is the one that ends
+/// at the lexicographically smallest point.
 ///
 /// If so, the quadrilateral is strictly convex and the edge can be flipped. Applied edge by edge, the rule for ties
 /// makes all free diagonals of a cell of cocircular points fan out from its smallest point. It is a symbolic
-/// perturbation: on the paraboloid whose lower hull is the triangulation, each point is lowered by infinitely more than
-/// every greater one.
+/// perturbation. The triangulation is the lower hull of points on a paraboloid; each point is lowered by infinitely
+/// more than every greater one.
 [[nodiscard]] constexpr bool prefers_other_diagonal(grid_point a, grid_point b, grid_point c, grid_point d) noexcept
 {
     const std::int64_t acx = std::int64_t{a.x} - c.x, acy = std::int64_t{a.y} - c.y, bcx = std::int64_t{b.x} - c.x,
@@ -124,7 +124,7 @@ struct two_words {
     return breaks_tie(a, b, c, d);
 }
 
-/// A point as seen from another one, for many tests of circles through that one.
+/// A point relative to another one, for many circle tests through the other one.
 struct seen_point {
     std::int64_t x, y;
     std::int64_t square;  ///< of its distance
@@ -140,11 +140,11 @@ struct seen_point {
     }
 };
 
-/// Where d lies relative to the circle through a, b (counter-clockwise) and the point that sees them: 1 inside, 0 on
-/// it, -1 outside; `ab`, `ad` and `db` are the cross products of a and b, a and d, d and b. The textbook determinant:
-/// where its parts serve more than one test, it takes two thirds of the instructions of in_circle().
+/// The position of d relative to the circle through a, b (counter-clockwise) and the origin of these points: 1 inside,
+/// 0 on it, -1 outside. `ab`, `ad` and `db` are the cross products of a and b, a and d, d and b. This is the textbook
+/// determinant. If its parts serve more than one test, it takes two thirds of the instructions of in_circle().
 ///
-/// Exact. Budget: as in_circle(), the sum <= 3 * 2^118.
+/// Exact. Budget: as in in_circle(), and the sum is <= 3 * 2^118.
 [[nodiscard]] constexpr int circle_side(const seen_point& a, const seen_point& b, const seen_point& d, std::int64_t ab,
                                         std::int64_t ad, std::int64_t db) noexcept
 {

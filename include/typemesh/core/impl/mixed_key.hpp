@@ -7,7 +7,7 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// Mixes one more number into a key: an odd multiple and a shift, so that order and position count.
+/// Mixes one more number into a key, with an odd multiplier and a shift. Both order and position matter.
 [[nodiscard]] constexpr std::uint64_t mixed_key(std::uint64_t key, std::uint64_t number) noexcept
 {
     key = (key ^ number) * 0x9E37'79B9'7F4A'7C15u;

@@ -9,7 +9,7 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// Any number of option bits as two numbers, for policies that hold other policies: a hash of 128 bits.
+/// A hash of 128 bits of any number of option bits, as two numbers. Policies that hold other policies use it.
 struct option_hash {
     std::uint64_t first = 0x6A09'E667'F3BC'C908u;
     std::uint64_t second = 0xBB67'AE85'84CA'A73Bu;
@@ -26,7 +26,7 @@ struct option_hash {
         for (const std::uint64_t word : bits.words) add(word);
     }
 
-    /// Adds the key of a policy; one without options has none.
+    /// Adds the key of a policy. A policy without options has no key.
     template <class Policy>
     void add_key_of(const Policy& p) noexcept
     {

@@ -5,7 +5,7 @@
 
 namespace typemesh::inline TYPEMESH_ABI::detail {
 
-/// A place in memory for each type, whose address tells it from all others. Not const: linkers may merge constants.
+/// One variable for each type: its address identifies the type. It is not const, because linkers may merge constants.
 template <class T>
 inline char place_of_type = 0;
 

@@ -10,18 +10,18 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// Holds one policy of any type within itself, and passes it on as a Ref: discretiser_ref, triangulator_ref,
-/// observer_ref. A policy has at most `room` bytes; nothing is allocated.
+/// Stores one policy of any type inside itself, and passes it on as a Ref: discretiser_ref, triangulator_ref,
+/// observer_ref. A policy has at most `room` bytes. Nothing is allocated.
 ///
 ///     stored_policy<discretiser_ref> flatten{certified{}};
 ///     flatten = two_lines{};
 ///     if (const auto* lines = flatten.get<two_lines>()) ...
 ///
-/// Move-only, as policies may be. What was moved from still holds a policy: its own, moved from.
+/// It is move-only, because policies may be. A stored_policy that was moved from still holds its policy, moved from.
 template <class Ref>
 class stored_policy {
 public:
-    static constexpr std::size_t room = 64;  ///< bytes
+    static constexpr std::size_t room = 64;
 
     template <class Policy>
         requires(!std::same_as<Policy, stored_policy>)
@@ -52,7 +52,7 @@ public:
     }
     ~stored_policy() { life_->end(bytes_); }
 
-    /// The policy, if it is of this type, or else null.
+    /// The policy if it has this type, otherwise null.
     template <class Policy>
     [[nodiscard]] Policy* get() noexcept
     {
@@ -60,7 +60,7 @@ public:
                                                              : nullptr;
     }
 
-    /// Refers to the policy, until it is exchanged or this is moved.
+    /// Refers to the policy, until the policy is replaced or this object is moved.
     [[nodiscard]] Ref ref() noexcept { return Ref{bytes_, *calls_}; }
 
 private:

@@ -5,8 +5,8 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// The value of a variable, which has the default of its type (null, zero, false) from then on: for moves. As
-/// std::exchange(from, {}), and swap_values() as std::swap, which compilers take far longer for.
+/// Returns the value of a variable and resets the variable to the default of its type (null, zero, false): for moves.
+/// It does the same as std::exchange(from, {}), and swap_values() the same as std::swap, but they compile much faster.
 template <class T>
 [[nodiscard]] constexpr T taken(T& from) noexcept
 {
@@ -15,7 +15,6 @@ template <class T>
     return value;
 }
 
-/// Exchanges two values.
 template <class T>
 constexpr void swap_values(T& a, T& b) noexcept
 {

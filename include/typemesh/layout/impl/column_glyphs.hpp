@@ -12,18 +12,18 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// How a letter is drawn that lies in a column: turned clockwise about its own (0, 0), exactly.
+/// The map for a letter that lies on its side in a column: it turns clockwise around the letter's own (0, 0), exactly.
 inline constexpr affine quarter_turn{.xx = 0.0, .xy = 1.0, .yx = -1.0, .yy = 0.0};
 
-/// What of a shaper decides on where glyphs stand in columns, in font units.
+/// The metrics of a shaper that decide the positions of glyphs in columns, in font units.
 struct column_metrics {
     double middle = 0.0;  ///< column_middle_of(shaper)
     double em = 0.0;
     double gap = 0.0;  ///< added between combined letters
 };
 
-/// Lays an item's glyphs, shaped as in a line, on their side: the pen moves down, and what is column.middle above the
-/// baseline stands in the column's middle. They are to be drawn with quarter_turn.
+/// Lays an item's glyphs, shaped as in a line, on their side. The pen moves down, and the height column.middle above
+/// the baseline is in the middle of the column. Draw the glyphs with quarter_turn.
 inline void turn_glyphs(array_view<shaped_glyph> glyphs, const column_metrics& column) noexcept
 {
     for (shaped_glyph& g : glyphs) {
@@ -32,10 +32,10 @@ inline void turn_glyphs(array_view<shaped_glyph> glyphs, const column_metrics& c
     }
 }
 
-/// Puts an item's glyphs, shaped as in a line, side by side into the room of one character of a column: an em, of which
-/// the gaps between them take half at most. They become one cluster, which begins at `first`.
+/// Puts an item's glyphs, shaped as in a line, side by side into the space of one character of a column. This space is
+/// an em, and the gaps between the glyphs take at most half of it. The result is one cluster, which begins at `first`.
 ///
-/// Returns by how much they are to be drawn narrower, along x: 1 unless they are wider than that.
+/// Returns the factor along x that makes the glyphs narrower: 1 if they fit.
 inline double combine_glyphs(array_view<shaped_glyph> glyphs, const column_metrics& column, cluster_id first) noexcept
 {
     double width = 0.0, letters = 0.0;
@@ -60,8 +60,8 @@ inline double combine_glyphs(array_view<shaped_glyph> glyphs, const column_metri
     return squeeze;
 }
 
-/// Puts an item's glyphs where its orientation has them in a column; others stay as they are. Returns the map that
-/// they are to be drawn with.
+/// Moves an item's glyphs to their places in a column, according to its orientation. Other items do not change. Returns
+/// the map for drawing the glyphs.
 [[nodiscard]] inline affine place_in_column(array_view<shaped_glyph> glyphs, const text_item& item,
                                             const column_metrics& column) noexcept
 {
@@ -71,7 +71,7 @@ inline double combine_glyphs(array_view<shaped_glyph> glyphs, const column_metri
     return quarter_turn;
 }
 
-/// Appends an item's glyphs to a run, in a line or in a column, from the pen on, which moves by their advances.
+/// Appends an item's glyphs to a run, in a line or in a column. They start at the pen, which moves by their advances.
 ///
 /// Fails  error::out_of_memory
 inline error place_item(array_view<shaped_glyph> glyphs, const text_item& item, const column_metrics& column,

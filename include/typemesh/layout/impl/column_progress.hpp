@@ -11,15 +11,15 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// Whether a script is written in columns that follow each other to the right: Mongolian and its relatives.
+/// Whether the columns of a script follow each other to the right: Mongolian and its relatives.
 [[nodiscard]] constexpr bool goes_right_in_columns(std::uint32_t script) noexcept
 {
     return script == script_tag("Mong") || script == script_tag("Phag") || script == script_tag("Ougr") ||
            script == script_tag("Sogd") || script == script_tag("Sogo");
 }
 
-/// Whether each column of a text stands to the right of the one before: as the options say, else as is usual for the
-/// script that they name, else for that of the text's first letter. False for lines. Cost: O(n) up to that letter
+/// Whether each column of a text is to the right of the previous one. The options decide, otherwise the script that
+/// they name, otherwise the script of the text's first letter. It is false for lines. Cost: O(n) up to that letter
 [[nodiscard]] inline bool columns_go_right(text_view text, const shape_options& how) noexcept
 {
     if (how.direction != direction::top_to_bottom) return false;

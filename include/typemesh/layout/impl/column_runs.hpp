@@ -15,28 +15,28 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// A range of a text that stands in columns in a way of its own.
+/// A range of a text with its own style in columns.
 struct column_span {
     std::uint32_t first = 0;
     std::uint32_t last = 0;
     column_style style = column_style::automatic;
 };
 
-/// A stretch of a text that stands in a column in one way.
+/// A part of a text with one orientation in a column.
 struct column_run {
     std::uint32_t first = 0;
     std::uint32_t last = 0;
     glyph_orientation orientation = glyph_orientation::upright;
-    bool downwards = false;  ///< it is read down, whatever its letters' direction
+    bool downwards = false;  ///< it is read down, whatever the direction of its letters
 
-    /// The level at which text is set whose bidi level is this one.
+    /// The level at which text with the bidi level `own` is set.
     [[nodiscard]] constexpr std::uint8_t level(std::uint8_t own) const noexcept
     {
         return static_cast<std::uint8_t>(downwards ? own + (own & 1u) : own);
     }
 };
 
-/// The orientation of a grapheme in columns, UAX #50: that of its first character, upright if a mark encloses it.
+/// The orientation of a grapheme in columns, UAX #50: as its first character, or upright if a mark encloses it.
 [[nodiscard]] inline vertical_orientation grapheme_orientation(text_view text, std::size_t first,
                                                                std::size_t last) noexcept
 {
@@ -87,7 +87,7 @@ public:
         return {};
     }
 
-    /// Where the grapheme at text[i] ends.
+    /// The end of the grapheme at text[i].
     [[nodiscard]] std::size_t end_of(std::size_t i, std::size_t last) const noexcept
     {
         do ++i;
@@ -96,7 +96,7 @@ public:
     }
 
 private:
-    /// Where a number ends that begins at text[i]: there, if none does.
+    /// The end of the number that begins at text[i]; i if there is none.
     [[nodiscard]] std::size_t digits_from(std::size_t i, std::size_t last) const noexcept
     {
         while (i < last && text_.unit(i) >= '0' && text_.unit(i) <= '9' && end_of(i, last) == i + 1) ++i;
@@ -116,7 +116,7 @@ private:
         return glyph_orientation::sideways;
     }
 
-    /// Whether a character that is Tr is upright: by a vertical form or, a colon or semicolon, where brackets have one.
+    /// Whether a Tr character is upright: it has a vertical form, or it is a colon or semicolon and brackets have one.
     [[nodiscard]] bool stands_transformed(char32_t c) const noexcept
     {
         return has_form_(c) || ((c == U'\uFF1A' || c == U'\uFF1B') && has_form_(U'\u300C'));
@@ -144,29 +144,29 @@ private:
 
 }  // namespace detail
 
-/// Finds how the parts of a text stand in columns (UAX #50), by its graphemes.
+/// Finds the orientation of the parts of a text in columns (UAX #50), grapheme by grapheme.
 ///
-///     HH (2024) HH,        upright: what Unicode has upright (H: an ideograph), with its vertical forms where the font
-///     |  |      |          has them; sideways: all else, and what has no place upright but by a vertical form (U+30FC,
-///     U  S      U          U+300C) that the font lacks. But full-width colons and semicolons, which are upright in
-///                          Chinese, and the semicolon in Japanese, too, have no such form on purpose in a font that
-///                          has one for U+300C
+///     HH (2024) HH,        upright: characters that are upright in Unicode (H: an ideograph), with the font's vertical
+///     |  |      |          forms; sideways: all others, and also characters that are upright only by a vertical form
+///     U  S      U          (U+30FC, U+300C) that the font lacks. Exception: full-width colons and semicolons. They are
+///                          upright in Chinese, and the semicolon in Japanese, too. They intentionally have no such
+///                          form in a font that has one for U+300C.
 ///
-///     marks      of the text's analysis, of which the graphemes are read
-///     styles     ranges that stand in a way of their own: ascending, none within another; a grapheme belongs to the
-///                one that holds its first unit. Each combined one is a run by itself
+///     marks      the marks of the text's analysis; only the graphemes are used
+///     styles     ranges with their own style: ascending and not nested. A grapheme belongs to the range that contains
+///                its first unit. Each combined range is a separate run.
 ///     has_form   has_form(c): whether the font has a vertical form of a character
 ///     runs       emptied first; they cover the text in order
 ///
 /// Fails  error::out_of_memory
-/// Cost   O(n), besides has_form's
+/// Cost   O(n), plus the cost of has_form
 template <class HasForm>
 error find_column_runs(text_view text, array_view<const text_mark> marks, const column_options& how,
                        array_view<const column_span> styles, const HasForm& has_form, buffer<column_run>& runs) noexcept
 {
     runs.clear();
     detail::column_run_finder<HasForm> find{text, marks, how, has_form, runs};
-    const auto behind = [&](std::size_t i, std::size_t before) noexcept {  // where the grapheme that is cut at i ends
+    const auto behind = [&](std::size_t i, std::size_t before) noexcept {  // the end of the grapheme that is cut at i
         if (i <= before) return before;
         if (i >= text.size()) return text.size();
         return has(marks[i], text_mark::grapheme) ? i : find.end_of(i, text.size());

@@ -9,16 +9,16 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// Whether an emoji that is written with several code points has fallen apart: the font has no glyph for the whole, and
-/// its parts are drawn one by one.
+/// Whether an emoji of several code points is drawn in parts: the font has no glyph for the whole, and its parts are
+/// drawn one by one.
 ///
 ///     family     man, ZWJ, woman, ZWJ, girl     drawn as three people
 ///     flag       two regional indicators        drawn as two letters
 ///     skin tone  hand, modifier                 drawn as a hand and a swatch of colour
 ///     flag       black flag, tags               drawn as a black flag
 ///
-///     text[first, last)   one grapheme; false unless it is such an emoji
-///     is_drawn(c)         whether the grapheme's glyphs hold the one that the font has for c alone
+///     text[first, last)   one grapheme; the result is false if it is not such an emoji
+///     is_drawn(c)         whether the grapheme's glyphs include the font's glyph for the single character c
 ///
 /// Cost: O(last - first)
 template <class IsDrawn>
@@ -26,7 +26,7 @@ template <class IsDrawn>
                                     const IsDrawn& is_drawn) noexcept
 {
     using enum grapheme_class;
-    char32_t base = 0;  // the picture or regional indicator that others follow
+    char32_t base = 0;  // the picture or regional indicator before the others
     bool joined = false;
     for (std::size_t i = first; i < last;) {
         const code_point c = decode(text, i, last);

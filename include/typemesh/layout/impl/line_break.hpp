@@ -8,10 +8,10 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// The length of the line break at text[i], in units; 0 if there is none.
+/// The length of the line break at text[i], in units, or 0 if there is none.
 ///
-/// The mandatory breaks of UAX #14: LF, CR, CR LF (one break), VT, FF, NEL (U+0085), U+2028, U+2029.
-/// Needs i < text.size().
+/// The mandatory breaks of UAX #14: LF, CR, CR LF (one break), VT, FF, NEL (U+0085), U+2028, U+2029. Precondition: i <
+/// text.size().
 [[nodiscard]] inline std::size_t line_break_at(text_view text, std::size_t i) noexcept
 {
     const std::uint32_t unit = text.unit(i);

@@ -10,10 +10,10 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// Where the lines of a text are placed; see layout().
+/// The positions of the lines of a text; see layout().
 class line_places {
 public:
-    /// `rightwards`: of columns, each stands to the right of the one before.
+    /// `rightwards`: each column is to the right of the previous one.
     line_places(const line_metrics& metrics, double units_per_em, direction flow, const layout_options& options,
                 bool rightwards = false) noexcept
         : vertical_{flow == direction::top_to_bottom}, align_{options.align}
@@ -30,7 +30,7 @@ public:
         return along > 0.0 ? along : 0.0;
     }
 
-    /// Where a line begins, from its length. Lines count from 0.
+    /// The start of a line, from its length. Lines are numbered from 0.
     [[nodiscard]] point origin(std::size_t line, double advance) const noexcept
     {
         const double back = align_ == alignment::left ? 0.0 : align_ == alignment::centre ? advance / 2 : advance;

@@ -9,32 +9,32 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// How many characters of one grapheme are shaped together. Real text has a tenth of that: UAX #15 allows 30 marks in a
-/// row (Stream-Safe Text).
+/// The maximum number of characters of one grapheme that are shaped together. Real text has a tenth of that: UAX #15
+/// allows 30 marks in a row (Stream-Safe Text).
 inline constexpr std::size_t max_grapheme = 256;
 
 /// A part of a text that is shaped by itself.
 struct shaping_part {
     std::size_t first = 0;
     std::size_t last = 0;
-    std::size_t grapheme = 0;   ///< where the grapheme begins that the part begins within
-    std::size_t inner_end = 0;  ///< where that ends; 0 if the part begins with a grapheme
+    std::size_t grapheme = 0;   ///< the start of the grapheme that the part begins within
+    std::size_t inner_end = 0;  ///< the end of this grapheme; 0 if the part begins with a grapheme
 
-    /// The cluster of a glyph of this part: that of its grapheme.
+    /// The cluster of a glyph of this part, which is the cluster of its grapheme.
     [[nodiscard]] constexpr std::size_t cluster(std::size_t unit) const noexcept
     {
         return unit < inner_end ? grapheme : unit;
     }
 };
 
-/// Cuts text[first, last), which begins with a grapheme, within graphemes of more than max_grapheme characters, and
-/// nowhere else: the time that a shaper needs may grow with the square of a letter's marks.
+/// Cuts text[first, last), which begins with a grapheme, but only inside graphemes of more than max_grapheme
+/// characters. The reason: a shaper's time may grow with the square of the number of a letter's marks.
 ///
 ///     a + 600 marks + b      first part: a and 255 marks, second: 256 marks, third: 89 marks and b
 ///
-///     add(part)              called for each in turn; what it fails with ends the call
+///     add(part)              called for each part in order; an error of it ends the call
 ///
-/// Cost  O(n); nothing for text of no more than max_grapheme units
+/// Cost  O(n); nothing for text of at most max_grapheme units
 template <class Add>
 error cut_long_graphemes(text_view text, std::size_t first, std::size_t last, const Add& add) noexcept
 {

@@ -16,7 +16,7 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// What an analyser needs to know of shape_options.
+/// The part of shape_options that an analyser needs.
 [[nodiscard]] inline analysis_options analysis_of(const shape_options& how) noexcept
 {
     analysis_options reading{.language = how.language};
@@ -26,8 +26,8 @@ namespace typemesh::inline TYPEMESH_ABI {
     return reading;
 }
 
-/// Splits a line or a column into items, which may be of both directions, in the order in which they are drawn: for
-/// shapers. Keeps its memory for the next line.
+/// Splits a line or a column, which may have both directions, into items in drawing order: for shapers. It keeps its
+/// memory for the next line.
 class mixed_line {
 public:
     explicit mixed_line(memory source = heap()) noexcept
@@ -35,13 +35,13 @@ public:
     {
     }
 
-    /// Splits text[first, last), which is read by itself: no text before it decides on its direction.
+    /// Splits text[first, last). No text before it affects its direction.
     ///
-    ///     items   emptied first; then they stand from left to right. Places count from the text's start. Items hold
-    ///             whole graphemes.
+    ///     items   emptied first; gets the items from left to right. Places count from the text's start. Items are
+    ///             made of whole graphemes.
     ///
     /// Fails  error::out_of_memory
-    /// Cost   O(n) and O(log n) a run
+    /// Cost   O(n), plus O(log n) for each run
     error split(text_view text, std::size_t first, std::size_t last, const shape_options& how,
                 buffer<text_item>& items) noexcept
     {
@@ -50,8 +50,8 @@ public:
         return split_runs(first, last, items);
     }
 
-    /// Likewise a column, from top to bottom. has_form(c): whether the font has a vertical form of a character; see
-    /// find_column_runs().
+    /// Does the same for a column, from top to bottom. has_form(c): whether the font has a vertical form of a
+    /// character; see find_column_runs().
     template <class HasForm>
     error split_column(text_view text, std::size_t first, std::size_t last, const shape_options& how,
                        const HasForm& has_form, buffer<text_item>& items) noexcept
@@ -80,7 +80,7 @@ private:
         return std::u16string_view{text.utf16() + first, last - first};
     }
 
-    /// Marks of letters follow these, so that no grapheme is torn apart.
+    /// Marks take the properties of their letters, so that no grapheme is split.
     void join_graphemes() noexcept
     {
         for (std::size_t i = 1; i < found_.levels.size(); ++i) {
@@ -90,7 +90,7 @@ private:
         }
     }
 
-    /// Splits a run where the script changes, or how it stands in a column, but in no grapheme.
+    /// Splits a run where the script or the orientation in a column changes, but never inside a grapheme.
     error split_run(const visual_run& run, std::uint32_t offset, buffer<text_item>& items) noexcept
     {
         const std::size_t before = items.size();

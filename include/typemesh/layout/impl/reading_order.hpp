@@ -10,21 +10,21 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// What a character says about the direction in which its line is read.
+/// The effect of a character on the direction in which its line is read.
 enum class reading : std::uint8_t {
     to_the_right,  ///< letters of Latin, Han, Devanagari, ...
     to_the_left,   ///< letters of Hebrew, Arabic, N'Ko, ...
-    digit,         ///< read to the right in any line, Arabic-Indic digits too
+    digit,         ///< read to the right in any line; Arabic-Indic digits too
     separator,     ///< keeps two digits together: . , : / + -
-    terminator,    ///< belongs to the digits beside it: % $ and the like
+    terminator,    ///< belongs to the digits beside it: % $ and similar characters
     neutral,       ///< spaces, other punctuation, symbols
 };
 
 /// The reading of one code point.
 ///
-/// A coarse form of Unicode's Bidi_Class (UAX #9, version 14): marks belong to their script's letters, small symbols
-/// inside letter blocks count as letters, and so does everything that is not in the table. Where it is wrong a line is
-/// taken for one of both directions, never set wrongly.
+/// This is a coarse form of Unicode's Bidi_Class (UAX #9, version 14). Marks belong to their script's letters. Small
+/// symbols inside letter blocks count as letters, and so do all characters that are not in the table. If it is wrong, a
+/// line counts as a line of both directions, but is never set wrongly.
 [[nodiscard]] inline reading reading_of(char32_t c) noexcept
 {
     struct range {
@@ -67,7 +67,7 @@ enum class reading : std::uint8_t {
     return table[first_where(0, last, [c](std::size_t i) noexcept { return c <= table[i].last; })].what;
 }
 
-/// Whether a code point is right-to-left, in a few comparisons.
+/// Whether a code point is right-to-left. It needs only a few comparisons.
 [[nodiscard]] inline bool reads_to_the_left(char32_t c) noexcept
 {
     if (c < 0x0590) return false;
@@ -76,13 +76,13 @@ enum class reading : std::uint8_t {
     return reading_of(c) == reading::to_the_left;
 }
 
-/// How often U+FFFD was read for something invalid, and where first.
+/// How often invalid units were read as U+FFFD, and the first such place.
 struct invalid_places {
     std::uint32_t count = 0;
     cluster_id first = no_cluster;
 };
 
-/// What a line contains, and where each first occurs.
+/// The content of a line, and the first place of each kind.
 struct line_reading {
     static constexpr std::size_t nowhere = ~std::size_t{0};
 
@@ -110,9 +110,10 @@ struct line_reading {
     return found;
 }
 
-/// The first place in a right-to-left line whose characters must be read left to right together: a number of more than
-/// one digit, separators between digits included ("42", "3.5", "12:30"), or a digit beside a sign that belongs to it
-/// ("5%"). A single digit reads the same in both directions. line_reading::nowhere if there is none.
+/// The first place in a right-to-left line where several characters must be read together from left to right. This is a
+/// number of more than one digit, including separators between digits ("42", "3.5", "12:30"), or a digit beside a sign
+/// that belongs to it ("5%"). A single digit reads the same in both directions. If there is none:
+/// line_reading::nowhere.
 [[nodiscard]] inline std::size_t find_number(text_view text, std::size_t first, std::size_t last) noexcept
 {
     // The previous character, and the one before it.

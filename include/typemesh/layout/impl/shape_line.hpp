@@ -28,7 +28,7 @@ namespace detail {
     return true;
 }
 
-/// How many glyphs of a run from `glyph` on are flagged as missing. For TYPEMESH_ASSERT.
+/// The number of glyphs of a run from `glyph` on that are flagged as missing. For TYPEMESH_ASSERT.
 [[nodiscard]] inline std::size_t missing_from(const glyph_run& run, std::size_t glyph) noexcept
 {
     std::size_t missing = 0;
@@ -36,7 +36,7 @@ namespace detail {
     return missing;
 }
 
-/// shaper.shape(text, first, last, how, run), whose promise is checked.
+/// Calls shaper.shape(text, first, last, how, run) and checks its guarantees.
 template <shaper Shaper>
 result<point> shape_segment(Shaper& shaper, text_view text, std::size_t first, std::size_t last,
                             const shape_options& how, glyph_run& run) noexcept
@@ -50,7 +50,7 @@ result<point> shape_segment(Shaper& shaper, text_view text, std::size_t first, s
     return advance;
 }
 
-/// The advance of a character of ASCII along a line. The run stays unchanged.
+/// The advance of an ASCII character along a line. The run stays unchanged.
 template <shaper Shaper>
 result<double> advance_of(Shaper& shaper, char character, const shape_options& how, glyph_run& run) noexcept
 {
@@ -65,8 +65,8 @@ result<double> advance_of(Shaper& shaper, char character, const shape_options& h
     return how.direction == direction::top_to_bottom ? -advance->y : advance->x;
 }
 
-/// The direction of a line for what stands between its tabs: that of its first letter, unless one is asked for. A line
-/// without letters has none.
+/// The direction of a line, for the parts between its tabs: the requested direction, otherwise the direction of its
+/// first letter. A line without letters has none.
 [[nodiscard]] inline direction direction_of(direction wanted, const line_reading& line) noexcept
 {
     if (wanted != direction::automatic || line.to_the_left == line.to_the_right) return wanted;
@@ -101,22 +101,22 @@ result<point> shape_spaced(Shaper& shaper, text_view text, std::size_t first, st
 
 }  // namespace detail
 
-/// Shapes a line, tabs included: each moves the pen to the next tab stop (tab_stop_behind()) and leaves no glyph. Stops
-/// are `tab_width` spaces apart, counted from the line's start; a right-to-left line starts on the right. Between tabs
+/// Shapes a line with its tabs. Each tab moves the pen to the next tab stop (tab_stop_behind()) and has no glyph. Stops
+/// are `tab_width` spaces apart, counted from the line's start. A right-to-left line starts on the right. Between tabs,
 /// letters are spaced as requested.
 ///
-///     |       |       |       |            Between tabs the shaper gets segments of the line, each as a line of its
-///     |name   |weight |price  |            own. A line is read right-to-left if the options or, by default, its first
-///     |ambergris      |12 g   |            letter say so; then the segments follow each other to the left, each a
-///                                          line of that direction.
+///     |       |       |       |            The shaper gets the segments between tabs, each as a line of its own. A
+///     |name   |weight |price  |            line is read right-to-left if the options say so, or by default if its
+///     |ambergris      |12 g   |            first letter is. The segments then follow each other to the left, each
+///                                          as a right-to-left line.
 ///
 ///     text[first, last)    the line, without line breaks; first < last
-///     options              tab_width 0: tabs are characters like others, which most fonts lack; letter_spacing
-///     run                  glyphs are appended, in drawing order, as a shaper does
+///     options              tab_width 0: tabs are ordinary characters, which most fonts lack; letter_spacing
+///     run                  glyphs are appended in drawing order, as by a shaper
 ///
-/// Returns the pen's offset. Where the font's space has no advance, tabs have none either.
-/// Fails  as the shaper does; the run may then hold some of the line's glyphs
-/// Cost   O(n) besides the shaper's; for a line with tabs it also shapes a space and a digit
+/// Returns the pen's offset. If the font's space has no advance, tabs have none either.
+/// Fails  as the shaper does; the run may then have some of the line's glyphs
+/// Cost   O(n) plus the shaper's cost; for a line with tabs it also shapes a space and a digit
 template <shaper Shaper>
 result<point> shape_line(Shaper& shaper, text_view text, std::size_t first, std::size_t last, const shape_options& how,
                          const layout_options& options, glyph_run& run) noexcept
@@ -159,7 +159,7 @@ result<point> shape_line(Shaper& shaper, text_view text, std::size_t first, std:
     }
     if (to_the_left) {
         const array_view<placed_glyph> glyphs = run.glyphs.view().subspan(first_glyph);
-        detail::reverse(glyphs);  // reverses the segments, whose own glyphs come back into order
+        detail::reverse(glyphs);  // reverses the segments; their own glyphs are then in order again
         for (placed_glyph& g : glyphs) g.origin.x += pen;
     }
     return down ? point{0.0, 0.0 - pen} : point{pen, 0.0};

@@ -8,7 +8,7 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// Refers to a shaper of any type, which must outlive it; a shaper itself. A line is shaped behind one call.
+/// Refers to a shaper of any type, which must outlive it. It is itself a shaper. A line costs one indirect call.
 class shaper_ref {
 public:
     /// One table for each type of shaper.

@@ -9,12 +9,12 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// Finds values in a table that belongs to someone else, who may change it: a value that has been changed there may be
-/// found no more, but none is found that is not there.
+/// Finds values in a table that somebody else owns and may change. A value that was changed there may not be found any
+/// more, but a value that is not in the table is never found.
 ///
-///     Value      with == and hash_of(value), which is equal for equal ones
+///     Value      with == and hash_of(value); equal values have equal hashes
 ///
-/// A table with open addressing, at most half full.
+/// The index is a hash table with open addressing, at most half full.
 template <class Value>
 class value_index {
 public:
@@ -26,7 +26,7 @@ public:
         known_ = used_ = 0;
     }
 
-    /// The number of a value that equals this one, among those that have been read; table.size() if there is none.
+    /// The number of an equal value, among the values that have been read; table.size() if there is none.
     ///
     /// Cost  O(1) on average
     [[nodiscard]] std::size_t find(array_view<const Value> table, const Value& value) const noexcept
@@ -40,8 +40,8 @@ public:
         return table.size();
     }
 
-    /// Takes note of the values at the table's end that are new to it. Returns false when memory runs out; it then
-    /// knows none.
+    /// Adds the values at the table's end that are new to the index. Returns false when out of memory, and is then
+    /// empty.
     ///
     /// Cost  O(new values), on average over many calls
     [[nodiscard]] bool read(array_view<const Value> table) noexcept
@@ -71,7 +71,7 @@ private:
         ++used_;
     }
 
-    /// Empties the slots and makes room for twice as many values as these.
+    /// Empties the slots and reserves space for twice `values`.
     [[nodiscard]] bool grow(std::size_t values) noexcept
     {
         std::size_t wanted = 64;
@@ -84,9 +84,9 @@ private:
         return true;
     }
 
-    buffer<std::uint32_t> slots_;  // number + 1, or 0: free
+    buffer<std::uint32_t> slots_;  // number + 1; 0: free
     std::size_t known_ = 0;        // values of the table that have been read
-    std::size_t used_ = 0;         // slots; some may be of values that the table has lost
+    std::size_t used_ = 0;         // used slots; some may belong to values that the table has lost
 };
 
 }  // namespace typemesh::inline TYPEMESH_ABI

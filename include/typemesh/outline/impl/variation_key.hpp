@@ -11,10 +11,10 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// The state in which an outline source draws (the axes of a variable font, a transformation), as the number that its
-/// member `std::uint64_t variation_key() const noexcept` returns: different for states that draw differently. 0 if it
-/// has no such member. The number is a 64-bit hash: that two of a million states share one has odds of about
-/// one in 37 million.
+/// A number for the state in which an outline source draws (the axes of a variable font, a transformation). The
+/// source's member `std::uint64_t variation_key() const noexcept` returns it. States that draw differently have
+/// different numbers. Without such a member it is 0. The number is a 64-bit hash: the odds that two of a million states
+/// share one are about one in 37 million.
 template <class Source>
 [[nodiscard]] std::uint64_t variation_of(const Source& source) noexcept
 {

@@ -21,16 +21,16 @@ namespace typemesh::inline TYPEMESH_ABI {
     return (first == 'j' && second == 'a') || (first == 'k' && second == 'o');
 }
 
-/// Writes the decorations of lines into a run: a glyph of the bar face for each stretch of clusters whose bars have one
-/// height, one thickness and one style. Bars are as wide as the clusters; what hangs at a line's end has none. They
-/// have no place in the text: their cluster is no_cluster.
+/// Writes the decorations of lines into a run. Each group of consecutive clusters whose bars have one height, one
+/// thickness and one style gets a glyph of the bar face. Bars are as wide as the clusters; hanging white space at a
+/// line's end has none. Bars have no place in the text: their cluster is no_cluster.
 ///
-///     underline, strike_through   where the font of the text says (face_metrics.hpp), as large as the text
-///     overline                    as thick as the underline, its upper edge at the ascender
-///     in columns                  to the left of the letters, through their middle, and to their right, as far away
-///                                 as they are thick; Japanese and Korean are underlined on the right (as by CSS)
-///     small letters               made for superscripts and subscripts: underlined as full letters are; the other bars
-///                                 shrink and stand as the letters do
+///     underline, strike_through   as the font of the text suggests (face_metrics.hpp), scaled with the text
+///     overline                    as thick as the underline; its upper edge is at the ascender
+///     in columns                  to the left of the letters, through their middle, and to their right; the distance
+///                                 is the thickness. Japanese and Korean are underlined on the right (as in CSS)
+///     small letters               synthetic superscripts and subscripts: underlined like full letters; the other bars
+///                                 are scaled and moved with the letters
 template <item_shaper Font>
 class bar_writer {
 public:
@@ -51,7 +51,7 @@ public:
     }
 
 private:
-    /// A bar from `from` to `to` along a line; `low` and `high` are across it, from the baseline.
+    /// A bar from `from` to `to` along a line. `low` and `high` are measured across the line, from the baseline.
     struct bar {
         double from = 0.0, to = 0.0, low = 0.0, high = 0.0;
         style_id style = {};
@@ -75,7 +75,7 @@ private:
                 pen += k + 1 == s.last ? rest : width_of(shaped_, s, k);
                 next.to = pen < line.right() ? pen : line.right();
                 const bool drawn = next.high > next.low, shown = drawn && next.to > next.from;
-                if (drawn && open.to > open.from && open.goes_on(next)) {  // also over what has no width
+                if (drawn && open.to > open.from && open.goes_on(next)) {  // also over clusters without width
                     open.to = next.to > open.to ? next.to : open.to;
                     continue;
                 }
@@ -86,7 +86,7 @@ private:
         return append(open, line.origin);
     }
 
-    /// The bar of a cluster, across its line; an empty one if it has none.
+    /// The bar of a cluster, across its line. It is empty if the cluster has none.
     [[nodiscard]] bar bar_of(decoration kind, std::uint32_t cluster) noexcept
     {
         const text_cluster& c = shaped_.cluster(cluster);
@@ -135,7 +135,7 @@ private:
     Font& font_;
     const shaped_text& shaped_;
     glyph_run& run_;
-    face_metrics metrics_;  // of face_, once it is known
+    face_metrics metrics_;  // of face_, if known_
     line_metrics lines_;
     std::uint32_t face_ = 0;
     bool known_ = false;

@@ -13,23 +13,23 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// The carets within the ligatures of a shaped text, by cluster.
+/// The carets inside the ligatures of a shaped text, by cluster.
 class cluster_carets {
 public:
     explicit cluster_carets(memory source = heap()) noexcept : clusters_{source}, places_{source} {}
 
-    /// A cluster whose carets are looked for.
+    /// A cluster that needs carets.
     struct wanted {
-        std::uint32_t cluster = 0;  ///< its number, greater than all before
-        std::uint32_t count = 0;    ///< how many carets it needs
+        std::uint32_t cluster = 0;  ///< its number, greater than all previous ones
+        std::uint32_t count = 0;    ///< the number of carets that it needs
         double scale = 1.0;         ///< of its glyphs
         bool down = false;          ///< the pen moves down
-        bool turned = false;        ///< the glyphs lie on their side: their font is asked as in a line
+        bool turned = false;        ///< the glyphs lie on their side: their font treats them as in a line
     };
 
-    /// Asks a font for the carets of a cluster, and keeps them if they are as many as needed, ascend, and lie within.
+    /// Gets the carets of a cluster from a font. Keeps them if their number is right, they ascend, and they lie inside.
     ///
-    ///     glyphs   of the cluster, as they are set
+    ///     glyphs   the glyphs of the cluster, as they are set
     ///
     /// Fails  error::out_of_memory; nothing is kept then
     template <has_ligature_carets Font>
@@ -52,7 +52,7 @@ public:
         return {};
     }
 
-    /// Those of a cluster, from where its pen begins. Cost: O(log clusters)
+    /// The carets of a cluster, measured from the start of its pen. Cost: O(log clusters)
     [[nodiscard]] array_view<const double> of(std::uint32_t cluster) const noexcept
     {
         const std::size_t k = first_at(cluster);
@@ -62,7 +62,7 @@ public:
         return places_.view().subspan(first, last - first);
     }
 
-    /// Forgets the clusters from a number on.
+    /// Removes the clusters from a number on.
     void truncate(std::size_t cluster) noexcept
     {
         const std::size_t k = first_at(cluster);
@@ -81,7 +81,7 @@ private:
         std::uint32_t cluster, first;  // of its places
     };
 
-    /// Scales and moves the places from `first` on. Whether they are what is wanted.
+    /// Scales and moves the places from `first` on. Returns whether they are valid.
     bool sets(std::size_t first, double from, double all, const wanted& which) noexcept
     {
         if (places_.size() - first != which.count) return false;

@@ -17,7 +17,7 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// What the lines of a paragraph are made from.
+/// The input from which the lines of a paragraph are made.
 template <item_shaper Shaper>
 struct line_source {
     shaped_text& shaped;
@@ -27,26 +27,27 @@ struct line_source {
     const paragraph_options& options;
 };
 
-/// Makes the lines that cannot show all that they should: as many graphemes as there is room for, and an ellipsis.
+/// Makes the lines that cannot show all their text: as many graphemes as there is room for, and an ellipsis.
 ///
-///     at the end   one two th...     The ellipsis stands for the graphemes that are dropped and the white space before
-///     middle       one t...hree      them, its glyphs for the first of these graphemes in the text. Where nothing is
-///     start        ...two three      dropped but the lines behind, it stands at the end.
+///     at the end   one two th...     The ellipsis replaces the dropped graphemes and the white space before them. Its
+///     middle       one t...hree      glyphs belong to the first of these graphemes in the text. If only later lines
+///     start        ...two three      are dropped, the ellipsis is at the end.
 ///
-/// It is set as the line's first character is, and painted as the first grapheme that is dropped.
+/// The ellipsis is set like the line's first character, and painted like the first dropped grapheme.
 class elision {
 public:
     explicit elision(memory source = heap()) noexcept : mixed_{source}, parts_{source} {}
 
-    /// Whether a line must be elided: it is wider than there is room, or text behind it is dropped.
+    /// Whether a line needs an ellipsis: it is wider than the room, or text after it is dropped.
     [[nodiscard]] static bool is_needed(const broken_line& line, const line_room& room,
                                         const paragraph_options& options) noexcept
     {
         return !options.ellipsis.empty() && (line.drops || line.least_end(room) > widened(room.width));
     }
 
-    /// The graphemes of which a line that is elided shows some: its own, or, if text behind it is dropped, those up to
-    /// where the text demands that the line ends. They are made once: before anything is appended for one layout only.
+    /// The graphemes from which an elided line shows some. They are the line's own graphemes, or, if text after it is
+    /// dropped, all graphemes up to the text's next line break. They are made only once, before anything is appended
+    /// for a single layout.
     template <item_shaper Shaper>
     static result<const text_pieces::list*> graphemes_of(const line_source<Shaper>& from,
                                                          const broken_line& line) noexcept
@@ -62,8 +63,8 @@ public:
         return from.pieces.graphemes_of(p[line.first].first, p[k].last, from.shaped, from.shaper);
     }
 
-    /// Makes a line of a paragraph of a level: `slices` gets what it shows, finished. Returns its width; it is greater
-    /// than the room only if that is too small for the ellipsis alone.
+    /// Makes a line of a paragraph with this level: `slices` gets the finished visible part. Returns the line's width.
+    /// It is greater than the room only if the room is too small even for the ellipsis.
     ///
     /// Fails  error::out_of_memory, and as the shaper does
     template <item_shaper Shaper>
@@ -78,7 +79,7 @@ public:
         const auto text_end = static_cast<std::uint32_t>(shaped.text().size());
         const auto dots = static_cast<std::uint32_t>(shaped.all_clusters());
         if (error e = append_ellipsis(from, p.front().first, level)) return e;
-        std::uint32_t turned = dots;  // as it looks within text of the other direction
+        std::uint32_t turned = dots;  // as it looks inside text of the other direction
         if (from.options.elide == ellipsis_place::middle && is_mixed(shaped, p, level)) {
             turned = static_cast<std::uint32_t>(shaped.all_clusters());
             if (error e = append_ellipsis(from, p.front().first, level + 1u)) return e;
@@ -121,13 +122,13 @@ public:
     }
 
 private:
-    /// Which graphemes are shown, [0, head) and from `tail` on, and about how wide they are.
+    /// The visible graphemes, [0, head) and from `tail` on, and their approximate width.
     struct shown {
         std::size_t head = 0, tail = 0;
         double width = 0.0;
     };
 
-    /// Whether some of the text of pieces is read against the direction of a level.
+    /// Whether part of the pieces' text is read against the direction of a level.
     [[nodiscard]] static bool is_mixed(const shaped_text& shaped, array_view<const break_piece> p,
                                        std::uint8_t level) noexcept
     {

@@ -8,8 +8,8 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// Whether a character stands in a square of its own, as Han, kana, Bopomofo and their punctuation do: it is wide, and
-/// neither Hangul, which has spaces between words, nor an emoji, nor a space.
+/// Whether a character fills a square, like Han, kana, Bopomofo and their punctuation. It is wide, and it is not Hangul
+/// (which has spaces between words), not an emoji and not a space.
 [[nodiscard]] inline bool is_ideographic(char32_t value) noexcept
 {
     using enum line_class;
@@ -20,7 +20,7 @@ namespace typemesh::inline TYPEMESH_ABI {
 
 /// Whether a line of Chinese or Japanese grows after a cluster: at a space, and beside an ideograph.
 ///
-///     |han|han|comma|abc def|han|      grows at each | within the line and at the space
+///     |han|han|comma|abc def|han|      grows at each | inside the line and at the space
 [[nodiscard]] inline bool has_ideograph_gap(const shaped_text& shaped, const text_cluster& c) noexcept
 {
     if (has(c.flags, cluster_flags::stretches)) return true;

@@ -7,7 +7,7 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// How a glyph of an item is drawn that is set so and painted so.
+/// The look of a glyph of an item, from the item's setting and the style that paints it.
 [[nodiscard]] inline look look_of(const text_item& item, const item_setting& set, const text_style& painted,
                                   const shaped_glyph& glyph) noexcept
 {

@@ -16,27 +16,27 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// How an item is set by its style; lengths in font units.
+/// The settings of an item from its style. Lengths are in font units.
 struct item_setting {
     double scale = 1.0;           ///< of its letters
     double lift = 0.0;            ///< of superscripts and subscripts
-    double letter_spacing = 0.0;  ///< the whole text's included
+    double letter_spacing = 0.0;  ///< including the whole text's
 };
 
-/// How the items of a text are set by its styles.
+/// The settings of a text's items from its styles.
 class item_settings {
 public:
     explicit item_settings(memory source = heap()) noexcept : settings_{source}, features_{source}, tried_{source} {}
 
-    /// What a text is shaped with that has no styles; lengths in font units.
+    /// The settings of a text without styles. Lengths are in font units.
     struct base {
         shape_options options;
         double letter_spacing = 0.0;
     };
 
-    /// Gives each item its style and face, and finds out how it is set. Without spans there is nothing to do.
+    /// Gives each item its style and face, and finds its settings. Without spans it does nothing.
     ///
-    /// Fails  error::out_of_memory, and as the shaper does, which is asked for superscripts and subscripts
+    /// Fails  error::out_of_memory, and as the shaper does, which shapes superscripts and subscripts
     template <item_shaper Shaper>
     error read(Shaper& shaper, text_view text, const text_analysis& found, const style_spans& styles, const base& plain,
                array_view<text_item> items) noexcept
@@ -64,13 +64,13 @@ public:
         features_.clear();
     }
 
-    /// How an item is set.
+    /// The settings of an item.
     [[nodiscard]] item_setting operator[](std::uint32_t item) const noexcept
     {
         return settings_.empty() ? item_setting{.letter_spacing = plain_.letter_spacing} : settings_[item].how;
     }
 
-    /// How an item is shaped.
+    /// The shape options of an item.
     [[nodiscard]] shape_options options_of(std::uint32_t item) const noexcept
     {
         return settings_.empty() ? options_of(setting{{.letter_spacing = plain_.letter_spacing}, {}, 0, 0})
@@ -81,7 +81,7 @@ private:
     struct setting {
         item_setting how;
         std::string_view language;
-        std::uint32_t first_feature, feature_count;  // 0: the whole text's
+        std::uint32_t first_feature, feature_count;  // 0: the whole text's features
     };
 
     [[nodiscard]] shape_options options_of(const setting& s) const noexcept
@@ -103,8 +103,8 @@ private:
         return {};
     }
 
-    /// Makes an item superscript or subscript: by the font's own letters, if that changes all of them, else by smaller
-    /// ones.
+    /// Makes an item superscript or subscript. It uses the font's own letters if they change all glyphs, otherwise
+    /// smaller letters.
     template <item_shaper Shaper>
     error set_small(Shaper& shaper, text_view text, const text_analysis& found, const text_item& item,
                     script_position position, setting& own) noexcept

@@ -13,23 +13,23 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// The length of what ends a line at text[i], in units: a line break, or U+001C to U+001E, which end a paragraph by
-/// UAX #9. 0 if there is none.
+/// The length of the line end at text[i], in units: a line break, or U+001C to U+001E, which end a paragraph by UAX #9.
+/// It is 0 if there is none.
 [[nodiscard]] inline std::size_t line_end_at(text_view text, std::size_t i) noexcept
 {
     return text.unit(i) >= 0x1C && text.unit(i) <= 0x1E ? 1 : line_break_at(text, i);
 }
 
-/// How many units of a text are not shaped, because a tab or the end of a line stands there; 0 for all else.
+/// The number of units at text[i] that are not shaped, because they are a tab or the end of a line; otherwise 0.
 [[nodiscard]] inline std::size_t silent_at(text_view text, std::size_t i) noexcept
 {
     return text.unit(i) == 0x09 ? 1 : line_end_at(text, i);
 }
 
-/// Splits an analysed text into items: where the level changes, where the script does, at places of the caller's, where
-/// its orientation in columns does, and round every tab and every line break, which are items of their own and not for
-/// a shaper. An item that would end inside a grapheme ends behind it; it has the level and the script of its
-/// beginning, and so has one that is combined.
+/// Splits an analysed text into items. It splits where the level, the script or the orientation in columns changes, at
+/// the given borders, and around every tab and every line break. Tabs and line breaks are separate items that no shaper
+/// gets. An item that would end inside a grapheme ends after it. Such an item, and a combined one, has the level and
+/// the script of its beginning.
 ///
 ///     borders    places in the text, ascending
 ///     columns    for columns: see find_column_runs(). Empty: for lines

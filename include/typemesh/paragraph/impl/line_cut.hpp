@@ -11,38 +11,38 @@ namespace typemesh::inline TYPEMESH_ABI {
 
 inline constexpr std::uint32_t no_cut = 0xFFFF'FFFFu;
 
-/// What changes where a line ends in the midst of an item: clusters of the text, and those that replace them.
+/// The changes if a line ends in the middle of an item: clusters of the text, and the clusters that replace them.
 ///
 ///     text      |  |  |before_from ... place ... |behind_to  |  |
 ///     instead         |     before     |  behind |
 struct line_cut {
-    std::uint32_t before_from = 0;  ///< from this cluster on, what stands before the place is replaced
+    std::uint32_t before_from = 0;  ///< clusters from this one up to the place are replaced
     std::uint32_t before_first = 0;
     std::uint32_t before_count = 0;
-    std::uint32_t behind_to = 0;  ///< up to this one, what stands behind it is
+    std::uint32_t behind_to = 0;  ///< clusters from the place up to this one are replaced
     std::uint32_t behind_first = 0;
     std::uint32_t behind_count = 0;
-    double end_change = 0.0;    ///< by how much the line before is wider
-    double begin_change = 0.0;  ///< and the line behind
+    double end_change = 0.0;    ///< the increase of the width of the line before
+    double begin_change = 0.0;  ///< the increase of the width of the line after
 };
 
 namespace detail {
 
-/// The letter spacing behind the last cluster of a range that is drawn.
+/// The letter spacing after the last visible cluster of a range.
 [[nodiscard]] inline double last_spacing(const shaped_text& shaped, std::uint32_t first, std::uint32_t last) noexcept
 {
     while (last > first && has(shaped.cluster(last - 1).flags, cluster_flags::unshown)) --last;
     return last > first ? shaped.spacing_of(shaped.cluster(last - 1)) : 0.0;
 }
 
-/// The advance of clusters without what hangs at their end, and without letter spacing there.
+/// The advance of clusters without the hanging ones at their end, and without letter spacing there.
 [[nodiscard]] inline double visible_advance(const shaped_text& shaped, std::uint32_t first, std::uint32_t last) noexcept
 {
     while (last > first && has(shaped.cluster(last - 1).flags, cluster_flags::unshown)) --last;
     return shaped.advance(first, last) - last_spacing(shaped, first, last);
 }
 
-/// Whether n clusters from a and from b on are the same glyphs with the same advances.
+/// Whether n clusters from a on and from b on are the same glyphs with the same advances.
 [[nodiscard]] inline bool same_clusters(const shaped_text& shaped, std::uint32_t a, std::uint32_t b,
                                         std::uint32_t n) noexcept
 {
@@ -58,7 +58,7 @@ namespace detail {
     return true;
 }
 
-/// Appends a hyphen, as a cluster of the grapheme before text[place]: the font's own, else hyphen-minus.
+/// Appends a hyphen, as a cluster of the grapheme before text[place]: the font's hyphen, otherwise hyphen-minus.
 template <item_shaper Shaper>
 error append_hyphen(shaped_text& shaped, Shaper& shaper, std::uint32_t item, std::uint32_t place) noexcept
 {
@@ -69,12 +69,11 @@ error append_hyphen(shaped_text& shaped, Shaper& shaper, std::uint32_t item, std
 
 }  // namespace detail
 
-/// Finds out what changes where a line ends before text[place], in cluster c or behind it, by shaping both sides anew
-/// from the nearest places where that is safe, at most 64 clusters away. Their clusters are appended; where nothing
-/// changes none are.
+/// Finds the changes if a line ends before text[place], in cluster c or after it. Both sides are shaped again from the
+/// nearest safe places, at most 64 clusters away. Their clusters are appended only if something changes.
 ///
 ///     cut      gets the result
-///     share    the part of cluster c that stands before the place, 1 if all of it does
+///     share    the part of cluster c before the place, 1 if all of c is before it
 ///
 /// Returns whether anything changes.
 ///
@@ -93,7 +92,7 @@ result<bool> make_cut(shaped_text& shaped, Shaper& shaper, std::uint32_t c, std:
     if (!both && !hyphen) return false;
 
     const std::size_t clusters = shaped.all_clusters(), glyphs = shaped.all_glyphs();
-    constexpr std::uint32_t most = 64;  // clusters a side: in a font where nothing is safe time stays linear
+    constexpr std::uint32_t most = 64;  // clusters on each side: the time stays linear for fonts without safe places
     std::uint32_t from = c, to = c + 1;
     while (from > begin && c - from < most &&
            (unsafe(from) || (hyphen && has(shaped.cluster(from).flags, cluster_flags::unshown))))

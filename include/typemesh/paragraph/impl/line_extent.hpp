@@ -9,9 +9,9 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// How far a line reaches up and down: the greatest ascender, the lowest descender and the greatest gap of its glyphs'
-/// faces (line_reach_of()), each at the size and the height of its cluster. One face in one style, and an empty line,
-/// have `plain`, those of the shaper's first face.
+/// The extent of a line upwards and downwards: the greatest ascender, the lowest descender and the greatest gap of its
+/// glyphs' faces (line_reach_of()), each with the size and rise of its cluster. Text of one face in one style, and an
+/// empty line, have `plain`, the metrics of the shaper's first face.
 ///
 /// Cost: O(clusters), and O(glyphs) with several faces; constant for a text without styles in one face
 template <item_shaper Font>

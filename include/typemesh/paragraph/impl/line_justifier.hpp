@@ -14,16 +14,16 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// Makes finished lines as wide as there is room, behind their last tab: see justification.
+/// Makes finished lines as wide as the room, after their last tab: see justification.
 class line_justifier {
 public:
     explicit line_justifier(memory source = heap()) noexcept : made_{source}, elongations_{source}, word_{source} {}
 
-    /// For a new layout: forgets what belonged to the one before.
+    /// Prepares for a new layout: removes the data of the previous one.
     void clear() noexcept { model_ = no_cluster; }
 
-    /// Makes a line wider by `gap`. Returns by how much: 0 where nothing can grow, less than `gap` where a line without
-    /// spaces would need more than max_strokes in a word.
+    /// Makes a line wider by `gap`. Returns the increase. It is 0 if nothing can grow, and less than `gap` if a line
+    /// without spaces would need more than max_strokes in a word.
     ///
     /// Fails  error::out_of_memory, and as the shaper does, which shapes U+0640
     template <item_shaper Shaper>
@@ -46,8 +46,8 @@ public:
         return strokes + (gap > strokes ? line.justify(shaped, gap - strokes) : 0.0);
     }
 
-    /// Makes a line narrower by `excess`, if that takes no more than the part `shrink` of its spaces' width. Returns by
-    /// how much: all or nothing.
+    /// Makes a line narrower by `excess`, if that takes at most the part `shrink` of its spaces' width. Returns the
+    /// decrease: all or nothing.
     static double narrow(line_slices& line, const shaped_text& shaped, double excess, double shrink) noexcept
     {
         double spaces = 0.0;
@@ -62,16 +62,16 @@ public:
     static constexpr std::uint32_t max_strokes = 4;  ///< in a word
 
 private:
-    /// Where strokes may stand: before a cluster of a slice.
+    /// A place for strokes: before a cluster of a slice.
     struct elongation {
         std::size_t slice;
         std::uint32_t cluster;
-        double stroke;          // the advance of one
-        std::uint32_t count;    // how many there are
-        std::uint32_t strokes;  // a cluster that shows them
+        double stroke;          // the advance of one stroke
+        std::uint32_t count;    // the number of strokes
+        std::uint32_t strokes;  // the cluster that shows them
     };
 
-    /// Which slice of [first, last) stands outermost on a side, once they are in visual order.
+    /// The slice of [first, last) that is outermost on one side in visual order.
     static std::size_t outermost(array_view<const line_slice> s, std::size_t first, std::size_t last,
                                  bool right) noexcept
     {
@@ -99,8 +99,8 @@ private:
         return false;
     }
 
-    /// Moves letters apart, or ideographs alone. A distance stands after its letter, so that the last one of what is
-    /// read towards an edge of the line has none: it becomes a slice of its own.
+    /// Moves letters apart, or only ideographs. The gap is after its letter. So the last letter of text that is read
+    /// towards an edge of the line must have none: it becomes a separate slice.
     result<double> spread(line_slices& line, const shaped_text& shaped, double gap, bool ideographs) noexcept
     {
         const std::size_t first = line.behind_tabs(shaped), visible = line.visible();
@@ -133,7 +133,7 @@ private:
         return gap;
     }
 
-    /// Appends what of a slice stands before a cluster, and takes that off the slice.
+    /// Appends the part of a slice before a cluster, and removes it from the slice.
     [[nodiscard]] bool append_head(const shaped_text& shaped, line_slice& rest, std::uint32_t end) noexcept
     {
         line_slice head = rest;
@@ -151,7 +151,7 @@ private:
         return n;
     }
 
-    /// One for each word: before the last cluster where its font allows strokes.
+    /// Finds one place for each word: before the last cluster where its font allows strokes.
     template <item_shaper Shaper>
     error find_elongations(const line_slices& line, shaped_text& shaped, Shaper& shaper) noexcept
     {
@@ -173,7 +173,7 @@ private:
         return {};
     }
 
-    /// A cluster of one stroke as an item shows it, without advance where the font has none.
+    /// A cluster of one stroke with the look of an item. It has no advance if the font has no stroke.
     template <item_shaper Shaper>
     result<std::uint32_t> model_for(std::uint32_t item, shaped_text& shaped, Shaper& shaper) noexcept
     {
@@ -189,8 +189,8 @@ private:
         return model_;
     }
 
-    /// Gives each word its share of strokes: as many as there is room for, or, in a line without spaces, one more, so
-    /// that they overlap.
+    /// Gives each word its share of strokes: as many as there is room for. In a line without spaces it is one more, and
+    /// the strokes overlap.
     void count_strokes(const line_slices& line, const shaped_text& shaped, double gap) noexcept
     {
         double round = 0.0;
@@ -208,7 +208,7 @@ private:
         }
     }
 
-    /// Shapes each word with its strokes, and keeps those. Returns their advance.
+    /// Shapes each word with its strokes, and keeps only the strokes. Returns their advance.
     template <item_shaper Shaper>
     result<double> shape_strokes(const line_slices& line, shaped_text& shaped, Shaper& shaper) noexcept
     {
@@ -238,7 +238,7 @@ private:
         return all;
     }
 
-    /// Appends the text of clusters to the word, without a hyphen at their end, which is not of the text.
+    /// Appends the text of clusters to the word. A hyphen at their end is omitted, because it is not part of the text.
     [[nodiscard]] bool append_text(const shaped_text& shaped, std::uint32_t first, std::uint32_t last) noexcept
     {
         while (last > first && has(shaped.cluster(last - 1).flags, cluster_flags::foreign)) --last;
@@ -255,7 +255,7 @@ private:
         return true;
     }
 
-    /// Puts the strokes into the line, their advances scaled.
+    /// Inserts the strokes into the line, and scales their advances.
     error insert_strokes(line_slices& line, shaped_text& shaped, double scale) noexcept
     {
         made_.clear();

@@ -14,30 +14,31 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// Neighbouring clusters of a line that are set in one direction. Lengths are in font units, along the line.
+/// Consecutive clusters of a line that are set in one direction. Lengths are in font units, along the line.
 struct line_slice {
     std::uint32_t first = 0;  ///< clusters of the shaped text
     std::uint32_t last = 0;
     std::uint8_t level = 0;
-    bool together = false;  ///< its glyphs follow each other in drawing order: those below
+    bool together = false;  ///< its glyphs are contiguous in drawing order: the ones below
     std::uint32_t item = 0;
     std::uint32_t glyph = 0;
     std::uint32_t glyph_end = 0;
     double width = 0.0;
-    double lead = 0.0;        ///< where its pen starts, from the place of the slice
-    double stretch = 0.0;     ///< by which each of its spaces is wider
-    double spread = 0.0;      ///< by which each of its clusters is wider that has a gap after it: see has_gap()
-    bool ideographs = false;  ///< only ideographs and spaces have
+    double lead = 0.0;        ///< the start of its pen, relative to the slice's place
+    double stretch = 0.0;     ///< the increase of each of its spaces
+    double spread = 0.0;      ///< the increase of each of its clusters that has a gap after it: see has_gap()
+    bool ideographs = false;  ///< only ideographs and spaces have a gap
     double at = 0.0;          ///< its place along the line
 };
 
-/// Whether a cluster of a slice has a gap after it where letters move apart.
+/// Whether a cluster of a slice has a gap after it if letters move apart.
 [[nodiscard]] inline bool has_gap(const shaped_text& shaped, const line_slice& s, const text_cluster& c) noexcept
 {
     return s.ideographs ? has_ideograph_gap(shaped, c) : shaped.may_be_spaced(c);
 }
 
-/// How wide a cluster of a slice is in its line; the last one, a tab say, may be wider or narrower: it ends the slice.
+/// The width of a cluster of a slice in its line. The last cluster, for example a tab, may be wider or narrower: it
+/// ends the slice.
 [[nodiscard]] inline double width_of(const shaped_text& shaped, const line_slice& s, std::uint32_t cluster) noexcept
 {
     const text_cluster& c = shaped.cluster(cluster);
@@ -47,7 +48,7 @@ struct line_slice {
     return width;
 }
 
-/// What one line consists of, in the order of the text: see paragraph. Whatever adds to it fails with
+/// The content of one line, in the order of the text: see paragraph. Functions that add to it fail with
 /// error::out_of_memory, and as the shaper does.
 class line_slices {
 public:
@@ -60,10 +61,10 @@ public:
     }
     [[nodiscard]] array_view<line_slice> slices() noexcept { return slices_.view(); }
     [[nodiscard]] array_view<const line_slice> slices() const noexcept { return slices_.view(); }
-    /// How many of them count for the line's width: those behind hang, or show nothing.
+    /// The number of slices that count for the line's width. Later slices hang, or show nothing.
     [[nodiscard]] std::size_t visible() const noexcept { return visible_; }
 
-    /// Appends pieces [first, last) of a list, as a line has them that begins and ends with them.
+    /// Appends pieces [first, last) of a list, with the changes at the start and the end of a line.
     template <item_shaper Shaper>
     error add(const text_pieces& all, const text_pieces::list& list, std::size_t first, std::size_t last,
               shaped_text& shaped, Shaper& shaper) noexcept
@@ -103,7 +104,7 @@ public:
         return slices_.push_back(slice) ? error{} : error::out_of_memory;
     }
 
-    /// Removes what would hang at the line's end, and a hyphen.
+    /// Removes clusters that would hang at the line's end, and a hyphen.
     void trim(const shaped_text& shaped) noexcept
     {
         constexpr cluster_flags trimmed = cluster_flags::unshown | cluster_flags::foreign;
@@ -115,11 +116,11 @@ public:
         }
     }
 
-    /// Ends the line: separates what hangs, sets that and what stands before tabs at the paragraph's level (rule L1 of
-    /// UAX #9), and measures everything, with the pen at `pen` in the beginning. Returns the line's width.
+    /// Ends the line. It separates the hanging part. It sets this part, and white space before tabs, at the paragraph's
+    /// level (rule L1 of UAX #9). It measures everything, with the pen starting at `pen`. Returns the line's width.
     ///
-    ///     word SPACE RLM SPACE     White space before a mark that is not drawn hangs like any, so it is set at the
-    ///          |.............|     paragraph's level, too: at that of the mark it would stand within the line.
+    ///     word SPACE RLM SPACE     White space before an invisible mark hangs, too, so it is also set at the
+    ///          |.............|     paragraph's level. At the level of the mark it would be inside the line.
     result<double> finish(const shaped_text& shaped, std::uint8_t level, double pen, const line_room& room) noexcept
     {
         const auto visible = part(shaped, slices_.size(), cluster_flags::unshown, true);
@@ -143,7 +144,7 @@ public:
         return pen - start;
     }
 
-    /// The slice behind the last tab: what stands before it is not justified.
+    /// The slice after the last tab. Slices before it are not justified.
     [[nodiscard]] std::size_t behind_tabs(const shaped_text& shaped) const noexcept
     {
         std::size_t first = visible_;
@@ -151,8 +152,8 @@ public:
         return first;
     }
 
-    /// Makes the line wider by stretching its spaces behind the last tab, or narrower. Returns by how much: 0 if it has
-    /// none.
+    /// Makes the line wider, or narrower, by stretching its spaces after the last tab. Returns the increase: 0 if there
+    /// are no spaces.
     double justify(const shaped_text& shaped, double gap) noexcept
     {
         const std::size_t first = behind_tabs(shaped);
@@ -167,15 +168,15 @@ public:
         return gap;
     }
 
-    /// Finds the glyphs of slices whose glyphs follow each other, for a writer to find them without the clusters, which
-    /// may have left the processor's cache by then. Stretched slices are written cluster by cluster.
+    /// Finds the glyphs of slices whose glyphs are contiguous. A writer then needs no clusters, which may have left the
+    /// processor's cache. Stretched slices are written cluster by cluster.
     void find_glyphs(const shaped_text& shaped) noexcept
     {
         for (line_slice& s : slices_) {
             const bool back = s.level % 2 != 0;
             const text_cluster& low = shaped.cluster(back ? s.last - 1 : s.first);
             const text_cluster& high = shaped.cluster(back ? s.first : s.last - 1);
-            const bool reversed = low.glyph > high.glyph;  // a hyphen ends what is read back
+            const bool reversed = low.glyph > high.glyph;  // text that is read back ends with a hyphen
             s.item = low.item;
             s.together =
                 !reversed && back == shaped.items()[s.item].to_the_left() && is_zero(s.stretch) && is_zero(s.spread);
@@ -184,7 +185,7 @@ public:
         }
     }
 
-    /// Takes over slices that someone has made of these, and how many of them are visible.
+    /// Replaces the slices by others that were made from them, and sets how many are visible.
     void replace(buffer<line_slice>& made, std::size_t visible) noexcept
     {
         slices_.swap(made);
@@ -192,7 +193,7 @@ public:
     }
 
 private:
-    /// A line so short that what changes at its two ends meets: shaped anew as a whole.
+    /// Handles a line so short that the changes at its two ends meet: the whole line is shaped again.
     template <item_shaper Shaper>
     error add_anew(const text_pieces::list& list, std::size_t first, std::size_t last, shaped_text& shaped,
                    Shaper& shaper) noexcept
@@ -205,7 +206,7 @@ private:
         return append(shaped, before, static_cast<std::uint32_t>(shaped.all_clusters()) - before);
     }
 
-    /// The cluster behind the one that ends at a unit, looked for from `from` on.
+    /// The cluster after the one that ends at a unit; the search starts at `from`.
     static std::uint32_t end_of(const shaped_text& shaped, std::uint32_t unit, std::uint32_t from) noexcept
     {
         return static_cast<std::uint32_t>(first_where(
@@ -225,7 +226,7 @@ private:
         return n;
     }
 
-    /// Where those clusters at the end of a slice begin that have a flag.
+    /// The start of the trailing clusters of a slice that have a flag.
     static std::uint32_t end_before(const shaped_text& shaped, const line_slice& s, cluster_flags flag) noexcept
     {
         std::uint32_t last = s.last;
@@ -233,8 +234,8 @@ private:
         return last;
     }
 
-    /// Parts the clusters that have a flag at the end of the first `count` slices from what stands before them. Returns
-    /// how many slices do; behind a tab, unless that is passed over, all those up to it.
+    /// Splits the trailing clusters that have a flag off the first `count` slices. Returns the number of slices before
+    /// them. Unless `beyond_tabs`, it stops at a tab, and returns the number of slices up to the tab.
     result<std::size_t> part(const shaped_text& shaped, std::size_t count, cluster_flags flag,
                              bool beyond_tabs) noexcept
     {
@@ -254,7 +255,7 @@ private:
         return k;
     }
 
-    /// Parts what is not drawn before the first white space that hangs from that. Returns which slice begins with it.
+    /// Splits invisible clusters off the first hanging white space after them. Returns the white space's slice.
     result<std::size_t> part_hanging(const shaped_text& shaped) noexcept
     {
         for (std::size_t k = visible_; k < slices_.size(); ++k) {
@@ -272,7 +273,7 @@ private:
         return slices_.size();
     }
 
-    /// Takes the letter spacing behind a line's last letter away.
+    /// Removes the letter spacing after a line's last letter.
     void trim_spacing(const shaped_text& shaped, line_slice& s) noexcept
     {
         const double spacing = shaped.spacing_of(shaped.cluster(s.last - 1));

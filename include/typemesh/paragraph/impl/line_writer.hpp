@@ -41,11 +41,11 @@ public:
     }
 
 private:
-    /// What glyphs are drawn with that stand one after the other: those of an item, a face and a range of the text.
+    /// The drawing state of consecutive glyphs. It holds for an item, a face and a range of the text.
     struct drawn_with {
         std::uint32_t item = 0, look = 0;
         std::uint16_t face = 0;
-        text_range text = {};  // empty: nothing is known yet
+        text_range text = {};  // empty: not known yet
         double rise = 0.0;
         glyph_flags stands = glyph_flags::none;
 
@@ -53,7 +53,7 @@ private:
         {
             return g.face == face && text.holds(g.cluster) && stand_of(g) == stands;
         }
-        /// How a glyph stands in a column.
+        /// The orientation of a glyph in a column.
         [[nodiscard]] static glyph_flags stand_of(const shaped_glyph& g) noexcept
         {
             return has(g.flags, glyph_flags::sideways)   ? glyph_flags::sideways
@@ -75,7 +75,7 @@ private:
         return {};
     }
 
-    /// Writes glyphs up to the first that is drawn otherwise, and moves the pen. Returns how many.
+    /// Writes glyphs up to the first one with another drawing state, and moves the pen. Returns their number.
     std::uint32_t write_alike(array_view<const shaped_glyph> glyphs, point base, double& pen,
                               placed_glyph* out) noexcept
     {
@@ -96,7 +96,7 @@ private:
         return n;
     }
 
-    /// Finds what a glyph is drawn with: mostly the same as the one before.
+    /// Finds the drawing state of a glyph. Usually it is the same as before.
     error find_look(std::uint32_t item, const shaped_glyph& g) noexcept
     {
         if ((now_.item == item || alike_) && now_.holds(g)) return {};
@@ -117,7 +117,7 @@ private:
     const shaped_text& shaped_;
     glyph_run& run_;
     bool down_;
-    bool alike_;  // all items are drawn alike
+    bool alike_;  // all items are drawn in the same way
     drawn_with now_;
 };
 

@@ -22,10 +22,10 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// A text as it is shaped once, before it has lines: items, their clusters in the order of the text, and glyphs. Behind
-/// them, what parts of items look like where they are shaped anew because a line ends there. Lengths are in font units.
+/// A text that is shaped once, before it has lines: items, their clusters in the order of the text, and glyphs. After
+/// them come parts of items that are shaped again because a line ends there. Lengths are in font units.
 ///
-/// Whatever shapes fails with error::out_of_memory, and as the shaper does.
+/// Functions that shape fail with error::out_of_memory, and as the shaper does.
 class shaped_text {
 public:
     explicit shaped_text(memory source = heap()) noexcept
@@ -47,29 +47,29 @@ public:
     [[nodiscard]] text_view text() const noexcept { return text_; }
     [[nodiscard]] const shape_options& options() const noexcept { return options_; }
     [[nodiscard]] double units_per_em() const noexcept { return em_; }
-    /// Whether its lines are columns: their pen moves down.
+    /// Whether its lines are columns: the pen moves down.
     [[nodiscard]] bool in_columns() const noexcept { return options_.direction == direction::top_to_bottom; }
 
     [[nodiscard]] array_view<const text_item> items() const noexcept { return items_.view(); }
-    /// By their numbers; glyphs are in drawing order within a cluster.
+    /// Clusters and glyphs by their numbers. Glyphs are in drawing order inside a cluster.
     [[nodiscard]] const text_cluster& cluster(std::size_t i) const noexcept { return clusters_[i]; }
     [[nodiscard]] const shaped_glyph& glyph(std::size_t i) const noexcept { return glyphs_[i]; }
     [[nodiscard]] const shaped_glyph* glyphs() const noexcept { return glyphs_.data(); }
-    /// The clusters of the text itself come first, these many.
+    /// The number of the text's own clusters, which come first.
     [[nodiscard]] std::uint32_t cluster_count() const noexcept { return own_; }
     [[nodiscard]] std::uint32_t first_cluster(std::size_t item) const noexcept { return first_clusters_[item]; }
     [[nodiscard]] std::uint32_t end_cluster(std::size_t item) const noexcept
     {
         return item + 1 < first_clusters_.size() ? first_clusters_[item + 1] : own_;
     }
-    /// The item that holds a unit of the text; 0 behind its end.
+    /// The item that contains a unit of the text; 0 after the text's end.
     [[nodiscard]] std::uint32_t item_at(std::uint32_t unit) const noexcept
     {
         const auto k = first_where(0, items_.size(), [&](std::size_t i) noexcept { return items_[i].last > unit; });
         return k < items_.size() ? static_cast<std::uint32_t>(k) : 0;
     }
 
-    /// How Latin stands in this text, as far as nothing else is asked for.
+    /// The default orientation of Latin in this text.
     [[nodiscard]] glyph_orientation latin() const noexcept
     {
         using enum glyph_orientation;
@@ -77,30 +77,30 @@ public:
         return options_.columns.latin == column_latin::sideways ? sideways : upright;
     }
 
-    /// How an item is set, and how it is shaped.
+    /// The settings of an item, and its shape options.
     [[nodiscard]] item_setting setting_of(std::uint32_t item) const noexcept { return settings_[item]; }
     [[nodiscard]] shape_options options_of(std::uint32_t item) const noexcept { return settings_.options_of(item); }
 
-    /// How a cluster is painted.
+    /// The style that paints a cluster.
     [[nodiscard]] const text_style& style_of(const text_cluster& c) const noexcept
     {
         return styles[styles.number_at(c.first)];
     }
 
-    /// By how much letter spacing has made a cluster wider, in font units.
+    /// The increase of a cluster's width by letter spacing, in font units.
     [[nodiscard]] double spacing_of(const text_cluster& c) const noexcept
     {
         return has(c.flags, cluster_flags::spaced) ? setting_of(c.item).letter_spacing : 0.0;
     }
 
-    /// Where carets stand within a ligature, along the line from where its cluster's pen begins, in font units,
-    /// ascending: one fewer than it has graphemes, or none if the font does not say. Cost: O(log ligatures)
+    /// The caret positions inside a ligature, along the line from the start of its cluster's pen, in font units,
+    /// ascending. One fewer than the ligature's graphemes, or none if the font has none. Cost: O(log ligatures)
     [[nodiscard]] array_view<const double> carets_of(std::uint32_t cluster) const noexcept
     {
         return carets_.of(cluster);
     }
 
-    /// Whether a distance may be added behind a cluster: it is drawn, and not written joined to the next one.
+    /// Whether spacing may be added after a cluster: it is visible, and not joined to the next one.
     [[nodiscard]] bool may_be_spaced(const text_cluster& c) const noexcept
     {
         const char32_t letter = decode(text_, c.first).value;
@@ -116,9 +116,9 @@ public:
         return place >= 2 && text_.unit(place - 1) == 0xAD && text_.unit(place - 2) == 0xC2;
     }
 
-    /// Shapes a text that has been analysed: `analysis` and `styles` are its own.
+    /// Shapes an analysed text: `analysis` and `styles` belong to it.
     ///
-    /// Fails besides  error::too_large
+    /// Fails  also with error::too_large
     template <item_shaper Shaper>
     error shape(Shaper& shaper, text_view text, const shape_options& options, double letter_spacing) noexcept
     {
@@ -131,7 +131,7 @@ public:
         glyphs_.clear();
         carets_.clear();
         if (error e = columns_.find(shaper, text, options_, styles, analysis)) return e;
-        if (!columns_.runs().empty())  // what is combined has become one grapheme
+        if (!columns_.runs().empty())  // combined text has become one grapheme
             if (error e = styles.move_out_of(analysis)) return e;
         if (error e = itemise(text, analysis, styles.borders(), columns_.runs(), items_)) return e;
         const item_settings::base plain{options, letter_spacing};
@@ -144,7 +144,7 @@ public:
         return {};
     }
 
-    /// Appends the clusters of text[first, last), which lies in one item, shaped with the text round it as context.
+    /// Appends the clusters of text[first, last), which lies in one item. The text around it is context for shaping.
     template <item_shaper Shaper>
     error shape_range(Shaper& shaper, std::uint32_t item, std::uint32_t first, std::uint32_t last) noexcept
     {
@@ -173,7 +173,6 @@ public:
         return find_carets(shaper, first_cluster);
     }
 
-    /// Forgets the text.
     void clear() noexcept
     {
         text_ = {};
@@ -189,18 +188,18 @@ public:
         carets_.clear();
     }
 
-    /// Forgets what stands behind the clusters and glyphs of these numbers, if it has so many: none once moved from.
+    /// Removes all clusters and glyphs from these numbers on, if they exist. A moved-from object has none.
     void truncate(std::size_t clusters, std::size_t glyphs) noexcept
     {
         if (clusters < clusters_.size()) clusters_.truncate(clusters);
         if (glyphs < glyphs_.size()) glyphs_.truncate(glyphs);
         carets_.truncate(clusters);
     }
-    /// How many there are, with those that have been shaped later.
+    /// The numbers of all clusters and glyphs, including the ones shaped later.
     [[nodiscard]] std::size_t all_clusters() const noexcept { return clusters_.size(); }
     [[nodiscard]] std::size_t all_glyphs() const noexcept { return glyphs_.size(); }
 
-    /// The advance of a character of ASCII in the whole text, whatever its styles.
+    /// The advance of an ASCII character in the whole text, without styles.
     template <item_shaper Shaper>
     result<double> advance_of(Shaper& shaper, char character) noexcept
     {
@@ -214,8 +213,8 @@ public:
         return advance;
     }
 
-    /// The advance of clusters [first, last). Cost: O(1). Those that are shaped later, which are few, are added one by
-    /// one: what has been shaped before them must not matter, not even for rounding.
+    /// The advance of clusters [first, last). Cost: O(1). The few clusters that are shaped later are added one by one.
+    /// So earlier shaping does not affect the result, not even its rounding.
     [[nodiscard]] double advance(std::uint32_t first, std::uint32_t last) const noexcept
     {
         if (first == last) return 0.0;
@@ -226,7 +225,7 @@ public:
     }
 
     /// Appends a cluster for text[at] that shows other text, in an item's style: `parts` of `shown`, in drawing order.
-    /// It neither hangs nor stretches. Returns whether the font has all its glyphs.
+    /// The cluster neither hangs nor stretches. Returns whether the font has all its glyphs.
     template <item_shaper Shaper>
     result<bool> append_foreign(Shaper& shaper, std::uint32_t item, std::uint32_t at, text_view shown,
                                 array_view<const text_item> parts) noexcept
@@ -243,7 +242,7 @@ public:
             if (has(g.flags, glyph_flags::missing)) return false;
         return true;
     }
-    /// The same in the item's script and direction, too: of `shown`, or, where the font lacks that, of `instead`.
+    /// The same in the item's script and direction. It shows `shown`, or, if the font lacks that, `instead`.
     template <item_shaper Shaper>
     error append_foreign(Shaper& shaper, std::uint32_t item, std::uint32_t at, text_view shown,
                          text_view instead) noexcept
@@ -261,7 +260,7 @@ public:
         }
         return {};
     }
-    /// Makes a cluster that shows other text stand for a range of the text, its glyphs for text[at].
+    /// Lets a cluster that shows other text replace a range of the text. Its glyphs belong to text[at].
     void move_foreign(std::size_t cluster, text_range instead, std::uint32_t at) noexcept
     {
         text_cluster& c = clusters_[cluster];
@@ -270,8 +269,8 @@ public:
         for (std::uint32_t g = c.glyph; g < c.glyph + c.glyph_count; ++g) glyphs_[g].cluster = at;
     }
 
-    /// Appends a cluster for text[at] that shows a part of other text, as it looks in the whole of that: in the item's
-    /// script and direction.
+    /// Appends a cluster for text[at] that shows a part of other text. The part looks as it does in the whole other
+    /// text, in the item's script and direction.
     template <item_shaper Shaper>
     error append_part(Shaper& shaper, std::uint32_t item, std::uint32_t at, text_view whole, text_range part) noexcept
     {
@@ -295,7 +294,7 @@ public:
     }
 
 private:
-    /// Appends the glyphs of other text as they stand in an item, scaled, on their side where `part` lies there.
+    /// Appends the glyphs of other text with an item's settings, scaled, and on their side if `part` is sideways.
     template <item_shaper Shaper>
     error shape_other(Shaper& shaper, std::uint32_t item, text_view other, const text_item& part) noexcept
     {
@@ -332,8 +331,8 @@ private:
             clusters_[i].before = i == 0 ? 0.0 : clusters_[i - 1].before + clusters_[i - 1].advance;
     }
 
-    /// Gathers the glyphs from `before` on into clusters, in the order of the text: at least one, if there is text, and
-    /// none that ends within a grapheme.
+    /// Gathers the glyphs from `before` on into clusters, in the order of the text. There is at least one if there is
+    /// text, and none ends inside a grapheme.
     error cluster_glyphs(std::uint32_t item, const text_item& part, std::size_t before) noexcept
     {
         const std::size_t count = glyphs_.size() - before, first_cluster = clusters_.size();
@@ -377,7 +376,7 @@ private:
         return {};
     }
 
-    /// Adds a cluster that begins within the last one's grapheme. Their glyphs stand side by side.
+    /// Adds a cluster that begins inside the last one's grapheme. Their glyphs are adjacent.
     void join_last(const text_cluster& c) noexcept
     {
         text_cluster& last = clusters_.back();
@@ -387,7 +386,7 @@ private:
         if (!is_zero(c.advance)) last.flags = without(last.flags, cluster_flags::unseen);
     }
 
-    /// Those of the cluster that a glyph belongs to, which has an advance.
+    /// The flags of the cluster of this glyph, with this advance.
     [[nodiscard]] cluster_flags flags_of(const shaped_glyph& g, double advance) const noexcept
     {
         const text_mark marks = analysis.marks[g.cluster];
@@ -400,7 +399,7 @@ private:
                (has(g.flags, glyph_flags::tatweel) ? cluster_flags::tatweel : cluster_flags::none);
     }
 
-    /// Adds the distance behind every letter but those that are written joined to the next one.
+    /// Adds the spacing after every letter, except letters that are joined to the next one.
     void space_clusters(std::size_t first, std::uint32_t item) noexcept
     {
         const double distance = setting_of(item).letter_spacing;
@@ -415,7 +414,7 @@ private:
         }
     }
 
-    /// Adds the distance that styles add to spaces.
+    /// Adds the styles' spacing to spaces.
     void widen_spaces(std::size_t first) noexcept
     {
         for (std::size_t i = first; i < clusters_.size(); ++i) {
@@ -443,14 +442,14 @@ private:
         }
     }
 
-    /// Asks for the carets within the clusters from `first` on.
+    /// Finds the carets inside the clusters from `first` on.
     template <item_shaper Shaper>
     error find_carets([[maybe_unused]] Shaper& shaper, [[maybe_unused]] std::size_t first) noexcept
     {
         if constexpr (has_ligature_carets<Shaper>) {
             for (std::size_t i = first; i < clusters_.size(); ++i) {
                 const text_cluster& c = clusters_[i];
-                std::uint32_t inner = 0;  // graphemes behind the first
+                std::uint32_t inner = 0;  // graphemes after the first
                 for (std::uint32_t u = c.first + 1; u < c.last; ++u)
                     inner += has(analysis.marks[u], text_mark::grapheme) ? 1u : 0u;
                 if (inner == 0) continue;

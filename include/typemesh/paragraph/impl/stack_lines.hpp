@@ -10,24 +10,24 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// How lines follow each other.
+/// The direction in which lines follow each other.
 enum class line_stack : std::uint8_t {
-    downwards,   ///< lines, each below the one before
+    downwards,   ///< lines, each below the previous one
     leftwards,   ///< columns
     rightwards,  ///< columns of Mongolian
 };
 
-/// Puts the lines of a paragraph one below the other, or its columns beside each other: sets the origin of each, from
-/// its metrics. Between two baselines is what reaches from the first towards the second and from the second towards
-/// the first, and half of either's gap, or one em if that is not positive; times line_spacing. `top` is the edge where
-/// the text begins: in columns that go to the right the first one's descender, on the left.
+/// Places the lines of a paragraph one below the other, or its columns beside each other. It sets the origin of each,
+/// from its metrics. The distance between two baselines is the extent of each line towards the other, plus half of both
+/// gaps, or one em if that is not positive; then it is multiplied by line_spacing. `top` is the edge where the text
+/// begins. In columns that go to the right this is the first column's descender, on the left.
 ///
-/// Returns how high they are together, from the first one's outer edge to the last one's, in font units.
+/// Returns their total height, from the first line's outer edge to the last line's, in font units.
 inline double stack_lines(array_view<laid_line> lines, double units_per_em, const paragraph_options& options,
                           line_stack way) noexcept
 {
     if (lines.empty()) return 0.0;
-    const auto before = [way](const line_metrics& m) noexcept {  // towards the lines before
+    const auto before = [way](const line_metrics& m) noexcept {  // towards the previous lines
         return way == line_stack::rightwards ? 0.0 - m.descender : m.ascender;
     };
     const auto after = [way](const line_metrics& m) noexcept {

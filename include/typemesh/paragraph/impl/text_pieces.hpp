@@ -14,16 +14,15 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// What a piece is made of in its shaped text.
+/// The source of a piece in its shaped text.
 struct shaped_piece {
-    std::uint32_t cluster = 0;   ///< which holds the piece's first unit; behind the last one for an empty piece
-    std::uint32_t cut = no_cut;  ///< what changes where a line ends with the piece
+    std::uint32_t cluster = 0;   ///< the cluster of its first unit; for an empty piece, the index after the last one
+    std::uint32_t cut = no_cut;  ///< the changes if a line ends with the piece
 };
 
-/// A shaped text's words, and, once they are asked for, the graphemes of those that must be broken. Lengths are in font
-/// units.
+/// A shaped text's words. On demand, also the graphemes of words that must be broken. Lengths are in font units.
 ///
-/// Whatever makes pieces fails with error::out_of_memory, and as the shaper does.
+/// Functions that make pieces fail with error::out_of_memory, and as the shaper does.
 class text_pieces {
 public:
     explicit text_pieces(memory source = heap()) noexcept
@@ -31,12 +30,12 @@ public:
     {
     }
 
-    /// Pieces, and what each is made of.
+    /// Pieces, and the source of each.
     struct list {
         explicit list(memory source) noexcept : pieces{source}, sources{source} {}
         buffer<break_piece> pieces;
-        buffer<shaped_piece> sources;      ///< of each
-        std::uint32_t begin_cut = no_cut;  ///< what changes where a line begins with the first piece
+        buffer<shaped_piece> sources;      ///< of each piece
+        std::uint32_t begin_cut = no_cut;  ///< the changes if a line begins with the first piece
 
         void clear() noexcept
         {
@@ -65,12 +64,12 @@ public:
         joined_ = false;
     }
 
-    /// In the text's order; at least one.
+    /// The words in the order of the text; there is at least one.
     [[nodiscard]] const list& words() const noexcept { return words_; }
-    /// That of a number other than no_cut.
+    /// The cut with this number, which is not no_cut.
     [[nodiscard]] const line_cut& cut(std::uint32_t number) const noexcept { return cuts_[number]; }
 
-    /// Splits a shaped text into words: at all places where Unicode allows a line to end, and behind tabs.
+    /// Splits a shaped text into words: at all places where Unicode allows a line to end, and after tabs.
     template <item_shaper Shaper>
     error find_words(shaped_text& shaped, Shaper& shaper) noexcept
     {
@@ -83,7 +82,7 @@ public:
             for (std::uint32_t u = cluster.first + 1; u <= cluster.last; ++u) {
                 const bool tab = u == cluster.last && has(cluster.flags, cluster_flags::tab);
                 if (u < size && !tab && !may_end(shaped.analysis.marks[u])) continue;
-                const bool never = u < size && !may_end(shaped.analysis.marks[u]);  // a tab, and a bracket, say
+                const bool never = u < size && !may_end(shaped.analysis.marks[u]);  // a tab before a bracket
                 const piece_end end = never ? piece_end::never : end_at(shaped, cluster, u);
                 joined_ = joined_ || never;
                 if (error e = close(shaped, shaper, {c, u, end, tab}, now, words_)) return e;
@@ -100,8 +99,8 @@ public:
         return {};
     }
 
-    /// The pieces for a way of wrapping: the words, or all graphemes, or words of which those are broken that do not
-    /// fit into `narrowest`. The list lives until the next call. Shapes only what no earlier call has needed.
+    /// The pieces for a wrap mode: the words, or all graphemes, or words, broken if they do not fit into `narrowest`.
+    /// The list lives until the next call. It shapes only text that no earlier call has shaped.
     template <item_shaper Shaper>
     result<const list*> pieces_for(wrap_mode wrap, double narrowest, shaped_text& shaped, Shaper& shaper) noexcept
     {
@@ -153,7 +152,7 @@ public:
     }
 
 private:
-    /// UAX #14 lets a line end between a space and a mark upon it, which are one grapheme.
+    /// UAX #14 lets a line end between a space and a mark on it, but they are one grapheme.
     static bool may_end(text_mark marks) noexcept
     {
         return has(marks, text_mark::may_break | text_mark::must_break) && has(marks, text_mark::grapheme);
@@ -165,12 +164,12 @@ private:
 
     /// A piece that is being gathered.
     struct open_piece {
-        std::uint32_t cluster = 0, first = 0;  // where it begins
+        std::uint32_t cluster = 0, first = 0;  // the start of the piece
         double width = 0.0, space = 0.0, stretch = 0.0, begin_change = 0.0;
         bool empty = true;
         bool drawn = false;
-        double spacing = 0.0;  // of its last cluster that is drawn
-        double taken = 0.0;    // the share of the present cluster that earlier pieces have taken
+        double spacing = 0.0;  // of its last visible cluster
+        double taken = 0.0;    // the part of the current cluster that earlier pieces have taken
 
         void begin(std::uint32_t c) noexcept
         {
@@ -198,7 +197,7 @@ private:
         }
     };
 
-    /// Where a piece ends: in a cluster or behind it.
+    /// The end of a piece: in a cluster or after it.
     struct ending {
         std::uint32_t cluster, unit;
         piece_end end;
@@ -248,8 +247,8 @@ private:
         return {};
     }
 
-    /// What a hyphen that stands in an item of its own, with clusters [from, c], leaves at a line's end: the spacing of
-    /// the last letter, and white space after that, which does not hang before a hyphen.
+    /// The width that remains at a line's end before a hyphen in a separate item with clusters [from, c]: the spacing
+    /// of the last letter, and white space after it, which does not hang before a hyphen.
     static double before_hyphen(const shaped_text& shaped, std::uint32_t c, std::uint32_t from,
                                 const open_piece& now) noexcept
     {
@@ -263,7 +262,7 @@ private:
         return left;
     }
 
-    /// Makes the graphemes of a word, once; none where that fails.
+    /// Makes the graphemes of a word, only once. On failure there are none.
     template <item_shaper Shaper>
     error expand(std::size_t number, shaped_text& shaped, Shaper& shaper) noexcept
     {
@@ -318,8 +317,8 @@ private:
         return graphemes_.push_back(last, {now.cluster, home.cut}) ? error{} : error::out_of_memory;
     }
 
-    /// Whether a line may begin with a unit in need: a grapheme does, and no white space, which stays with what is
-    /// before it.
+    /// Whether a line may begin with a unit if necessary. A grapheme must begin there, and not white space, which stays
+    /// with the text before it.
     static bool begins_line(const shaped_text& shaped, std::uint32_t unit) noexcept
     {
         const array_view<const text_mark> marks = shaped.analysis.marks.view();
@@ -347,8 +346,8 @@ private:
     list words_, graphemes_, gathered_, elided_;
     buffer<expansion> expansions_;  // of the words
     buffer<line_cut> cuts_;
-    double widest_ = 0.0;  // the least width into which every word fits
-    bool joined_ = false;  // some words may not be parted: what stands after a tab from what stands before
+    double widest_ = 0.0;  // the smallest width into which every word fits
+    bool joined_ = false;  // some words must not be separated: text after a tab from the text before it
 };
 
 }  // namespace typemesh::inline TYPEMESH_ABI

@@ -11,8 +11,8 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// Whether nothing is drawn of text[first, last), which begins with white space or with what rule L1 of UAX #9 has as
-/// trailing: a space that carries a mark is no white space.
+/// Whether text[first, last) is invisible. It begins with white space, or with trailing characters by rule L1 of UAX
+/// #9. A space with a mark is not white space.
 [[nodiscard]] inline bool is_blank(text_view text, array_view<const text_mark> marks, std::size_t first,
                                    std::size_t last) noexcept
 {
@@ -24,7 +24,7 @@ namespace typemesh::inline TYPEMESH_ABI {
     return true;
 }
 
-/// Where the grapheme ends that holds text[first].
+/// The end of the grapheme that contains text[first].
 [[nodiscard]] inline std::size_t grapheme_end(array_view<const text_mark> marks, std::size_t first) noexcept
 {
     do ++first;
@@ -34,7 +34,7 @@ namespace typemesh::inline TYPEMESH_ABI {
 
 namespace detail {
 
-/// Clusters of white space, or of what is not drawn, that carry a mark neither hang nor stretch.
+/// Clusters of white space or invisible characters that carry a mark neither hang nor stretch.
 inline void part_marked_spaces(text_view text, array_view<const text_mark> marks,
                                array_view<text_cluster> clusters) noexcept
 {

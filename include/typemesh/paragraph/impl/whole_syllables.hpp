@@ -9,8 +9,8 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// Makes vowels and tones of Burmese and Tai Tham, which UAX #29 parts from their consonant, marks of its grapheme: a
-/// font would draw them on a dotted circle at the start of a line.
+/// UAX #29 separates vowels and tones of Burmese and Tai Tham from their consonant. This function makes them marks of
+/// its grapheme: at the start of a line, a font would draw them on a dotted circle.
 ///
 ///     kaa, in UAX #29      |k|aa|
 ///     here                 |k aa|
@@ -20,7 +20,7 @@ inline void keep_syllables_whole(text_view text, text_analysis& found) noexcept
 {
     for (const script_run& run : found.scripts) {
         if (run.script != script_tag("Mymr") && run.script != script_tag("Lana")) continue;
-        bool syllable = false;  // a letter stands before, or a mark on one
+        bool syllable = false;  // a letter is before it, or a mark on a letter
         for (std::size_t u = run.first; u < run.last;) {
             const code_point c = decode(text, u, run.last);
             const line_class line = character_of(c.value).line;

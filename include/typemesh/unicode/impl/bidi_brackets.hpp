@@ -11,8 +11,8 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// The opening bracket of the pair that a bracket belongs to: Bidi_Paired_Bracket. The two kinds of angle brackets that
-/// are canonically equivalent give the same.
+/// The opening bracket of a bracket's pair: Bidi_Paired_Bracket. The result is the same for the two canonically
+/// equivalent kinds of angle brackets.
 [[nodiscard]] constexpr char32_t opening_bracket(char32_t bracket, bracket_kind kind) noexcept
 {
     if (kind == bracket_kind::closing) {
@@ -26,20 +26,20 @@ namespace typemesh::inline TYPEMESH_ABI {
 
 namespace detail {
 
-/// An opening bracket of a sequence, and its partner, if it has one.
+/// An opening bracket in a sequence, and its partner, if any.
 struct opened_bracket {
     static constexpr std::uint32_t none = 0xFFFF'FFFF;
 
     std::uint32_t place;  ///< in the sequence
     std::uint32_t closing = none;
-    bidi_classes inside = {};  ///< l, r: directions between the two
+    bidi_classes inside = {};  ///< l, r: the directions between the two
 };
 
-/// Finds the pairs of a sequence, as BD16 defines them: at most 63 open at a time.
+/// Finds the pairs of a sequence, as defined in BD16: at most 63 are open at a time.
 ///
-///     opened    gets all opening brackets in order; needs as many elements as there are
+///     opened    gets all opening brackets in order; it needs one element for each
 ///
-/// Returns how many. Cost: O(n)
+/// Returns their number. Cost: O(n)
 inline std::size_t pair_brackets(const bidi_sequence& sequence, const char32_t* text, opened_bracket* opened) noexcept
 {
     struct entry {
@@ -68,7 +68,7 @@ inline std::size_t pair_brackets(const bidi_sequence& sequence, const char32_t* 
         std::size_t partner = depth;
         while (partner > 0 && open[partner - 1].bracket != bracket) --partner;
         if (partner == 0) continue;
-        // What stands inside of brackets stands inside of all around them, too.
+        // Characters inside a pair of brackets are also inside all pairs around it.
         for (; depth >= partner; --depth)
             if (depth > 1) opened[open[depth - 2].number].inside.add(opened[open[depth - 1].number].inside);
         opened[open[partner - 1].number].closing = static_cast<std::uint32_t>(k);
@@ -76,8 +76,8 @@ inline std::size_t pair_brackets(const bidi_sequence& sequence, const char32_t* 
     return count;
 }
 
-/// Rule N0: both brackets of a pair take the direction of the embedding if that occurs between them, else, if only the
-/// other occurs, that of the context. Marks on a bracket go with it.
+/// Rule N0: if the direction of the embedding occurs between a pair of brackets, both brackets take this direction. If
+/// only the other direction occurs, they take the direction of the context. Marks on a bracket take its direction.
 ///
 ///     original   the classes of all characters of the paragraph, before any rule
 inline void resolve_brackets(const bidi_sequence& sequence, const bidi_class* original, const opened_bracket* opened,

@@ -7,14 +7,14 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// How a character takes part in the bidirectional algorithm: Bidi_Class of UAX #9, by its short names.
+/// A character's role in the bidirectional algorithm: Bidi_Class of UAX #9, by its short names.
 enum class bidi_class : std::uint8_t {
     l,    ///< letters that are read to the right
     r,    ///< letters that are read to the left
-    al,   ///< those of Arabic and its kin
+    al,   ///< letters of Arabic and related scripts
     en,   ///< European digits
     es,   ///< + and -
-    et,   ///< % $ and the like
+    et,   ///< % $ and similar characters
     an,   ///< Arabic-Indic digits
     cs,   ///< . , : /
     nsm,  ///< marks
@@ -34,7 +34,7 @@ enum class bidi_class : std::uint8_t {
     pdi,
 };
 
-/// Whether a character is one half of a pair of brackets: Bidi_Paired_Bracket_Type.
+/// Whether a character is half of a pair of brackets: Bidi_Paired_Bracket_Type.
 enum class bracket_kind : std::uint8_t { none, opening, closing };
 
 using bidi_classes = class_set<bidi_class>;

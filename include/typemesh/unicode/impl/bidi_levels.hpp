@@ -13,26 +13,26 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// How a paragraph is read as a whole.
+/// The direction of a whole paragraph.
 enum class paragraph_direction : std::uint8_t {
-    automatic,  ///< as its first letter; to the right if it has none
+    automatic,  ///< the direction of its first letter; to the right if it has none
     left_to_right,
     right_to_left,
 };
 
 namespace detail {
 
-/// Resolves the levels of one paragraph: rules P2 to I2 of UAX #9. Linear in its length, whatever is nested in it.
+/// Resolves the levels of one paragraph: rules P2 to I2 of UAX #9. It is linear in the length for any nesting.
 class bidi_resolver {
     static constexpr std::uint8_t max_level = 125;  // max_depth of BD2
     static constexpr std::uint32_t none = 0xFFFF'FFFF;
 
-    /// Neighbouring characters of one level, without those that rule X9 removes.
+    /// Consecutive characters of one level, without the characters that rule X9 removes.
     struct level_run {
-        std::uint32_t first, last;  // both in the run
-        std::uint32_t next;         // of its isolating run sequence
+        std::uint32_t first, last;  // both are in the run
+        std::uint32_t next;         // the next run of its isolating run sequence
         std::uint8_t level;
-        bool begins;  // a sequence
+        bool begins;  // the first run of a sequence
     };
 
 public:
@@ -80,19 +80,19 @@ public:
     }
 
 private:
-    /// One entry of the stack of rules X1 to X8.
+    /// One entry of the stack in rules X1 to X8.
     struct status {
         std::uint8_t level;
         bidi_class override_to;  // on: none
         bool isolate;
     };
 
-    /// BD9, P2, P3 and X5c: matches isolates (partners_ of a pdi is where its isolate begins, of an initiator `none`)
-    /// and makes of each fsi an lri or rli. Returns the paragraph's level by its first letter.
+    /// BD9, P2, P3 and X5c: matches isolates and turns each fsi into an lri or rli. partners_ of a pdi is the start of
+    /// its isolate; partners_ of an initiator is `none`. Returns the paragraph's level by its first letter.
     std::uint8_t match_isolates() noexcept
     {
         using enum bidi_class;
-        std::uint32_t open = none;  // the innermost; below it, partners_ names the next outer one
+        std::uint32_t open = none;  // the innermost open isolate; its partners_ entry is the next outer one
         bidi_class first = on;
         for (std::uint32_t i = 0; i < size_; ++i) {
             const bidi_class c = classes_[i];
@@ -118,7 +118,7 @@ private:
         return first == r || first == al ? 1 : 0;
     }
 
-    /// X1 to X8: explicit levels and overrides. What rule X9 removes becomes bn.
+    /// X1 to X8: explicit levels and overrides. Characters that rule X9 removes become bn.
     void embed() noexcept
     {
         using enum bidi_class;
@@ -144,7 +144,7 @@ private:
         }
     }
 
-    /// The least level above the present one that is odd or even.
+    /// The lowest level above the current one that is odd, or even.
     [[nodiscard]] std::uint8_t next_level(unsigned odd) const noexcept
     {
         const unsigned above = stack_[depth_].level + 1u;
@@ -192,7 +192,7 @@ private:
         --valid_isolates_;
     }
 
-    /// BD7 and BD13: level runs, linked where an isolate's outside goes on behind it.
+    /// BD7 and BD13: finds level runs. A run that ends with an isolate initiator is linked to the matching pdi's run.
     void find_runs() noexcept
     {
         using enum bidi_class;
@@ -205,7 +205,7 @@ private:
             }
             if (run_count_ > 0) note_end(run_count_ - 1);
             level_run& run = runs_[run_count_] = {i, i, none, levels_[i], true};
-            // An initiator's partner is the run that ends with it, once that has ended.
+            // partners_ of an initiator is the run that ends with it, after that run has ended.
             const std::uint32_t before = classes_[i] == pdi && partners_[i] != none ? partners_[partners_[i]] : none;
             if (before != none) {
                 runs_[before].next = static_cast<std::uint32_t>(run_count_);
@@ -225,7 +225,7 @@ private:
         return bidi_classes{bidi_class::lri, bidi_class::rli, bidi_class::fsi}.holds(classes_[i]);
     }
 
-    /// X10: gathers the sequence that begins with a run, applies the rules W1 to I2 to it.
+    /// X10: gathers the sequence that begins with a run, and applies the rules W1 to I2 to it.
     void resolve_sequence(std::size_t first_run) noexcept
     {
         using enum bidi_class;
@@ -281,15 +281,15 @@ private:
 
 /// Resolves the embedding levels of one paragraph: the bidirectional algorithm, rules P2 to I2 of UAX #9.
 ///
-///     text      its characters; a paragraph separator may be the last of them
-///     classes   theirs, as many: character_of(c).bidi
-///     levels    gets a level for each: even ones are read to the right, odd ones to the left. Characters that rule X9
-///               removes get the level of the one before. Rule L1 is applied line by line: see visual_order.hpp.
+///     text      the characters of the paragraph; the last one may be a paragraph separator
+///     classes   one for each character: character_of(c).bidi
+///     levels    gets a level for each character: even levels are read to the right, odd ones to the left. Characters
+///               that rule X9 removes get the previous level. Rule L1 is applied line by line: see visual_order.hpp.
 ///
 /// Returns the level of the paragraph, 0 or 1.
 ///
 /// Fails  error::out_of_memory
-/// Cost   O(n) time, whatever is nested in it; 42 n bytes of `space`, none where all is read to the right
+/// Cost   O(n) time for any nesting; 42 n bytes of `space`, none if the whole text is read to the right
 [[nodiscard]] inline result<std::uint8_t> bidi_levels(std::span<const char32_t> text,
                                                       std::span<const bidi_class> classes,
                                                       paragraph_direction direction, workspace& space,

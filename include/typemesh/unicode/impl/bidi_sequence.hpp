@@ -8,11 +8,11 @@
 
 namespace typemesh::inline TYPEMESH_ABI::detail {
 
-/// An isolating run sequence of UAX #9: characters that are resolved together, gathered from all over the paragraph.
-/// Those that rule X9 removes are not among them.
+/// An isolating run sequence of UAX #9: characters that are resolved together, gathered from the whole paragraph. It
+/// does not contain the characters that rule X9 removes.
 struct bidi_sequence {
     bidi_class* classes;
-    const std::uint32_t* places;  ///< of the characters in the paragraph
+    const std::uint32_t* places;  ///< the places of the characters in the paragraph
     std::size_t size;
     std::uint8_t level;
     bidi_class start;  ///< sos and eos: l or r
@@ -21,7 +21,7 @@ struct bidi_sequence {
     [[nodiscard]] bidi_class embedding() const noexcept { return level % 2 == 0 ? bidi_class::l : bidi_class::r; }
 };
 
-/// l or r for what counts as such to its neighbours in rules N0 to N2, digits as r; on for what does not.
+/// The direction that neighbours see in rules N0 to N2: l, or r (also for digits). All other classes give on.
 [[nodiscard]] constexpr bidi_class direction_beside(bidi_class c) noexcept
 {
     using enum bidi_class;
@@ -50,7 +50,7 @@ inline void resolve_numbers(const bidi_sequence& sequence) noexcept
     bidi_class* const t = sequence.classes;
     const std::size_t n = sequence.size;
     bidi_class before =
-        sequence.start;  // before these rules: what W4 makes of a separator no other asks for, a digit follows it
+        sequence.start;  // before these rules: no rule needs a separator's class after W4, because a digit follows it
     bool latin = sequence.start == l;
     for (std::size_t k = 0, next = 0; k < n; k = next) {
         next = k + 1;
@@ -70,7 +70,7 @@ inline void resolve_numbers(const bidi_sequence& sequence) noexcept
     }
 }
 
-/// Rules N1 and N2: what stands between two letters of one direction takes it, all else the embedding's.
+/// Rules N1 and N2: characters between two letters of one direction take it. All others take the embedding direction.
 inline void resolve_neutrals(const bidi_sequence& sequence) noexcept
 {
     bidi_class* const t = sequence.classes;

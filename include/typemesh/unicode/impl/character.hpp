@@ -9,11 +9,11 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// How a character behaves where a line may break: Line_Break of UAX #14 by its short names, resolved by rule LB1 as
-/// far as no language is needed: AI, SG and XX are al. Some classes are parted where a rule looks further.
+/// A character's class for line breaks: Line_Break of UAX #14 by its short names. Rule LB1 is applied as far as it
+/// needs no language: AI, SG and XX are al. Some classes are split where a rule needs more details.
 enum class line_class : std::uint8_t {
     al,        ///< letters and most symbols
-    circle,    ///< the dotted circle, al that stands for any letter of a Brahmic script
+    circle,    ///< the dotted circle: al that represents any letter of a Brahmic script
     al_picto,  ///< al, pictographic, not yet assigned
     bk,        ///< mandatory breaks; cr, lf, nl
     cr,
@@ -36,48 +36,48 @@ enum class line_class : std::uint8_t {
     ex,  ///< ! ?
     in,  ///< ellipses
     ns,  ///< not at the start of a line
-    cj,  ///< small kana: ns in strict typesetting, id in loose
+    cj,  ///< small kana: ns in strict typesetting, id in loose typesetting
     op,  ///< opening brackets
     op_wide,
-    qu,     ///< quotation marks, which open or close: " and '
-    qu_pi,  ///< those that open, by their general category
-    qu_pf,  ///< those that close
+    qu,     ///< quotation marks that may open or close: " and '
+    qu_pi,  ///< quotation marks that open, by their general category
+    qu_pf,  ///< quotation marks that close
     is,     ///< . , : ;
     nu,     ///< digits
-    po,     ///< % and the like, after numbers
-    pr,     ///< $ and the like, before numbers
+    po,     ///< % and similar characters, after numbers
+    pr,     ///< $ and similar characters, before numbers
     sy,     ///< /
     hl,     ///< Hebrew letters
     id,     ///< ideographs
     eb,     ///< emoji that take a modifier
-    em,     ///< modifiers
+    em,     ///< emoji modifiers
     picto,  ///< id, pictographic, not yet assigned
     h2,     ///< Hangul syllables and jamo
     h3,
     jl,
     jv,
     jt,
-    ak,       ///< letters of Brahmic scripts whose lines end between syllables: Balinese, Javanese, Cham and others
-    as,       ///< those that take no sign of a stack
-    ap,       ///< those that stand before a syllable's first letter
+    ak,       ///< letters of Brahmic scripts whose lines break between syllables: Balinese, Javanese, Cham and others
+    as,       ///< such letters that take no stacking sign
+    ap,       ///< letters before a syllable's first letter
     vf,       ///< signs that end a syllable
     vi,       ///< signs that stack the next letter
     ri,       ///< regional indicators
-    sa,       ///< letters of scripts whose words only a dictionary finds: Thai, Lao, Khmer, Burmese, ...
-    sa_mark,  ///< their marks
+    sa,       ///< letters of scripts whose words need a dictionary: Thai, Lao, Khmer, Burmese, ...
+    sa_mark,  ///< marks of these scripts
 };
 
-/// How a character joins its neighbours to one grapheme: Grapheme_Cluster_Break of UAX #29 with
-/// Indic_Conjunct_Break, which parts its marks and its other characters, and Extended_Pictographic.
+/// How a character joins its neighbours in a grapheme: Grapheme_Cluster_Break of UAX #29, with Indic_Conjunct_Break
+/// (which splits the marks and the other characters) and Extended_Pictographic.
 enum class grapheme_class : std::uint8_t {
     other,
     cr,
     lf,
     control,
     extend,      ///< marks
-    linker,      ///< marks that join two consonants to one conjunct, as viramas do
-    non_joiner,  ///< U+200C, a mark that parts them
-    consonant,   ///< letters of which conjuncts are made
+    linker,      ///< marks that join two consonants in a conjunct, such as viramas
+    non_joiner,  ///< U+200C, a mark that separates them
+    consonant,   ///< letters that form conjuncts
     zwj,
     regional_indicator,
     prepend,
@@ -90,15 +90,15 @@ enum class grapheme_class : std::uint8_t {
     pictographic,
 };
 
-/// How a character stands in a vertical line: Vertical_Orientation of UAX #50.
+/// A character's orientation in a vertical line: Vertical_Orientation of UAX #50.
 enum class vertical_orientation : std::uint8_t {
-    rotated,              ///< turned clockwise by a quarter, as Latin is
-    upright,              ///< as ideographs are
-    transformed_rotated,  ///< by a vertical glyph, else rotated
-    transformed_upright,  ///< by a vertical glyph, else upright
+    rotated,              ///< turned clockwise by a quarter, like Latin
+    upright,              ///< like ideographs
+    transformed_rotated,  ///< by a vertical glyph, otherwise rotated
+    transformed_upright,  ///< by a vertical glyph, otherwise upright
 };
 
-/// What Unicode says of one code point, apart from its script (script.hpp).
+/// The Unicode properties of one code point, except its script (script.hpp).
 struct character {
     bidi_class bidi;
     bracket_kind bracket;
@@ -108,7 +108,7 @@ struct character {
     bool wide;  ///< East_Asian_Width is wide, fullwidth or halfwidth
 };
 
-/// The properties of a code point. Three reads of a table of 21 kB; beyond U+10FFFF those of U+FFFD.
+/// The properties of a code point, by three reads of a table of 21 kB. Beyond U+10FFFF, they are those of U+FFFD.
 [[nodiscard]] inline character character_of(char32_t c) noexcept
 {
     using namespace detail;

@@ -7,7 +7,7 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// A set of classes of characters, for tests of several at once. Class: an enumeration of at most 64 values from 0 on.
+/// A set of character classes, to test several at once. Class is an enumeration of at most 64 values from 0 on.
 template <class Class>
 class class_set {
 public:

@@ -9,15 +9,15 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// A script without spaces between its words: only a dictionary tells where its lines may end.
+/// A script without spaces between its words: only a dictionary knows where its lines may end.
 struct dictionary_script {
     std::uint32_t tag = 0;           ///< as in script_run
     char language[3] = {};           ///< the language of the words below, BCP 47
-    std::u16string_view words = {};  ///< two common words, to find out whether a library has the dictionary
-    std::uint32_t second_word = 0;   ///< where the second one begins; a grapheme of the first stands before it
+    std::u16string_view words = {};  ///< two common words; they test whether a library has the dictionary
+    std::uint32_t second_word = 0;   ///< the start of the second word; a grapheme of the first word ends before it
 };
 
-/// The Thai language, the Lao language, there is water, the people of the world.
+/// The words mean: the Thai language, the Lao language, there is water, the people of the world.
 inline constexpr dictionary_script dictionary_scripts[] = {
     {script_tag("Thai"), "th", u"\u0E20\u0E32\u0E29\u0E32\u0E44\u0E17\u0E22", 4},
     {script_tag("Laoo"), "lo", u"\u0E9E\u0EB2\u0EAA\u0EB2\u0EA5\u0EB2\u0EA7", 4},
@@ -26,7 +26,7 @@ inline constexpr dictionary_script dictionary_scripts[] = {
 };
 inline constexpr std::size_t dictionary_script_count = sizeof dictionary_scripts / sizeof dictionary_scripts[0];
 
-/// The place of a script in that list; their count for others.
+/// The index of a script in that list. For other scripts, the number of entries.
 [[nodiscard]] constexpr std::size_t dictionary_script_number(std::uint32_t tag) noexcept
 {
     std::size_t k = 0;

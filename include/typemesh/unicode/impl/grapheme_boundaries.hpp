@@ -8,11 +8,11 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// Finds where graphemes begin: what a reader takes for one character, a letter with its marks, a conjunct of Indic
-/// scripts, a stack of Khmer or Burmese, an emoji of several code points. Extended grapheme clusters, UAX #29.
+/// Finds where graphemes begin. A reader sees a grapheme as one character: a letter with its marks, a conjunct of Indic
+/// scripts, a stack of Khmer or Burmese, an emoji of several code points. (UAX #29: extended grapheme clusters)
 class grapheme_boundaries {
 public:
-    /// Whether a grapheme begins with this character; called for each one of a text in turn.
+    /// Whether a grapheme begins with this character. Call it for each character of a text in order.
     [[nodiscard]] bool operator()(grapheme_class c) noexcept
     {
         const bool begins = first_ || !joins(c);
@@ -35,10 +35,10 @@ public:
     }
 
 private:
-    /// How much of a picture, its marks and a joiner (GB11) stands before.
+    /// The part of an emoji sequence (GB11) before the current character: a picture with its marks, or also a joiner.
     enum class emoji : std::uint8_t { none, picture, joiner };
 
-    /// How much of a conjunct (GB9c) stands before: a consonant with its marks, one of them a linker.
+    /// The part of a conjunct (GB9c) before it: a consonant with its marks, or also a linker among them.
     enum class conjunct : std::uint8_t { none, consonant, linked };
 
     [[nodiscard]] static bool is_mark(grapheme_class c) noexcept
@@ -66,7 +66,7 @@ private:
     grapheme_class before_ = grapheme_class::other;
     emoji emoji_ = emoji::none;
     conjunct conjunct_ = conjunct::none;
-    bool half_a_flag_ = false;  // before is the first of two regional indicators
+    bool half_a_flag_ = false;  // the previous character is the first of two regional indicators
     bool first_ = true;
 };
 

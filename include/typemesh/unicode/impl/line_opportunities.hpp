@@ -10,17 +10,16 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// Whether a line may end, or ends, before a character.
+/// Whether a line may end, or must end, before a character.
 enum class line_opportunity : std::uint8_t { none, allowed, mandatory };
 
 /// Finds where the lines of a text may end: the line breaking algorithm of UAX #14, with no rule changed. Small kana do
-/// not begin a line (strict). Words of Thai and other scripts that need a dictionary are not found: there is no
-/// opportunity in them.
+/// not begin a line (strict). There are no opportunities inside Thai and other scripts whose words need a dictionary.
 ///
 ///     all, size    the text's characters
-///     i            called for each in turn, from 0
+///     i            call it for each character in order, from 0
 ///
-/// Cost   O(n) for all, and the marks after a quotation mark or before a number are read once more
+/// Cost   O(n) in total; marks after a quotation mark or before a number are read once more
 class line_opportunities {
     using classes = class_set<line_class>;
 
@@ -55,14 +54,14 @@ private:
     static constexpr classes letters{line_class::al, line_class::hl, line_class::circle, line_class::al_picto};
     static constexpr classes aksaras{line_class::ak, line_class::as, line_class::circle};
 
-    /// LB1, as far as tables have not done it.
+    /// LB1, as far as the tables have not applied it.
     [[nodiscard]] static constexpr line_class resolved(line_class c) noexcept
     {
         using enum line_class;
         return c == sa ? al : c == sa_mark ? cm : c == cj ? ns : c;
     }
 
-    /// The place of the next character that is no mark on character i; `size_` where the text ends.
+    /// The place of the next character that is not a mark on character i; `size_` at the end of the text.
     [[nodiscard]] std::size_t after(std::size_t i) const noexcept
     {
         using enum line_class;
@@ -98,7 +97,7 @@ private:
         return !(in_number(i, c) || in_syllable(i, c) || (c == ri && half_a_flag_) || joins(before_, c));
     }
 
-    /// LB15b: whether what stands after a quotation mark shows that it closes.
+    /// LB15b: whether the characters after a quotation mark show that it closes.
     [[nodiscard]] bool closes(std::size_t i) const noexcept
     {
         using enum line_class;
@@ -107,7 +106,7 @@ private:
     }
     [[nodiscard]] bool is_wide_at(std::size_t i) const noexcept { return i < size_ && all_[i].wide; }
 
-    /// LB25: a number with what stands before and after it.
+    /// LB25: a number with the characters before and after it.
     [[nodiscard]] bool in_number(std::size_t i, line_class c) const noexcept
     {
         using enum line_class;
@@ -120,7 +119,7 @@ private:
         return is_at(i, nu) || (is_at(i, is) && is_at(after(i), nu));
     }
 
-    /// LB28a where it looks further than to a neighbour.
+    /// The part of LB28a that looks beyond a neighbour.
     [[nodiscard]] bool in_syllable(std::size_t i, line_class c) const noexcept
     {
         using enum line_class;
@@ -128,7 +127,7 @@ private:
         return aksaras.holds(before_) && aksaras.holds(c) && is_at(after(i), vf);
     }
 
-    /// LB21 to LB30b, those of two neighbours: for each class, those that may not be parted from it.
+    /// The rules of LB21 to LB30b about two neighbours: for each class, the classes that must stay with it.
     struct neighbours {
         static constexpr std::size_t count = static_cast<std::size_t>(line_class::sa_mark) + 1;
         classes after[count];
@@ -166,7 +165,7 @@ private:
         return all.after[static_cast<std::size_t>(before)].holds(c);
     }
 
-    /// Remembers what the next character needs to know of this one.
+    /// Stores what the next character must know about this one.
     void pass(line_class c, bool wide, bool starts) noexcept
     {
         using enum line_class;
@@ -199,16 +198,16 @@ private:
 
     const character* all_;
     std::size_t size_;
-    line_class before_ = line_class::bk;  // the last that is no space, and no mark on another
+    line_class before_ = line_class::bk;  // the last character that is not a space, nor a mark on another one
     bool before_wide_ = false;
-    bool earlier_wide_ = false;  // of the character before that
-    bool spaces_ = false;        // after that
+    bool earlier_wide_ = false;  // of the character before before_
+    bool spaces_ = false;        // after before_
     number number_ = number::none;
     bool half_a_flag_ = false;
     bool hebrew_hyphen_ = false;
-    bool first_hyphen_ = false;  // that begins a word
-    bool opening_ = false;       // a quotation mark that opens, maybe with spaces after it
-    bool stacks_ = false;        // a letter with a sign that stacks the next one
+    bool first_hyphen_ = false;  // the hyphen begins a word
+    bool opening_ = false;       // an opening quotation mark, maybe with spaces after it
+    bool stacks_ = false;        // a letter with a sign that stacks the next letter
 };
 
 }  // namespace typemesh::inline TYPEMESH_ABI

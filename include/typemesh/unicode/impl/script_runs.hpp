@@ -11,30 +11,30 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// A stretch of a text in one script.
+/// A part of a text in one script.
 struct script_run {
     std::uint32_t first = 0;
     std::uint32_t last = 0;    ///< one past its end
-    std::uint32_t script = 0;  ///< ISO 15924, as script_tag(); 'Zyyy' where no letter says which
+    std::uint32_t script = 0;  ///< ISO 15924, as script_tag(); 'Zyyy' if no letter decides it
 };
 
 /// Cuts a paragraph into runs of one script: UAX #24.
 ///
-///     Hello (CCC) 5     C is a Cyrillic letter. Marks, spaces and punctuation belong to the run before them, at the
-///     |Latn  |Cy|Latn   start of the paragraph to the one after; a closing bracket to the run of its opening one.
-///                       What several scripts have in common ends no run of one of them, nor do scripts that are set
-///                       as one (script.hpp), whose run has the script of its first letter. A mark stays with its
-///                       letter, whatever scripts it belongs to.
+///     Hello (CCC) 5     C is a Cyrillic letter. Marks, spaces and punctuation belong to the run before them; at the
+///     |Latn  |Cy|Latn   start of the paragraph they belong to the next run. A closing bracket belongs to the run of
+///                       its opening bracket. A character of several scripts does not end a run of one of them. Scripts
+///                       that are set as one (script.hpp) share a run, which has the script of its first letter. A mark
+///                       stays with its letter, whatever scripts it belongs to.
 ///
-/// At most 32 brackets are open at a time. Appends to `runs`. Cost: O(n)
+/// At most 32 brackets are open at a time. The runs are appended to `runs`. Cost: O(n)
 class script_itemiser {
 public:
     explicit script_itemiser(buffer<script_run>& runs) noexcept : runs_{runs} {}
 
-    /// A character that begins no grapheme: it narrows the run's scripts, and never ends the run.
+    /// Adds a character that begins no grapheme. It narrows the run's scripts, and never ends the run.
     void add_mark(char32_t c) noexcept { scripts_.intersect(script_set::numbered(number_of(c))); }
 
-    /// The next character, and its place in the text, which ascends.
+    /// Adds the next character, and its place in the text. Places are in ascending order.
     ///
     /// Fails  error::out_of_memory
     error add(char32_t c, bracket_kind kind, std::uint32_t place) noexcept
@@ -56,7 +56,7 @@ public:
         return {};
     }
 
-    /// The end of the last run: that of the paragraph.
+    /// Ends the last run at the end of the paragraph.
     ///
     /// Fails  error::out_of_memory
     error end(std::uint32_t place) noexcept
@@ -73,11 +73,11 @@ public:
 private:
     struct open_bracket {
         char32_t bracket;
-        bool in_this_run;    // that is not at its end yet
-        script_set scripts;  // those of its run, once that is at its end
+        bool in_this_run;    // its run has not ended yet
+        script_set scripts;  // the scripts of its run, set when the run ends
     };
 
-    /// The number of a character's set, which is that of its neighbours more often than not.
+    /// The number of a character's set. Usually it is the set of the neighbouring characters.
     [[nodiscard]] std::size_t number_of(char32_t c) noexcept
     {
         if (c < 0x80) return script_set::range_of(c).number;
@@ -85,7 +85,7 @@ private:
         return range_.number;
     }
 
-    /// The k-th of the open brackets, from the innermost, 0, outwards. Beyond `most` the outermost are forgotten.
+    /// The k-th open bracket, counted outwards from the innermost one, 0. Only the innermost `most` brackets are kept.
     [[nodiscard]] open_bracket& opened(std::size_t k) noexcept { return brackets_[(top_ - 1 - k) % most]; }
 
     void open(char32_t bracket) noexcept
@@ -95,7 +95,7 @@ private:
         opened(0) = {bracket, true, {}};
     }
 
-    /// Where the bracket has a partner in a run before this one, its scripts.
+    /// If the bracket has a partner in an earlier run, returns the scripts of that run.
     void close(char32_t bracket, script_set& scripts) noexcept
     {
         std::size_t k = 0;
@@ -110,8 +110,8 @@ private:
 
     buffer<script_run>& runs_;
     script_set scripts_;                   // of the run so far
-    std::size_t settled_ = 0;              // the number of a set that would not narrow them
-    script_set::range range_ = {1, 0, 0};  // round the last character beyond ASCII
+    std::size_t settled_ = 0;              // the number of a set that would not narrow the run's scripts
+    script_set::range range_ = {1, 0, 0};  // the range of the last character beyond ASCII
     std::uint32_t first_ = 0;
     bool begun_ = false;
     std::size_t top_ = most, depth_ = 0;
