@@ -16,7 +16,7 @@ struct text_report {
     error first_refusal;        ///< why, with glyph and cluster; none if refused == 0
     std::uint32_t missing = 0;  ///< the font lacks them; emoji that were split into parts count
     cluster_id first_missing = no_cluster;
-    std::uint32_t parted = 0;  ///< missing emoji that are drawn in parts: families, flags, skin tones
+    std::uint32_t parted = 0;              ///< missing emoji that are drawn in parts: families, flags, skin tones
     cluster_id first_parted = no_cluster;  ///< position of the first in the text
     std::uint32_t invalid_units = 0;       ///< places of the text that were not valid UTF and were read as U+FFFD
     cluster_id first_invalid_unit = no_cluster;
