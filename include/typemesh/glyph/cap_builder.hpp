@@ -65,8 +65,8 @@ public:
     ///     tolerance   in font units
     ///     cells       the grid, see grid::fitting
     ///
-    /// Fails  as discretise(), resolve() and the triangulator do Cost   the sum of their costs; refine()'s cost where
-    /// chords cross
+    /// Fails  as discretise(), resolve() and the triangulator do
+    /// Cost   the sum of their costs; refine()'s cost where chords cross
     [[nodiscard]] result<region> build(const outline& curves, double tolerance, const grid& cells,
                                        const cap_settings& how, const cap_policies& with) noexcept
     {

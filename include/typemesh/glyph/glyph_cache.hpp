@@ -52,8 +52,8 @@ struct cache_statistics {
 /// evicted first. Any number of threads may use the cache if Lock is a real lock. Each call is one short critical
 /// section; reading a pinned glyph needs no lock.
 ///
-/// Memory   one block per glyph, and the table; used only under the lock. clear() and the destructor return it. Cost
-/// O(1) per call
+/// Memory   one block per glyph, and the table; used only under the lock. clear() and the destructor return it.
+/// Cost     O(1) per call
 template <cache_lock Lock = no_lock>
 class glyph_cache {
     struct entry {

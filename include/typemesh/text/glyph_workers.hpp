@@ -39,9 +39,8 @@ concept source_maker = requires(C& clone, std::size_t worker) {
 /// previous plan, whichever mesher made it, unless a glyph_cache holds the glyphs.
 ///
 /// Memory   from `source`, by several workers at once: the source must allow this, as heap() does. It is kept for the
-/// next
-///          text. It is not defined which worker builds which glyph, so a worker may need more memory than for the last
-///          text until each worker has built most of the glyphs.
+///          next text. It is not defined which worker builds which glyph, so a worker may need more memory than for
+///          the last text until each worker has built most of the glyphs.
 template <executor Executor, outline_source Source>
 class glyph_workers {
     struct alignas(64) own_source {  // aligned for the same reason: reading a font changes it
