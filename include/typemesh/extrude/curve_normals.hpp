@@ -26,7 +26,7 @@ namespace typemesh::inline TYPEMESH_ABI {
 /// of its two walls is replaced by the normalised sum of the walls' own normals. So normals always point out of their
 /// walls.
 ///
-/// No wall longer than 16 tolerances is lit from the side. Where such a normal would deviate by more than 45 degrees
+/// No wall longer than 16 tolerances is lit from the side. Where a normal would deviate by more than 45 degrees
 /// from the wall's own normal, the wall uses its own normal, and its point is hard:
 ///
 ///                    ^ the wall's own             The tip of a hairpin inside a curve, narrower than the tolerance.
@@ -73,7 +73,7 @@ private:
         [[nodiscard]] point along(std::size_t i) const noexcept { return delta(points[i], points[next(i)]); }
     };
 
-    /// The lighting of a wall where its edge starts or ends.
+    /// The light of a wall at the start or end of its edge.
     struct wall_end {
         point normal;
         bool leads;  ///< it is the curve's own, less than 45 degrees from the wall's normal

@@ -135,7 +135,7 @@ concept extruder = (detail::plans_by_itself<E> || detail::plans_with_data<E> || 
                        requires part_count_of<E> >= 1 && part_count_of<E> <= max_parts;
                    };
 
-/// An extruder that reports how many of a solid's contour points are doubled because their walls meet hard.
+/// An extruder that counts a solid's contour points that are doubled because their walls meet hard.
 template <class E>
 concept has_hard_edges = extruder<E> && requires(const E& e, const solid_of<E>& s) {
     { e.hard_edges(s) } noexcept -> std::convertible_to<std::uint64_t>;

@@ -112,7 +112,7 @@ struct wall_place {
 // A wall_mapping M:
 //
 //     M::plan(filled, sides)     places the seams of contours when a glyph is planned: changes `along`, `seam` and
-//                                `doubled` of all side_points of a region, which are lit but not measured, and
+//                                `doubled` of all side_points of a region (lit but not measured), and
 //                                returns the number of doubled points. measure_sides() does it for lengths.
 //     M::after_seam(along)       `along` of the wall after a seam, from `along` of the wall before it
 //     M::max_apart(em)           the largest difference in `along` between corners of a bevel that share a vertex;

@@ -23,7 +23,7 @@ struct glyph_draft {
                                          ///< stepped_region
     solid_plan plan;                     ///< the extruder's plan for writing it
     double cells = 512.0;                ///< its grid's cells per font unit
-    error refusal;                       ///< why the glyph cannot be built; none if it can, or is blank
+    error refusal;                       ///< the reason why the glyph cannot be built; none if it can, or is blank
     const plan_scratch* data = nullptr;  ///< the extruder's plan data; null if it has none
 };
 
@@ -87,7 +87,7 @@ public:
     [[nodiscard]] grid_point low() const noexcept { return low_; }
     [[nodiscard]] grid_point high() const noexcept { return high_; }
 
-    /// The error because of which it cannot be built, or none.
+    /// The reason why it cannot be built, or none.
     [[nodiscard]] const error& refusal() const noexcept { return refusal_; }
     /// Nothing to draw, and not refused.
     [[nodiscard]] bool is_blank() const noexcept { return form_.points.empty() && !refusal_; }

@@ -20,7 +20,7 @@ namespace typemesh::inline TYPEMESH_ABI {
 ///     along_axes    whether the frame's axes are parallel to the output's axes
 [[nodiscard]] inline double cells_told_apart(double reach, bool along_axes) noexcept
 {
-    constexpr double slack = 1.0 + 0x1p-20;  // for the rounding of places computed in double
+    constexpr double slack = 1.0 + 0x1p-20;  // for rounding of places computed in double
     double cells = 0x1p23;
     while (cells * slack * reach * (along_axes ? 1.0 : 8.0) > 0x1p23 && cells > 0x1p9) cells *= 0.5;
     return cells;

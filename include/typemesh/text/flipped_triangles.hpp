@@ -11,9 +11,9 @@ namespace typemesh::inline TYPEMESH_ABI {
 
 /// The number of triangles of caps and bevels, seen from the front, that are reversed or flattened when placed
 /// positions are rounded to 32-bit floats. It is 0 if every triangle is higher than two of the plan's position_step().
-/// Front and back cap have the same triangles: they are counted once, and so are the bevels. Walls over the rim of such
-/// a cap may be flattened too. If an extruder makes its own caps and has no seen_from_front() (extruder.hpp), only the
-/// region's triangles are counted.
+/// Front and back cap have the same triangles: they are counted once, and so are the bevels. Walls over the rim of an
+/// affected cap may be flattened too. If an extruder makes its own caps and has no seen_from_front() (extruder.hpp),
+/// only the region's triangles are counted.
 ///
 /// On the grid no triangle is reversed or flat. Floats are coarser than the grid wherever units per em are not a power
 /// of two, and far from the origin everywhere. Within 4 em of the origin three kinds remain: triangles that no other

@@ -85,7 +85,7 @@ inline constexpr bool cacheable_option =
     cacheable_policy<Option> || std::is_same_v<Option, memory> || kind_of<Option>() == policy_kind::cache ||
     kind_of<Option>() == policy_kind::observer;
 
-// A type that models no concept but was meant to: it can be called like such a policy, but guarantees less.
+// A type that models no concept but was meant to: it can be called like a policy, but guarantees less.
 template <class P>
 concept nearly_discretiser = requires(P& how, const quadratic& q, ignore_points put) { how(q, 1.0, put); } ||
                              requires(P& how, const cubic& c, ignore_points put) { how(c, 1.0, put); };

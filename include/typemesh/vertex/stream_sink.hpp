@@ -110,7 +110,7 @@ public:
     }
 
     error begin(mesh_size exact) noexcept { return begin_numbering(exact, exact.vertices); }
-    /// See chunked_sink: Index need only be wide enough for the vertices of one chunk.
+    /// See chunked_sink: Index must only be wide enough for the vertices of one chunk.
     error begin_chunks(mesh_size exact, std::uint32_t most) noexcept { return begin_numbering(exact, most); }
     /// See ranged_sink.
     [[nodiscard]] stream_sink subrange(mesh_range range) const noexcept

@@ -44,8 +44,8 @@ struct bevel_rims {
     float width = 0.0f;           ///< of the bevel, in em
     bool own_cap = false;         ///< the cap is the region's own: the bevel has no width, or lies outside of it
     bool outward = false;         ///< the walls do not stand on the region's own edges
-    std::uint32_t vertices = 0;   ///< of the bevel, like its triangles; an outward bevel's walls follow them:
-    std::uint32_t triangles = 0;  ///< their vertices come in pairs, at the back and at the front
+    std::uint32_t vertices = 0;   ///< the bevel's own; an outward bevel's walls follow, whose
+    std::uint32_t triangles = 0;  ///< vertices come in pairs, at the back and at the front
 
     /// Whether the cap on a side (bevelled or not) is the region's own.
     [[nodiscard]] bool has_own_cap(bool is_bevelled) const noexcept { return own_cap || is_bevelled == outward; }

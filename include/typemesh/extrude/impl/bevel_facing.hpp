@@ -57,7 +57,7 @@ public:
 
 private:
     static constexpr double narrow = 3.0;     ///< cells
-    static constexpr double least = 0x1p-8;   ///< the limit of the cosine: below it a normal is turned
+    static constexpr double least = 0x1p-8;   ///< a normal with a smaller cosine is turned
     static constexpr double turned = 0x1p-6;  ///< the approximate cosine after turning
 
     /// The direction that a triangle faces in the plane.

@@ -24,8 +24,8 @@ namespace typemesh::inline TYPEMESH_ABI {
 
 /// Moves the boundary of a region, outwards or inwards: letters grow or become thinner.
 ///
-/// Each edge of the new loops names the curve that it comes from (name_cap_edges), so that walls on it are lit like
-/// those on the region's own edges. Keeps its storage for the next region.
+/// Each edge of the new loops names the curve that it comes from (name_cap_edges), so that its walls are lit like
+/// the walls on the region's own edges. Keeps its storage for the next region.
 class boundary_mover {
 public:
     static constexpr double finest = finest_band;  ///< in cells: a smaller distance moves nothing

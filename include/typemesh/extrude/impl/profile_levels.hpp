@@ -18,7 +18,7 @@ struct profile_level {
     float arrives = 0.0f;   ///< as a share of the bevel's depth; at the first level, the end of the wall
     float leaves = 0.0f;    ///< at the last level, the height of the cap
 
-    /// Whether it has one.
+    /// Whether the level has a riser.
     [[nodiscard]] bool has_riser() const noexcept { return !same(arrives, leaves); }
 };
 
