@@ -212,8 +212,8 @@ private:
     /// not, or do so more than 4 tolerances away. Then everything is repeated; often the outline is now simple.
     ///
     /// Cost   each round as much as the first; there are hardly ever two rounds, and never more than 12. The last round
-    ///        begins when the contours have been cut into more than `max_pieces` pieces, or into more than four times
-    ///        the first round's pieces and 2,048. Doubtful intersections are then accepted.
+    ///        begins when the contours have been cut into more than `max_pieces` pieces, or into more than 2,048
+    ///        plus four times the first round's pieces. Doubtful intersections are then accepted.
     [[nodiscard]] result<region> refine(const outline& curves, double tolerance, const grid& cells,
                                         const cap_settings& how, const cap_policies& with) noexcept
     {

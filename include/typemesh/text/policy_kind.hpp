@@ -51,7 +51,7 @@ struct find_solid<First, Option...>
 template <class... Option>
 using solid_among = typename find_solid<Option...>::type;
 
-/// An int if the mesher's solid can become every solid among the options. Before clang 17, class template argument
+/// An int if every solid among the options converts to the mesher's. Before clang 17, class template argument
 /// deduction ignores the requires clauses of constructors, but not their template parameters.
 template <class Solid, class... Option>
 using takes = std::enable_if_t<

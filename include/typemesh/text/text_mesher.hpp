@@ -180,9 +180,9 @@ public:
         return plan_run(run, options, nullptr);
     }
 
-    /// Both with several workers (see glyph_workers.hpp), whose sources replace the mesher's font for shaping lines and
-    /// building glyphs. The plan is the same, to the bit. If several glyphs fail, the error of the lowest one is
-    /// returned. The plan's glyphs are stored in the workers, which must outlive it.
+    /// Both overloads with several workers (see glyph_workers.hpp), whose sources replace the mesher's font for shaping
+    /// lines and building glyphs. The plan is the same, to the bit. If several glyphs fail, the error of the lowest one
+    /// is returned. The plan's glyphs are stored in the workers, which must outlive it.
     ///
     /// Several threads call the policies at once, as const. While glyphs are built, the observer sees only
     /// stage::outline. One worker does the merging (text_options::merge).
