@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The core: text to triangles, without third-party headers. Fonts come in through one of the adapters,
-// <typemesh/adapt/harfbuzz.hpp>, <typemesh/adapt/freetype.hpp> or <typemesh/adapt/directwrite.hpp>, or through outlines
-// of your own.
+// The core: text to triangles, without third-party headers. Fonts come from one of the adapters
+// (<typemesh/adapt/harfbuzz.hpp>, <typemesh/adapt/freetype.hpp> or <typemesh/adapt/directwrite.hpp>) or from your own
+// outlines.
 //
 // Not included: <typemesh/compat/d3dx_text.hpp>.
 
@@ -58,6 +58,6 @@
 #include <typemesh/text/text_chunks.hpp>
 #include <typemesh/text/text_mesher.hpp>
 
-#if defined(TYPEMESH_COMPILED)  // see there
+#if defined(TYPEMESH_COMPILED)  // see compiled/harfbuzz.hpp
 #include <typemesh/compiled/harfbuzz.hpp>
 #endif

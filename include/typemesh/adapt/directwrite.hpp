@@ -19,36 +19,36 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// Which member of a family: weight (100 to 900), width, slant.
+/// Selects a member of a family: weight (100 to 900), width, slant.
 struct directwrite_style {
     DWRITE_FONT_WEIGHT weight = DWRITE_FONT_WEIGHT_NORMAL;
     DWRITE_FONT_STRETCH stretch = DWRITE_FONT_STRETCH_NORMAL;
     DWRITE_FONT_STYLE style = DWRITE_FONT_STYLE_NORMAL;
 };
 
-/// A font through DirectWrite (Windows 7 or later): shapes text of every script, with both directions in one line if
-/// need be, and draws its outlines. Needs nothing but Windows; link dwrite.lib.
+/// A font through DirectWrite (Windows 7 or later): shapes text of every script, even with both directions in one line,
+/// and draws its outlines. Needs only Windows; link dwrite.lib.
 ///
 ///     auto font = directwrite_font::open(L"C:\\Windows\\Fonts\\segoeui.ttf");      // a file
 ///     auto font = directwrite_font::open_family(L"Segoe UI");                      // an installed font
 ///     auto font = directwrite_font::open_selected(dc);                             // GDI's, from a device context
 ///     if (!font) return puts(font.error().message());
 ///
-/// Its shaper is IDWriteTextAnalyzer, not IDWriteTextLayout: the analyser uses this very face, so no other font can
-/// step in for a missing glyph, and the face needs no family name or collection; script, language and features are
-/// passed explicitly; and Wine has it as well. For a whole IDWriteTextLayout see directwrite_text.
+/// Its shaper is IDWriteTextAnalyzer, not IDWriteTextLayout. The analyser uses this face, so no other font can replace
+/// a missing glyph, and the face needs no family name or collection. Script, language and features are passed
+/// explicitly. Wine has the analyser too. For a whole IDWriteTextLayout see directwrite_text.
 ///
-/// `fill()` returns the rule of the outline drawn last (DirectWrite reports it glyph by glyph); non_zero in every font
-/// known. Outlines are requested at one unit per font unit and flipped to y up.
+/// `fill()` returns the rule of the outline drawn last (DirectWrite reports it glyph by glyph); it is non_zero in all
+/// known fonts. Outlines are requested at one unit per font unit and flipped to y up.
 ///
 /// COM need not be initialised. Move-only. Used by one thread at a time; for another thread make a second one,
 /// wrap(font.handle()).
 class directwrite_font {
 public:
-    /// Opens a font file. Without a `factory` it uses the process's shared one. Variations need Windows 10 1709 when
-    /// the program runs, whatever Windows it is compiled for; before, no font has an axis.
+    /// Opens a font file. Without a `factory` it uses the process's shared one. Variations need Windows 10 1709 at run
+    /// time, whatever Windows the program is compiled for; on older systems, no font has an axis.
     ///
-    /// Fails  error::unreadable_file, not_a_font, no_such_face (count = how many faces there are), no_outlines,
+    /// Fails  error::unreadable_file, not_a_font, no_such_face (count = the number of faces), no_outlines,
     ///        unknown_variation, bad_option (a variation is NaN or infinite), out_of_memory,
     ///        font_library_failed (count = the HRESULT)
     static result<directwrite_font> open(const wchar_t* path, const font_options& options = {},
@@ -65,7 +65,7 @@ public:
         DWRITE_FONT_FACE_TYPE face_type = DWRITE_FONT_FACE_TYPE_UNKNOWN;
         UINT32 faces = 0;
         if (error e = directwrite_error(file->Analyze(&supported, &file_type, &face_type, &faces))) {
-            // Wine says only that it failed.
+            // Wine only says that it failed.
             const DWORD kind = GetFileAttributesW(path);
             const bool is_file = kind != INVALID_FILE_ATTRIBUTES && (kind & FILE_ATTRIBUTE_DIRECTORY) == 0;
             return is_file ? e : error{error::unreadable_file};
@@ -81,8 +81,8 @@ public:
         return finished(std::move(face), *held);
     }
 
-    /// Opens the member of a family that matches a style best, from the installed fonts or from a collection of the
-    /// caller's. DirectWrite simulates a weight or slant that the family lacks.
+    /// Opens the member of a family that best matches a style, from the installed fonts or from a collection of the
+    /// caller. DirectWrite simulates a weight or slant that the family lacks.
     ///
     /// Fails  error::no_such_family, no_outlines, out_of_memory, font_library_failed (count = the HRESULT)
     static result<directwrite_font> open_family(const wchar_t* family, const directwrite_style& style = {},
@@ -111,11 +111,11 @@ public:
         return finished(std::move(face), *held);
     }
 
-    /// Opens the font that GDI's name, weight and slant mean: GDI gives each width and many a weight a family of its
+    /// Opens the font that GDI's name, weight and slant select. GDI gives each width and many weights a family of its
     /// own ("Arial Narrow", "Segoe UI Semibold"), which open_family() often does not know. The size, rotation and lines
-    /// of a LOGFONT are not read. Of an HFONT, GetObjectW(font, sizeof(LOGFONTW), &description) gives it.
+    /// of a LOGFONT are ignored. GetObjectW(font, sizeof(LOGFONTW), &description) returns the LOGFONT of an HFONT.
     ///
-    /// Fails  error::no_such_family (GDI itself takes another font then, which open_selected() opens), no_outlines,
+    /// Fails  error::no_such_family (GDI itself then uses another font, which open_selected() opens), no_outlines,
     ///        out_of_memory, font_library_failed (count = the HRESULT)
     static result<directwrite_font> open_described(const LOGFONTW& description,
                                                    IDWriteFactory* factory = nullptr) noexcept
@@ -131,12 +131,11 @@ public:
         return finished(std::move(face), *held);
     }
 
-    /// Opens the font that GDI draws with: what is selected into a device context, or what GDI takes for it. The
-    /// context, which is not kept, may be one of memory, CreateCompatibleDC(nullptr).
+    /// Opens the font that GDI draws with: the font selected into a device context, or GDI's replacement for it. The
+    /// context is not kept; it may be a memory context, CreateCompatibleDC(nullptr).
     ///
-    /// Fails  error::no_such_family (the font is none of DirectWrite's: GDI's own bitmap and stroke fonts),
-    ///        no_outlines,
-    ///        out_of_memory, font_library_failed (count = the HRESULT)
+    /// Fails  error::no_such_family (DirectWrite does not have the font: GDI's own bitmap and stroke fonts),
+    ///        no_outlines, out_of_memory, font_library_failed (count = the HRESULT)
     static result<directwrite_font> open_selected(HDC context, IDWriteFactory* factory = nullptr) noexcept
     {
         TYPEMESH_ASSERT(context != nullptr, "a font was opened from a null HDC");
@@ -149,7 +148,7 @@ public:
         return finished(std::move(face), *held);
     }
 
-    /// Wraps a face of the caller's, with its variations and simulations. Holds a reference of its own.
+    /// Wraps a face of the caller, with its variations and simulations. Holds its own reference.
     ///
     /// Fails  error::not_a_font (without glyphs or units), no_outlines, out_of_memory, font_library_failed
     static result<directwrite_font> wrap(IDWriteFontFace* face, IDWriteFactory* factory = nullptr) noexcept
@@ -166,16 +165,16 @@ public:
     [[nodiscard]] double units_per_em() const noexcept { return units_per_em_; }
     [[nodiscard]] fill_rule fill() const noexcept { return rule_; }
 
-    /// How many glyphs the face has; their ids count from 0.
+    /// The number of glyphs in the face; their ids count from 0.
     [[nodiscard]] std::uint32_t glyph_count() const noexcept { return glyph_count_; }
 
     /// See variation_key.hpp. Covers the font (by the checksum in its 'head' table, its number of glyphs and its face
-    /// index), its simulations and its axes. Where DirectWrite does not say what the axes of a variable font are set
-    /// to, no other directwrite_font has the same key.
+    /// index), its simulations and its axes. If DirectWrite does not report the axis values of a variable font, the key
+    /// is unique to this directwrite_font.
     [[nodiscard]] std::uint64_t variation_key() const noexcept { return key_; }
 
-    /// See outline_source. DirectWrite gives TrueType's quadratics as cubics; they become quadratics again wherever a
-    /// cubic is one up to its rounding (1/25 unit, Wine's). CFF's cubics stay.
+    /// See outline_source. DirectWrite returns TrueType's quadratics as cubics. A cubic becomes a quadratic again if it
+    /// is one up to its rounding (1/25 unit, Wine's). CFF's cubics stay.
     template <outline_sink Sink>
     error outline(glyph_id id, Sink& sink) noexcept
     {
@@ -195,10 +194,10 @@ public:
 
     /// See shaper. Scripts and bidirectional levels are DirectWrite's own (UAX #9), so a line may hold text of both
     /// directions: its pieces come in visual order. `direction` is the line's base direction, which orders its pieces;
-    /// letters keep their own direction whatever is requested. direction::automatic takes that of the first letter.
+    /// letters keep their own direction for any request. direction::automatic uses the first letter's direction.
     ///
-    /// In columns glyphs stand upright, in the vertical forms that the font has ("vert"), one below the other by their
-    /// vertical metrics.
+    /// In columns, glyphs stand upright, in the font's vertical forms ("vert"), one below the other by their vertical
+    /// metrics.
     ///
     /// Fails besides  error::bad_option: options.script is unknown to DirectWrite, or options.language is longer than
     ///                Windows allows

@@ -18,13 +18,14 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// unicode_analyser, with DirectWrite's line breaks within Thai, Lao, Khmer and Burmese: lines may end between their
-/// words, too. Everything else is the same on every machine, whatever Windows is installed.
+/// unicode_analyser, with DirectWrite's line breaks within Thai, Lao, Khmer and Burmese: lines may also end between
+/// their words. Everything else is the same on every machine, whatever Windows is installed.
 ///
-/// A script of which this DirectWrite does not know the words stays in text_analysis::unbroken. It is asked in the
-/// script's own language; analysis_options::language is not read. One analyser is used by one thread at a time.
+/// If this DirectWrite does not know the words of a script, its text stays in text_analysis::unbroken. DirectWrite is
+/// called with the script's own language; analysis_options::language is ignored. One analyser is used by one thread at
+/// a time.
 ///
-/// Fails besides  error::font_library_failed (count = the HRESULT), where a text needs DirectWrite; the next call asks
+/// Fails besides  error::font_library_failed (count = the HRESULT), if a text needs DirectWrite; the next call tries
 ///                again
 class directwrite_analyser {
 public:
@@ -33,7 +34,7 @@ public:
         : unicode_{source}, text_{source}, places_{source}, conditions_{source}
     {
     }
-    /// Asks the caller's analyser, and holds a reference to it.
+    /// Uses the caller's analyser, and holds a reference to it.
     explicit directwrite_analyser(IDWriteTextAnalyzer* callers, memory source = heap()) noexcept
         : directwrite_analyser{source}
     {
@@ -53,7 +54,7 @@ public:
 private:
     static constexpr std::size_t count = dictionary_script_count;
 
-    /// Keeps what DirectWrite says of each unit: nothing is DWRITE_BREAK_CONDITION_NEUTRAL.
+    /// Stores DirectWrite's result for each unit; no result means DWRITE_BREAK_CONDITION_NEUTRAL.
     class break_sink final : public detail::directwrite_sink {
     public:
         explicit break_sink(std::span<DWRITE_LINE_BREAKPOINT> units) noexcept : units_{units} {}
@@ -68,7 +69,7 @@ private:
         std::span<DWRITE_LINE_BREAKPOINT> units_;
     };
 
-    /// Marks where lines may end within what is unbroken, and leaves there what DirectWrite does not know.
+    /// Marks line breaks within the unbroken ranges. Ranges that DirectWrite does not know stay unbroken.
     error mark_words(text_view text, text_analysis& found) noexcept
     {
         if (error e = open()) return e;
@@ -90,11 +91,11 @@ private:
         return {};
     }
 
-    /// Creates the analyser, and finds out of which scripts it knows words: one without dictionaries finds no breaks,
-    /// or, which is no better, one at every grapheme.
+    /// Creates the analyser, and finds the scripts whose words it knows. An analyser without dictionaries finds no
+    /// breaks, or, equally useless, one at every grapheme.
     error open() noexcept
     {
-        if (opened_ && words_) return {};  // an analyser moved from has none
+        if (opened_ && words_) return {};  // a moved-from analyser has none
         if (!words_) {
             detail::com_ptr<IDWriteFactory> factory;
             IUnknown* made = nullptr;
@@ -113,8 +114,8 @@ private:
         return {};
     }
 
-    /// Asks DirectWrite about a range, for breaks_before(), whose units count from the range's own begin: one for each
-    /// character, as the four scripts lie below U+10000.
+    /// Analyses a range with DirectWrite, for breaks_before(). Units count from the start of the range: one for each
+    /// character, because the four scripts lie below U+10000.
     error find_breaks(text_view text, text_range range, const dictionary_script& script) noexcept
     {
         text_.clear();
@@ -137,7 +138,7 @@ private:
         return directwrite_error(words_->AnalyzeLineBreakpoints(&source, 0, length, &sink));
     }
 
-    /// Whether a line may end before a unit, not the first: one side says so, and the other does not forbid it.
+    /// Whether a line may end before a unit other than the first: one side allows it, and the other does not forbid it.
     [[nodiscard]] bool breaks_before(std::size_t i) const noexcept
     {
         const int after = conditions_[i - 1].breakConditionAfter, before = conditions_[i].breakConditionBefore;
@@ -153,7 +154,7 @@ private:
     bool opened_ = false;
     bool known_[count] = {};  // of dictionary_scripts
     buffer<wchar_t> text_;
-    buffer<std::uint32_t> places_;  // of each unit, in the caller's text
+    buffer<std::uint32_t> places_;  // position of each unit in the caller's text
     buffer<DWRITE_LINE_BREAKPOINT> conditions_;
 };
 static_assert(text_analyser<directwrite_analyser>);

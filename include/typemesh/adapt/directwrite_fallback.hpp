@@ -26,7 +26,7 @@ namespace typemesh::inline TYPEMESH_ABI {
 
 namespace detail {
 
-/// The system's fallback, of an IDWriteFactory; empty before Windows 8.1, which has none.
+/// The system fallback of an IDWriteFactory; empty before Windows 8.1, which has none.
 inline error find_system_fallback(IUnknown* factory, com_ptr<IDWriteFontFallback>& found) noexcept
 {
     const auto unknown = com_ptr<IUnknown>::share(factory);
@@ -36,25 +36,25 @@ inline error find_system_fallback(IUnknown* factory, com_ptr<IDWriteFontFallback
 
 }  // namespace detail
 
-/// A fallback_provider of the fonts that Windows itself would take, opened when they are first needed:
+/// A fallback_provider of the fonts that Windows itself would use, opened when they are first needed:
 ///
 ///     directwrite_fallback<harfbuzz_font> installed{L"Segoe UI"};
 ///     font_list list{*font, installed};
 ///
-/// Finds nothing before Windows 8.1. `Font` has an open(path, font_options), of a wchar_t path like directwrite_font's
-/// or of one in UTF-8; older HarfBuzz may read only ASCII of the latter. What DirectWrite says besides the file (to
-/// draw smaller, or bold where the family has no bold; the place of a variable font) is not followed. Not copied, and
-/// used by one thread at a time.
+/// Finds nothing before Windows 8.1. `Font` has an open(path, font_options) with a wchar_t path like
+/// directwrite_font's, or a UTF-8 path; older HarfBuzz may read only ASCII in the latter. DirectWrite's other results
+/// are ignored: a smaller size, simulated bold where the family has no bold, and the instance of a variable font. Not
+/// copyable; used by one thread at a time.
 template <class Font>
 class directwrite_fallback {
 public:
-    /// A family is asked first, then the system's fallback in that style. Null: the fallback alone. The name must
+    /// The family is searched first, then the system's fallback in that style. Null: only the fallback. The name must
     /// outlive this.
     explicit directwrite_fallback(const wchar_t* family = nullptr, const directwrite_style& style = {}) noexcept
         : family_{family}, style_{style}
     {
     }
-    /// Asks the caller's fallback, and holds a reference to it.
+    /// Uses the caller's fallback, and holds a reference to it.
     explicit directwrite_fallback(IDWriteFontFallback* callers, const wchar_t* family = nullptr,
                                   const directwrite_style& style = {}) noexcept
         : directwrite_fallback{family, style}
@@ -70,8 +70,8 @@ public:
         while (opened_ != nullptr) delete std::exchange(opened_, opened_->next);
     }
 
-    /// See fallback_provider. A font that is not a file of this machine, or that cannot be opened, is none. The script
-    /// is not read: DirectWrite sees the letters.
+    /// See fallback_provider. A font is ignored if it is not a file of this machine or cannot be opened. The script is
+    /// ignored: DirectWrite sees the letters.
     ///
     /// Fails  error::out_of_memory, font_library_failed (count = the HRESULT)
     result<Font*> font_for(text_view text, text_range grapheme, std::uint32_t, std::string_view language) noexcept
@@ -89,7 +89,7 @@ public:
     }
 
 private:
-    /// A font that was opened, or could not be.
+    /// A font that was opened, or could not be opened.
     struct opened_font {
         buffer<wchar_t> path;  // ends with a zero
         std::uint32_t face;
@@ -111,7 +111,7 @@ private:
         return {};
     }
 
-    /// Writes text and language as DirectWrite reads them. Another language may have what the last one had not.
+    /// Stores text and language in DirectWrite's form. If the language changes, the missing characters are forgotten.
     error take(text_view text, text_range range, std::string_view language) noexcept
     {
         if (language.size() >= LOCALE_NAME_MAX_LENGTH) language = {};
@@ -144,7 +144,7 @@ private:
                                                            style_.style, style_.stretch, &mapped, font.put(), &scale)))
             return e;
         if (!font) return nullptr;
-        // It maps as much as one font has, which may be less than the grapheme.
+        // A call maps the range that one font supports, which may be shorter than the grapheme.
         for (std::size_t i = grapheme.first; i < grapheme.last;) {
             const code_point c = decode(text, i, grapheme.last);
             BOOL has = FALSE;
@@ -160,7 +160,7 @@ private:
         return path_.empty() ? result<Font*>{nullptr} : open(face->GetIndex());
     }
 
-    /// The path of a face's file; empty if it is not one file of this machine.
+    /// The path of a face's file; empty unless it is a single file of this machine.
     error find_path(IDWriteFontFace* face) noexcept
     {
         path_.clear();
@@ -215,8 +215,8 @@ private:
         }
     }
 
-    /// Remembers a character that no font has, in order, so that the next one costs nothing. Without memory it is asked
-    /// for again.
+    /// Remembers a character that no font has, in sorted order, so that the next one costs nothing. If out of memory,
+    /// it is searched again.
     void note_missing(std::uint32_t c) noexcept
     {
         if (!nowhere_.push_back(c)) return;
@@ -230,7 +230,7 @@ private:
     wchar_t language_[LOCALE_NAME_MAX_LENGTH] = {};
     std::size_t language_length_ = 0;
     buffer<wchar_t> text_, path_;
-    buffer<std::uint32_t> nowhere_;  // characters that no font has, in the language asked last; sorted
+    buffer<std::uint32_t> nowhere_;  // characters that no font has, in the last language; sorted
     opened_font* opened_ = nullptr;
 };
 

@@ -30,7 +30,7 @@ struct directwrite_object {
     std::uint32_t line = 0;
 };
 
-/// What a glyph id of a directwrite_text stands for.
+/// The meaning of a glyph id of a directwrite_text.
 struct directwrite_glyph {
     IDWriteFontFace* face = nullptr;  ///< null for an underline or a strike-through
     std::uint16_t index = 0;          ///< the face's own glyph number
@@ -38,8 +38,8 @@ struct directwrite_glyph {
     bool sideways = false;            ///< rotated to lie on its side
 };
 
-/// A whole IDWriteTextLayout as shaped text with its own outlines: everything that the layout does is kept (changing
-/// fonts and sizes, fallback fonts, bidirectional text, wrapping, alignment, trimming, underlines).
+/// A whole IDWriteTextLayout as shaped text with its own outlines. All results of the layout are kept: changing fonts
+/// and sizes, fallback fonts, bidirectional text, wrapping, alignment, trimming, underlines.
 ///
 ///     directwrite_text text;
 ///     if (auto read = text.read(layout); !read) return puts(read.error().message());
@@ -47,21 +47,21 @@ struct directwrite_glyph {
 ///     auto made = mesher.build(text.run(), into(vertices, indices));
 ///
 /// One run holds all faces. A glyph's id is the face's own glyph number plus 65536 times the number of the pair of face
-/// and size, counted by first use; so in a layout with one font the ids are the font's own. glyph() decodes an id.
-/// Underlines and strike-throughs are glyphs too, rectangles without a position in the text (`cluster` is no_cluster):
-/// solids of their own, which overlap the letters that they cross.
+/// and size, counted by first use. In a layout with one font, the ids are therefore the font's own. glyph() decodes an
+/// id. Underlines and strike-throughs are also glyphs: rectangles without a position in the text (`cluster` is
+/// no_cluster). They are separate solids, which overlap the letters that they cross.
 ///
-/// The unit is the font unit of the first face drawn, with one em the layout's own font size; outlines of other faces
-/// and sizes are scaled. The origin is the layout's top left corner, y up: lines lie below it. Multiply by
-/// dips_per_unit() to get device-independent pixels back.
+/// The unit is the font unit of the first face drawn, where one em is the layout's own font size. Outlines of other
+/// faces and sizes are scaled. The origin is the layout's top left corner, y up: lines lie below it. Multiply by
+/// dips_per_unit() to convert back to device-independent pixels.
 ///
-/// Clusters are offsets in the layout's 16-bit units, so what an application attached to a range, such as its drawing
-/// effect, is found with layout->GetDrawingEffect(cluster, ...).
+/// Clusters are offsets in the layout's 16-bit units. layout->GetDrawingEffect(cluster, ...) therefore finds the data
+/// that an application attached to a range, such as its drawing effect.
 ///
-/// In a glyph_cache one number serves all layouts, `cached_in{cache, 1}`: see variation_key().
+/// In a glyph_cache, one number serves all layouts, `cached_in{cache, 1}`: see variation_key().
 ///
-/// Holds references to the faces and inline objects of the last layout read, none to the layout. Memory is kept for the
-/// next one. Move-only; used by one thread at a time.
+/// Holds references to the faces and inline objects of the last layout read, but none to the layout. Memory is kept for
+/// the next layout. Move-only; used by one thread at a time.
 class directwrite_text {
 public:
     explicit directwrite_text(memory source = heap()) noexcept
@@ -81,8 +81,8 @@ public:
     directwrite_text& operator=(directwrite_text&&) noexcept = default;
     ~directwrite_text() { release(); }
 
-    /// Draws a layout into this. Inline objects are recorded, and draw themselves: text that they draw (the ellipsis of
-    /// a trimmed line) is included, without a position in the text. They get `context`.
+    /// Draws a layout into this. Inline objects are recorded, and draw themselves, with `context`. Text that they draw
+    /// (the ellipsis of a trimmed line) is included, without a position in the text.
     ///
     /// Fails  error::bad_option: the layout runs in columns
     ///        error::outline_not_finite: it places something at NaN or infinity
@@ -104,7 +104,7 @@ public:
         return e;
     }
 
-    /// The text, glyph by glyph and line by line, in drawing order; a line's underlines come after its letters.
+    /// The text, glyph by glyph and line by line, in drawing order; a line's underlines follow its letters.
     [[nodiscard]] const glyph_run& run() const noexcept { return run_; }
 
     /// The inline objects, in the order in which the layout drew them.
@@ -116,11 +116,11 @@ public:
     [[nodiscard]] double units_per_em() const noexcept { return run_.units_per_em; }
     [[nodiscard]] fill_rule fill() const noexcept { return rule_; }
 
-    /// See variation_key.hpp. Covers all that the ids of run() stand for: texts share the contents of a glyph_cache
-    /// exactly where their faces (by file, face index, simulations and axes) and sizes (relative to the layout's own)
-    /// are the same and are first used in the same order, and their underlines and strike-throughs have the same sizes.
-    /// A layout with a face that does not come from a file of the system's (in memory, from a loader of the caller's),
-    /// or whose axes cannot be read, shares with no other, nor with itself when it is read again.
+    /// See variation_key.hpp. Covers everything that the ids of run() represent. Texts share the contents of a
+    /// glyph_cache exactly if three conditions hold: their faces (by file, face index, simulations and axes) and sizes
+    /// (relative to the layout's own) are the same, these are first used in the same order, and underlines and
+    /// strike-throughs have the same sizes. If a face does not come from a system file (but from memory or a caller's
+    /// loader), or its axes cannot be read, the layout shares with no other, nor with itself when it is read again.
     ///
     /// Cost  a few calls of DirectWrite per face and size; a mesher calls it once per text
     [[nodiscard]] std::uint64_t variation_key() const noexcept
@@ -142,7 +142,7 @@ public:
         return key.value(this, read_at_);
     }
 
-    /// The face and the glyph of it that an id of run() stands for. Any other id gives a null face.
+    /// The face and glyph that an id of run() represents. Any other id gives a null face.
     [[nodiscard]] directwrite_glyph glyph(glyph_id id) const noexcept
     {
         const std::size_t slot = id >> 16;
@@ -178,7 +178,7 @@ private:
     friend class detail::directwrite_renderer<directwrite_text>;
 
     static constexpr std::size_t bar_slot = 0xFFFF;
-    static constexpr double unread_units = 1000.0;  // until a face is drawn
+    static constexpr double unread_units = 1000.0;  // before a face is drawn
 
     /// A face at a size.
     struct look {
@@ -220,7 +220,7 @@ private:
 
     [[nodiscard]] double to_units(double dips) const noexcept { return dips * run_.units_per_em / em_size_; }
 
-    /// Finds where each line ends and where its baseline lies.
+    /// Finds the end and the baseline of each line.
     error take_lines(IDWriteTextLayout* layout) noexcept
     {
         const DWRITE_READING_DIRECTION reading = layout->GetReadingDirection();
@@ -254,7 +254,7 @@ private:
         return {};
     }
 
-    /// The line of a unit of the text; if `of` is null, the line whose baseline is nearest (y up, pixels).
+    /// The line of a unit of the text; if `of` is null, the line with the nearest baseline (y up, pixels).
     [[nodiscard]] std::uint32_t line_of(const DWRITE_GLYPH_RUN_DESCRIPTION* of, double y) const noexcept
     {
         std::uint32_t found = 0;
@@ -333,7 +333,7 @@ private:
         return pieces_.push_back(whole) ? error{} : error{error::out_of_memory};
     }
 
-    /// A face's own advance for a glyph, for runs that give none.
+    /// A face's own advance for a glyph, for runs without advances.
     static error own_advance(const DWRITE_GLYPH_RUN& run, UINT32 i, double& advance) noexcept
     {
         DWRITE_FONT_METRICS face = {};

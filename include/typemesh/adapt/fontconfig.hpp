@@ -18,7 +18,7 @@ namespace typemesh::inline TYPEMESH_ABI {
 
 namespace detail {
 
-/// A pattern of fontconfig's, kept as long as this lives.
+/// A pattern of fontconfig, which lives as long as this object.
 class fontconfig_pattern {
 public:
     explicit fontconfig_pattern(FcPattern* owned) noexcept : pattern_{owned} {}
@@ -52,29 +52,29 @@ private:
 
 }  // namespace detail
 
-/// Which families are found by a name.
+/// The families that a name finds.
 enum class family_names : std::uint8_t {
-    own,      ///< those that are called so
-    aliases,  ///< also what the configuration has stand in for a family that is not installed (Liberation Sans for
+    own,      ///< only families with this name
+    aliases,  ///< also the configuration's replacements for families that are not installed (Liberation Sans for
               ///< Arial), and the generic names: "sans-serif", "monospace"
 };
 
-/// Where an installed font lies, and which font of its file it is.
+/// The path of an installed font, and its face in the file.
 class installed_font {
 public:
     explicit installed_font(memory source = heap()) noexcept : path_{source}, family_{source}, variations_{source} {}
 
     /// Empty before a font has been found.
     [[nodiscard]] const char* path() const noexcept { return path_.empty() ? "" : path_.data(); }
-    /// What it calls its family.
+    /// The name that it gives its family.
     [[nodiscard]] const char* family() const noexcept { return family_.empty() ? "" : family_.data(); }
-    /// For opening it. They refer to this.
+    /// The options for opening it. They refer to this.
     [[nodiscard]] font_options options() const noexcept { return {face_, variations_.view()}; }
-    /// The number, from 1, of one of a variable font's named places on its axes, where fontconfig knows no more of it;
-    /// else 0.
+    /// The number, from 1, of a named instance of a variable font, if fontconfig does not know its axis values;
+    /// otherwise 0.
     [[nodiscard]] std::uint32_t named_instance() const noexcept { return instance_; }
 
-    /// What a pattern says that fontconfig has matched. Fails with error::out_of_memory.
+    /// Reads a pattern that fontconfig has matched. Fails with error::out_of_memory.
     error take(const FcPattern* match) noexcept
     {
         path_.clear();
@@ -117,7 +117,7 @@ private:
     std::uint32_t face_ = 0, instance_ = 0;
 };
 
-/// The fonts that are installed, as fontconfig knows them. What it allocates comes from its own heap.
+/// The installed fonts, as fontconfig knows them. It allocates from its own heap.
 ///
 ///     auto fonts = fontconfig_fonts::open();
 ///     installed_font found;
@@ -127,8 +127,8 @@ private:
 /// Move-only. Used by one thread at a time.
 class fontconfig_fonts {
 public:
-    /// Reads the configuration and the lists of fonts: tens of milliseconds.
-    /// Fails with error::font_library_failed: there is no configuration, or no memory.
+    /// Reads the configuration and the lists of fonts: tens of milliseconds. Fails with error::font_library_failed:
+    /// there is no configuration, or it is out of memory.
     static result<fontconfig_fonts> open() noexcept
     {
         FcConfig* made = FcInitLoadConfigAndFonts();
@@ -146,15 +146,15 @@ public:
         if (config_ != nullptr) FcConfigDestroy(config_);
     }
 
-    /// The configuration itself, for calls of your own; it stays this object's.
+    /// The configuration itself, for your own calls; this object owns it.
     [[nodiscard]] FcConfig* handle() const noexcept { return config_; }
 
-    /// Finds a font by its family and style, as fontconfig writes them: "Noto Sans", "Noto Sans:bold:italic",
-    /// "Inter:style=Semi Bold". Only scalable fonts are found, and none that is merely similar; `names` says whether
-    /// others may stand in: installed_font::family() tells what was found.
+    /// Finds a font by its family and style, in fontconfig's notation: "Noto Sans", "Noto Sans:bold:italic",
+    /// "Inter:style=Semi Bold". Only scalable fonts are found, and never one that is merely similar. `names` says
+    /// whether other families may replace the name; installed_font::family() returns the family found.
     ///
-    /// Fails  error::no_such_family; error::no_such_style: the family has no such font, `option` says in what: weight,
-    ///        width, slant or style; error::bad_option: the name cannot be read; error::out_of_memory
+    /// Fails  error::no_such_family; error::no_such_style: the family has no such font, `option` names the difference:
+    ///        weight, width, slant or style; error::bad_option: the name cannot be read; error::out_of_memory
     result<void> find(const char* name, installed_font& out, family_names names = family_names::own) const noexcept
     {
         const void* words = name;
@@ -193,8 +193,8 @@ private:
         return false;
     }
 
-    /// Whether the configuration binds the match's family as closely to what was asked for as that itself; it binds
-    /// weakly what it falls back to.
+    /// Whether the configuration binds the match's family as strongly to the requested name as the name itself. It
+    /// binds fallback families weakly.
     static bool stands_in(FcPattern* complete, const FcPattern* match) noexcept
     {
         FcValue value;
@@ -206,7 +206,7 @@ private:
         return false;
     }
 
-    /// What was asked for and is not the match's, for fontconfig gives the nearest that there is; else null.
+    /// The requested property that the match lacks, because fontconfig returns the nearest font; otherwise null.
     static const char* style_not_found(const FcPattern* asked, const FcPattern* match) noexcept
     {
         if (const FcChar8* style = detail::fontconfig_word(asked, FC_STYLE))
@@ -216,9 +216,9 @@ private:
             if (FcPatternGetDouble(asked, what, 0, &wanted) != FcResultMatch ||
                 FcPatternGetDouble(match, what, 0, &found) != FcResultMatch)
                 continue;
-            const bool slant = std::string_view{what} == FC_SLANT;  // oblique is as good as italic
+            const bool slant = std::string_view{what} == FC_SLANT;  // oblique counts as italic
             const double apart = wanted < found ? found - wanted : wanted - found;
-            if (slant ? (wanted > 0.0) != (found > 0.0) : apart > 5.0) return what;  // book is as good as regular
+            if (slant ? (wanted > 0.0) != (found > 0.0) : apart > 5.0) return what;  // book counts as regular
         }
         return nullptr;
     }

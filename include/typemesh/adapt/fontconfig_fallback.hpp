@@ -15,14 +15,14 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// A fallback_provider of the fonts that are installed, opened when they are first needed:
+/// A fallback_provider of the installed fonts, opened when they are first needed:
 ///
 ///     fontconfig_fallback<harfbuzz_font> installed{*fonts, "Noto Sans:bold"};
 ///     font_list list{*font, installed};
 ///
-/// Of the fonts that have a grapheme it takes the one that fontconfig would put first for the language, or for a
-/// language of the script, and for a family and style to resemble. Fonts of bitmaps and of colours are passed over.
-/// `Font` has an open(path, font_options) like harfbuzz_font's. Not copied, and used by one thread at a time.
+/// It uses the first font that has the grapheme. fontconfig sorts the fonts for the language, or for a language of the
+/// script, and for a family and style to resemble. Bitmap and colour fonts are skipped. `Font` has an open(path,
+/// font_options) like harfbuzz_font's. Not copyable; used by one thread at a time.
 template <class Font>
 class fontconfig_fallback {
 public:
@@ -43,11 +43,11 @@ public:
         FcCharSetDestroy(nowhere_);
     }
 
-    /// See fallback_provider. A font that cannot be opened is passed over.
+    /// See fallback_provider. A font that cannot be opened is skipped.
     ///
     /// Fails  error::out_of_memory
     /// Cost   a few milliseconds for the first grapheme of a language, which sorts the fonts; then some nanoseconds for
-    ///        each font that has it not
+    ///        each font that lacks it
     result<Font*> font_for(text_view text, text_range grapheme, std::uint32_t script,
                            std::string_view language) noexcept
     {
@@ -71,13 +71,13 @@ public:
     }
 
 private:
-    /// A font that was opened, or could not be.
+    /// A font that was opened, or could not be opened.
     struct opened_font {
         const FcPattern* pattern;
         std::optional<Font> font;
         opened_font* next;
     };
-    /// All fonts, the best one for a language first.
+    /// All fonts, sorted for a language, the best one first.
     struct order {
         char language[24];
         FcFontSet* set;
@@ -89,7 +89,7 @@ private:
         return static_cast<const FcChar8*>(static_cast<const void*>(text));
     }
 
-    /// Whether each drawn character is in the set, or each is not.
+    /// Whether all drawn characters are in the set (`in`), or all are not.
     static bool all_in(text_view text, text_range range, const FcCharSet* set, bool in) noexcept
     {
         for (std::size_t i = range.first; i < range.last;) {
@@ -104,7 +104,7 @@ private:
     void note_missing(text_view text, text_range range) noexcept
     {
         const code_point c = decode(text, range.first, range.last);
-        if (c.next == range.last)  // each of several may be somewhere
+        if (c.next == range.last)  // of several characters, each may be in some font
             FcCharSetAddChar(nowhere_, c.value);
     }
 
@@ -115,7 +115,7 @@ private:
         FcPatternGetBool(p, FC_SCALABLE, 0, &scalable);
         FcPatternGetBool(p, FC_COLOR, 0, &colour);
         FcPatternGetInteger(p, FC_INDEX, 0, &index);
-        const int instance = index >> 16;  // the places of a variable font are reached through the font itself
+        const int instance = index >> 16;  // the variable font itself gives access to its instances
         return scalable != FcFalse && colour == FcFalse && (instance == 0 || instance == 0x8000);
     }
 
@@ -135,7 +135,7 @@ private:
             if (font)
                 opened.emplace(std::move(*font));
             else if (font.error() == error::out_of_memory)
-                return font.error();  // the next time it may be opened
+                return font.error();  // the next attempt may open it
         }
         auto* made = new (std::nothrow) opened_font{p, std::move(opened), opened_};
         if (made == nullptr) return error::out_of_memory;
@@ -167,7 +167,7 @@ private:
         return orders_ = made;
     }
 
-    /// The language as fontconfig writes it; where none is given, one that the script is written for.
+    /// The language in fontconfig's notation; if none is given, a language that uses the script.
     static void write_language(std::uint32_t script, std::string_view language, char (&out)[24]) noexcept
     {
         struct script_language {

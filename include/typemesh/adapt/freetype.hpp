@@ -25,24 +25,24 @@
 namespace typemesh::inline TYPEMESH_ABI {
 
 /// A font through FreeType (2.9 or later): outlines of every format that FreeType opens (TrueType, CFF, CFF2, Type 1,
-/// ...), and a plain shaper: character map, advances and kerning, for text that needs no more.
+/// ...), and a plain shaper for simple text: character map, advances and kerning.
 ///
 ///     auto font = freetype_font::open("NimbusSans-Regular.t1");
 ///     if (!font) return puts(font.error().message());
 ///
-/// A Type 1 Multiple Master font for which no variation is given draws as FreeType opens it: with the font's own
-/// weights of its masters (/WeightVector), its default. The default design coordinates that FreeType reports come as
-/// close to those weights as axes can; axes that are not named take them as soon as another one is set.
+/// A Type 1 Multiple Master font without a given variation draws as FreeType opens it: with the font's own weights of
+/// its masters (/WeightVector), its default. FreeType's default design coordinates approximate those weights as closely
+/// as axes can. Axes that are not named get these coordinates as soon as another axis is set.
 ///
-/// The shaper cannot set complex scripts and says so (error::needs_shaping). It has no ligatures, no features but
-/// "kern", and reads only the old 'kern' table: modern fonts keep their kerning in GPOS, where HarfBuzz finds it.
+/// The shaper cannot set complex scripts and reports this (error::needs_shaping). It has no ligatures, no features
+/// except "kern", and reads only the old 'kern' table. Modern fonts keep their kerning in GPOS, which HarfBuzz reads.
 ///
 /// Move-only. The font and its FT_Library are used by one thread at a time.
 class freetype_font {
 public:
-    /// Opens a font file. Without a `library` the font makes one of its own; the caller's must outlive the font.
+    /// Opens a font file. Without a `library`, the font makes its own; the caller's library must outlive the font.
     ///
-    /// Fails  error::unreadable_file, not_a_font, no_such_face (count = how many faces there are), no_outlines,
+    /// Fails  error::unreadable_file, not_a_font, no_such_face (count = the number of faces), no_outlines,
     ///        unknown_variation, bad_option (a variation is NaN or infinite), out_of_memory,
     ///        font_library_failed (count = FreeType's own number)
     static result<freetype_font> open(const char* path, const font_options& options = {},
@@ -54,7 +54,7 @@ public:
         from.pathname = const_cast<char*>(path);  // FreeType only reads it
         return open_face(from, options, library);
     }
-    /// The same for a std::string, or what else has a c_str().
+    /// The same for a std::string, or any other type with a c_str().
     template <class Path>
         requires requires(const Path& path) { static_cast<const char*>(path.c_str()); }
     static result<freetype_font> open(const Path& path, const font_options& options = {},
@@ -64,7 +64,7 @@ public:
     }
 
     /// Opens a font in memory. Nothing is copied: the bytes must outlive the font. Fails as the other open() does,
-    /// except for unreadable_file; error::too_large for more bytes than FreeType can count.
+    /// except for unreadable_file; error::too_large if there are more bytes than FreeType can count.
     static result<freetype_font> open(std::span<const std::byte> bytes, const font_options& options = {},
                                       FT_Library library = nullptr) noexcept
     {
@@ -78,8 +78,8 @@ public:
     }
 
     /// Wraps a face that the caller has opened, with its variations and its character map. Holds a reference to the
-    /// face; the face's library must outlive the font. Its own size object is active only during calls: the caller's
-    /// size, transform and character map stay as they are; the contents of the glyph slot do not.
+    /// face; the face's library must outlive the font. The font's own size object is active only during calls. The
+    /// caller's size, transform and character map do not change; the contents of the glyph slot do.
     ///
     /// Fails  error::no_outlines, out_of_memory, font_library_failed
     static result<freetype_font> wrap(FT_Face face) noexcept
@@ -116,7 +116,7 @@ public:
     [[nodiscard]] double units_per_em() const noexcept { return face_->units_per_EM; }
     [[nodiscard]] fill_rule fill() const noexcept { return fill_rule::non_zero; }
 
-    /// How many glyphs the face has; their ids count from 0.
+    /// The number of glyphs in the face; their ids count from 0.
     [[nodiscard]] std::uint32_t glyph_count() const noexcept { return static_cast<std::uint32_t>(face_->num_glyphs); }
 
     /// See variation_key.hpp. Covers the font (by the checksum in its 'head' table, its number of glyphs and its face
@@ -131,7 +131,7 @@ public:
         if (!FT_HAS_MULTIPLE_MASTERS(face_) || FT_Get_Var_Blend_Coordinates(face_, 64, axes)) return key;
         for (const FT_Fixed axis : axes) key = mixed_key(key, static_cast<std::uint64_t>(axis));
 #if FREETYPE_MAJOR * 100 + FREETYPE_MINOR >= 210
-        FT_Fixed weights[16] = {};  // Type 1 fonts are opened with weights of their masters that no axes need yield
+        FT_Fixed weights[16] = {};  // Type 1 fonts open with master weights that axes may be unable to produce
         FT_UInt masters = 16;
         if (FT_Get_MM_WeightVector(face_, &masters, weights)) return key;
         for (const FT_Fixed weight : weights) key = mixed_key(key, static_cast<std::uint64_t>(weight));
@@ -142,10 +142,10 @@ public:
     /// See outline_source. Curves keep their degree: quadratics from TrueType, cubics from CFF and Type 1. Never
     /// hinted.
     ///
-    /// Glyphs are loaded at a size where FreeType's 26.6 fixed point is 1/64 unit: FT_LOAD_NO_SCALE would round varied
-    /// and transformed (composite) points to whole units. FreeType (2.12) itself still rounds twice where HarfBuzz does
-    /// not: CFF outlines with fractions are rounded down to whole units, and so are the positions of a varied glyph's
-    /// components.
+    /// Glyphs are loaded at a size where FreeType's 26.6 fixed point is 1/64 unit, because FT_LOAD_NO_SCALE would round
+    /// varied and transformed (composite) points to whole units. FreeType (2.12) itself still rounds in two cases where
+    /// HarfBuzz does not: CFF outlines with fractions and the positions of a varied glyph's components are rounded down
+    /// to whole units.
     template <outline_sink Sink>
     error outline(glyph_id id, Sink& sink) noexcept
     {
@@ -173,9 +173,9 @@ public:
         return {ascender, descender, face_->height - (ascender - descender)};
     }
 
-    /// See shaper; for left-to-right lines of plain text (plain_text.hpp) only. Ligatures, language and script are
-    /// ignored, and so are features except {"kern", 0}, which turns kerning off; of several the last one counts.
-    /// Default-ignorable characters give no glyph.
+    /// See shaper. Only for left-to-right lines of plain text (plain_text.hpp). Ligatures, language and script are
+    /// ignored, and so are features except {"kern", 0}, which turns kerning off; the last one counts. Default-ignorable
+    /// characters give no glyph.
     ///
     /// Fails besides  error::needs_shaping: a character of a complex script (`cluster`), or another direction requested
     result<point> shape(text_view text, std::size_t first, std::size_t last, const shape_options& options,
@@ -215,7 +215,7 @@ public:
     }
 
 private:
-    /// Makes our size the face's active one for its lifetime.
+    /// Makes our size the face's active size during this object's lifetime.
     class active_size {
     public:
         active_size(FT_Face face, FT_Size ours) noexcept : callers_{face->size}
@@ -236,7 +236,7 @@ private:
         FT_Size callers_;
     };
 
-    /// One bit more than 26.6, so that the points which TrueType implies half-way between two others are exact.
+    /// One bit more than 26.6, so that TrueType's implied points half-way between two others are exact.
     static constexpr int more_bits = 1;
 
     template <class Sink>
@@ -314,7 +314,7 @@ private:
             made.face_ = nullptr;
             const error e = error_of(code);
             if (options.face == 0 || e == error::unreadable_file || e == error::out_of_memory) return e;
-            // The face index may be what is wrong: with index -1 FreeType counts the faces.
+            // The face index may be the error: with index -1 FreeType counts the faces.
             FT_Face counted = nullptr;
             if (FT_Open_Face(library, &from, -1, &counted)) return e;
             const auto faces = static_cast<std::uint64_t>(counted->num_faces);

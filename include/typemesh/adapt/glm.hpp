@@ -12,13 +12,13 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// The library's vectors as GLM's, for vertex writers: `v.position = to_glm(s.position)`.
+/// The library's vectors as GLM's types, for vertex writers: `v.position = to_glm(s.position)`.
 [[nodiscard]] inline glm::vec2 to_glm(vec2 v) noexcept { return {v.x, v.y}; }
 [[nodiscard]] inline glm::vec3 to_glm(vec3 v) noexcept { return {v.x, v.y, v.z}; }
 [[nodiscard]] inline glm::vec4 to_glm(vec4 v) noexcept { return {v.x, v.y, v.z, v.w}; }
 [[nodiscard]] inline glm::dvec2 to_glm(point p) noexcept { return {p.x, p.y}; }
 
-/// And back, for drawing outlines from GLM's.
+/// The reverse, for drawing outlines from GLM's types.
 [[nodiscard]] inline vec2 from_glm(const glm::vec2& v) noexcept { return {v.x, v.y}; }
 /// The same values as the library's own types.
 [[nodiscard]] inline vec3 from_glm(const glm::vec3& v) noexcept { return {v.x, v.y, v.z}; }
@@ -33,7 +33,7 @@ namespace typemesh::inline TYPEMESH_ABI {
     return m;
 }
 
-/// The frame of a matrix whose columns are where the text runs, stands and faces. Unit vectors at right angles, as in
+/// The frame of a matrix whose columns are `right`, `up` and `toward`. They are unit vectors at right angles, as in
 /// every rotation (glm::mat3_cast of a quaternion); they may mirror. Winding and uv are frame's defaults.
 [[nodiscard]] inline frame frame_from_glm(const glm::mat3& axes) noexcept
 {

@@ -20,9 +20,9 @@
 #include <limits>
 #include <utility>
 
-// HB_LEAN, and HB_TINY with it, imply HB_NO_DRAW unless a configuration header of the project's says otherwise. Visible
-// only where HarfBuzz is built with the same macros as this file; otherwise the linker misses hb_draw_funcs_create and
-// hb_font_draw_glyph.
+// HB_LEAN, and with it HB_TINY, imply HB_NO_DRAW unless a configuration header of the project says otherwise. This is
+// visible only if HarfBuzz is built with the same macros as this file; otherwise the linker misses hb_draw_funcs_create
+// and hb_font_draw_glyph.
 #if defined(HB_NO_DRAW) || \
     ((defined(HB_TINY) || defined(HB_LEAN)) && !defined(HB_CONFIG_OVERRIDE_H) && !defined(HB_CONFIG_OVERRIDE_LAST_H))
 #error \
@@ -37,18 +37,18 @@ namespace typemesh::inline TYPEMESH_ABI {
 ///     auto font = harfbuzz_font::open("DejaVuSans.ttf");
 ///     if (!font) return puts(font.error().message());
 ///
-/// Opens TrueType, OpenType (CFF, CFF2) and collections of them. Variations apply to outlines, advances and kerning
-/// alike. Glyphs that a damaged font cannot draw come out blank: HarfBuzz does not distinguish them from a space.
+/// Opens TrueType, OpenType (CFF, CFF2) and collections of them. Variations apply to outlines, advances and kerning.
+/// Damaged glyphs that HarfBuzz cannot draw are blank: HarfBuzz does not distinguish them from a space.
 ///
-/// Move-only. Used by one thread at a time; for another thread make a second one of the same font, wrap(font.handle()),
-/// which shares all that is large.
+/// Move-only. Used by one thread at a time. For another thread, make a second one of the same font,
+/// wrap(font.handle()), which shares all large data.
 class harfbuzz_font {
     static_assert(HB_VERSION_ATLEAST(4, 0, 0), "typemesh needs HarfBuzz 4.0 or later, for its outlines");
 
 public:
     /// Opens a font file, which must not change while the font lives: HarfBuzz maps it into memory.
     ///
-    /// Fails  error::unreadable_file, not_a_font, no_such_face (count = how many faces there are), no_outlines,
+    /// Fails  error::unreadable_file, not_a_font, no_such_face (count = the number of faces), no_outlines,
     ///        unknown_variation, bad_option (a variation is NaN or infinite), out_of_memory
     static result<harfbuzz_font> open(const char* path, const font_options& options = {}) noexcept
     {
@@ -57,7 +57,7 @@ public:
         if (blob == nullptr) return error::unreadable_file;
         return from_blob(blob, options);
     }
-    /// The same for a std::string, or what else has a c_str().
+    /// The same for a std::string, or any other type with a c_str().
     template <class Path>
         requires requires(const Path& path) { static_cast<const char*>(path.c_str()); }
     static result<harfbuzz_font> open(const Path& path, const font_options& options = {}) noexcept
@@ -65,8 +65,8 @@ public:
         return open(static_cast<const char*>(path.c_str()), options);
     }
 
-    /// Opens a font in memory. Nothing is copied: the bytes must outlive the font and whatever shares its handle().
-    /// Fails as the other open() does, except for unreadable_file; error::too_large for 4 GiB and more.
+    /// Opens a font in memory. Nothing is copied: the bytes must outlive the font and all objects that share its
+    /// handle(). Fails as the other open() does, except for unreadable_file; error::too_large for 4 GiB and more.
     static result<harfbuzz_font> open(std::span<const std::byte> bytes, const font_options& options = {}) noexcept
     {
         if (bytes.size() > (std::numeric_limits<unsigned>::max)()) return error::too_large;
@@ -77,8 +77,8 @@ public:
     }
 
     /// Wraps a font that the caller has set up, of any scale (also one with y down), with its variations and its font
-    /// functions. Holds its own reference and changes nothing in it; when the caller changes it, shape() and outline()
-    /// follow. A coarse scale rounds HarfBuzz's results: 64 times the units per em, or 16.16 numbers, lose nothing.
+    /// functions. Holds its own reference and changes nothing in it. If the caller changes it, shape() and outline()
+    /// follow. A coarse scale rounds HarfBuzz's results; 64 times the units per em, or 16.16 numbers, lose nothing.
     ///
     /// Fails  error::bad_option: its scale is zero
     static result<harfbuzz_font> wrap(hb_font_t* font) noexcept
@@ -108,11 +108,11 @@ public:
     [[nodiscard]] double units_per_em() const noexcept { return units_per_em_; }
     [[nodiscard]] fill_rule fill() const noexcept { return fill_rule::non_zero; }
 
-    /// How many glyphs the face has; their ids count from 0.
+    /// The number of glyphs in the face; their ids count from 0.
     [[nodiscard]] std::uint32_t glyph_count() const noexcept { return glyph_count_; }
 
     /// See variation_key.hpp. Covers the font (by the checksum in its 'head' table, its number of glyphs and its face
-    /// index) and its axes; not what else the caller may change in a wrapped font, such as its slant.
+    /// index) and its axes, but not other changes to a wrapped font, such as its slant.
     [[nodiscard]] std::uint64_t variation_key() const noexcept
     {
         unsigned count = 0;
@@ -139,7 +139,7 @@ public:
         return {};
     }
 
-    /// See shaper. Where the font has no vertical metrics, columns extend half an em to each side.
+    /// See shaper. If the font has no vertical metrics, columns extend half an em to each side.
     [[nodiscard]] line_metrics metrics(direction d) const noexcept
     {
         assert_not_moved();
@@ -153,21 +153,21 @@ public:
     /// See face_metrics.hpp.
     [[nodiscard]] face_metrics suggested_metrics() const noexcept { return detail::read_face_metrics(font_); }
 
-    /// See ligature_carets.hpp; of its only face.
+    /// See ligature_carets.hpp; it has only one face.
     error ligature_carets(std::uint32_t, glyph_id id, bool down, buffer<double>& carets) const noexcept
     {
         return detail::append_ligature_carets(font_, unit_size(), id, down, carets);
     }
 
-    /// See shaper. The text around text[first, last), up to the next line break, is read as context: letters join
+    /// See shaper. The text around text[first, last), up to the next line break, is used as context: letters join
     /// across its ends.
     ///
     /// The line is cut where the script changes, and each piece is shaped for its own script, unless options.script
     /// names one.
     ///
-    /// Lines are set in Unicode's order (UAX #9): see mixed_line.hpp. direction::automatic takes the direction of the
-    /// line's first letter, else of options.script, else left-to-right. In columns what
-    /// options.columns has upright runs down, and all else is turned: see column_runs.hpp.
+    /// Lines are set in Unicode's order (UAX #9): see mixed_line.hpp. direction::automatic is the direction of the
+    /// line's first letter, otherwise of options.script, otherwise left-to-right. In columns, upright characters
+    /// (options.columns) run down, and all others are turned: see column_runs.hpp.
     ///
     /// Fails besides  error::bad_option: options.script is not four letters
     ///                error::bad_feature: a tag is not four printable ASCII characters
@@ -189,9 +189,10 @@ public:
         return shaping_.shape_item(font_, unit_size(), text, item, options, glyphs);
     }
 
-    /// See item_shaper. Cost: that of shaping the character
+    /// See item_shaper. Cost: the shaping of the character
     [[nodiscard]] bool has_vertical_form(char32_t c) noexcept { return shaping_.has_vertical_form(font_, c); }
-    /// See item_shaper: half-way up the font's ideographs, or, if it does not say, between ascender and descender.
+    /// See item_shaper: the middle of the font's ideographs, or, if it does not specify them, of ascender and
+    /// descender.
     [[nodiscard]] double column_middle() const noexcept { return shaping_.column_middle(font_, unit_size()); }
 
 private:
@@ -201,7 +202,7 @@ private:
                         "this font was moved from; meshers that refer to it are to use() the new one");
     }
 
-    /// HarfBuzz's callbacks for one type of sink; the table's address tells which are in use.
+    /// HarfBuzz's callbacks for one type of sink; the table's address identifies the ones in use.
     struct draw_calls {
         hb_draw_move_to_func_t move;
         hb_draw_line_to_func_t line;
@@ -213,7 +214,7 @@ private:
     template <class Sink>
     struct pen {
         Sink& sink;
-        double x_unit, y_unit;  // font units per unit of HarfBuzz's
+        double x_unit, y_unit;  // font units per HarfBuzz unit
 
         static pen& from(void* data) noexcept { return *static_cast<pen*>(data); }
         [[nodiscard]] point place(float x, float y) const noexcept
@@ -246,7 +247,7 @@ private:
     static constexpr draw_calls calls_of{&pen<Sink>::move, &pen<Sink>::line, &pen<Sink>::quadratic, &pen<Sink>::cubic,
                                          &pen<Sink>::close};
 
-    /// Tells fonts apart: any two files, and the faces of one.
+    /// Distinguishes fonts: any two files, and the faces of one file.
     static std::uint64_t fingerprint_of(hb_face_t* face) noexcept
     {
         std::uint64_t key = mixed_key(hb_face_get_index(face), hb_face_get_glyph_count(face));
@@ -309,7 +310,7 @@ private:
         return finished(std::move(made));
     }
 
-    /// A table of the face while it is read; empty if there is none.
+    /// A table of the face, held while it is read; empty if there is none.
     class table {
     public:
         table(hb_face_t* face, const char (&tag)[5]) noexcept
@@ -334,7 +335,7 @@ private:
         unsigned size_ = 0;
     };
 
-    /// Bitmap fonts may have a 'glyf' table as a formality, with nothing but .notdef in it.
+    /// Bitmap fonts may have a 'glyf' table as a formality, which contains only .notdef.
     static bool has_outlines(hb_face_t* face) noexcept
     {
         if (table{face, "CFF "}.size() != 0 || table{face, "CFF2"}.size() != 0) return true;
@@ -364,7 +365,7 @@ private:
         return {};
     }
 
-    /// Font units per unit of HarfBuzz's.
+    /// Font units per HarfBuzz unit.
     [[nodiscard]] point unit_size() const noexcept
     {
         int x = 0, y = 0;
@@ -372,7 +373,7 @@ private:
         return {units_per_em_ / x, units_per_em_ / y};
     }
 
-    /// Callbacks are set again only when the type of sink changes: one indirect call per segment, and no allocation.
+    /// Sets callbacks only when the type of sink changes: one indirect call per segment, and no allocation.
     void draw_with(const draw_calls* calls) noexcept
     {
         if (calls == calls_) return;

@@ -14,11 +14,11 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// unicode_analyser, with ICU's dictionaries for Thai, Lao, Khmer and Burmese: lines may end between their words, too.
+/// unicode_analyser, with ICU's dictionaries for Thai, Lao, Khmer and Burmese: lines may also end between their words.
 /// Only the words of these scripts are ICU's; everything else is the same on every machine, whatever ICU is installed.
 ///
-/// A script whose dictionary this ICU does not have stays in text_analysis::unbroken. Of ICU its C interface is used;
-/// what it allocates comes from its own heap. One analyser is used by one thread at a time.
+/// If this ICU has no dictionary for a script, its text stays in text_analysis::unbroken. ICU's C interface is used,
+/// and it allocates from its own heap. One analyser is used by one thread at a time.
 class icu_analyser {
 public:
     explicit icu_analyser(memory source = heap()) noexcept : unicode_{source} {}
@@ -64,8 +64,8 @@ public:
 private:
     static constexpr std::size_t count = dictionary_script_count;
 
-    /// Opens ICU when it is first needed, and finds out for which scripts it has a dictionary: an ICU cut down to size
-    /// does not fail without one, it finds no words.
+    /// Opens ICU when it is first needed, and finds the scripts for which it has a dictionary. A reduced ICU does not
+    /// fail without a dictionary, but finds no words.
     error open() noexcept
     {
         if (opened_) return {};
@@ -83,7 +83,7 @@ private:
         return {};
     }
 
-    /// Marks where a line may end inside a range. False if ICU fails, which it does for want of memory.
+    /// Marks line breaks inside a range. False if ICU fails, which it does only if out of memory.
     bool mark_words(text_view text, text_range range, std::span<text_mark> marks) noexcept
     {
         UErrorCode status = U_ZERO_ERROR;

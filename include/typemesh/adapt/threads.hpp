@@ -20,15 +20,15 @@ namespace typemesh::inline TYPEMESH_ABI {
 ///     thread_pool pool{4};                    // three threads, and the one that calls run() is the fourth worker
 ///     pool.run(n, [&](std::size_t i, std::size_t worker) noexcept { ... });
 ///
-/// Tasks are handed out one by one in ascending order, each to the next free worker, so tasks of unequal size keep all
-/// workers busy. A thread that is slow to wake up is not waited for: short runs are done by the others. run() allocates
+/// Tasks are distributed one by one in ascending order, each to the next free worker, so tasks of unequal size keep all
+/// workers busy. The pool does not wait for a thread that is slow to wake up: the others do short runs. run() allocates
 /// nothing. Several threads may call it; their runs take turns.
 ///
-/// Where the system gives no more threads, there are fewer workers, as workers() says. In builds without exceptions
-/// std::thread ends the program there instead.
+/// If the system provides no more threads, there are fewer workers, as workers() reports. In builds without exceptions,
+/// std::thread ends the program instead.
 class thread_pool {
 public:
-    /// `workers` = 0 means as many as the machine can run at once.
+    /// `workers` = 0 means the number of threads that the machine can run at once.
     explicit thread_pool(std::size_t workers = 0) noexcept
     {
         if (workers == 0) workers = std::thread::hardware_concurrency();
@@ -89,11 +89,11 @@ private:
             wake_.notify_one();
         work(0);
         std::unique_lock lock{state_};
-        open_ = false;  // threads that have not joined find nothing to do
+        open_ = false;  // threads that have not joined find no work
         done_.wait(lock, [&] { return busy_ == 0; });
     }
 
-    /// What a thread does until the pool ends.
+    /// The loop of a thread until the pool ends.
     void serve(std::size_t worker) noexcept
     {
         std::size_t seen = 0;
@@ -122,7 +122,7 @@ private:
     std::unique_ptr<std::thread[]> threads_;
     std::size_t count_ = 0;
     std::mutex turn_;   // one run at a time
-    std::mutex state_;  // guards all below except next_; task_, call_ and last_ do not change during a run
+    std::mutex state_;  // guards all members below except next_; task_, call_ and last_ do not change during a run
     std::condition_variable wake_;
     std::condition_variable done_;
     const void* task_ = nullptr;
@@ -136,7 +136,7 @@ private:
 };
 static_assert(executor<thread_pool>);
 
-/// A lock for what threads share, such as a glyph cache: std::mutex with noexcept calls.
+/// A lock for data that threads share, such as a glyph cache: std::mutex with noexcept calls.
 class mutex_lock {
 public:
     void lock() noexcept { mutex_.lock(); }  // fails only if its own thread already holds it: never here

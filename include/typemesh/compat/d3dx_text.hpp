@@ -22,25 +22,25 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// The length that measures 1 in the output.
+/// The length that is 1 in the output.
 enum class d3dx_size : std::uint8_t {
     cell_height,  ///< the font's ascender minus its descender, as in D3DXCreateText: about 1.1 to 1.2 em
     em,           ///< the em, as everywhere else in this library
 };
 
-/// The arguments of D3DXCreateText, and options that it never had.
+/// The arguments of D3DXCreateText, and additional options.
 struct d3dx_text_options {
-    double deviation = 0.01;  ///< as Direct3D means it (d3dx_deviation.hpp), in output units; 0: one font unit
+    double deviation = 0.01;  ///< Direct3D's deviation (d3dx_deviation.hpp), in output units; 0: one font unit
     double extrusion = 0.4;   ///< positive, in output units: the text lies between z = 0 and z = -extrusion
     d3dx_size size = d3dx_size::cell_height;
 
-    bool kerning = false;        ///< kern pairs of letters as the font says; Direct3D never does
-    bool ligatures = false;      ///< join letters (fi) where the font does so by default; Direct3D never does
+    bool kerning = false;        ///< kern pairs of letters as the font specifies; Direct3D never does
+    bool ligatures = false;      ///< join letters (fi) if the font does so by default; Direct3D never does
     shape_options shape = {};    ///< direction, language, script, further features
     layout_options layout = {};  ///< alignment, spacing of lines and letters
 
-    texture_box texture_over = texture_box::text;  ///< what texture coordinates span, if the vertex has them
-    bool draw_missing = true;                      ///< draw the font's box for characters that it lacks, as GDI does
+    texture_box texture_over = texture_box::text;  ///< the area that texture coordinates cover, if the vertex has them
+    bool draw_missing = true;                      ///< draw the font's box for missing characters, as GDI does
 };
 
 /// An extruder whose depth can be set: extruded, bevelled.
@@ -67,28 +67,28 @@ concept d3dx_extruder = extruder<E> && requires(E& e) {
 ///      | /                 front faces look clockwise (D3DCULL_CCW draws them), which in these coordinates is
 ///      +------- x          dot(cross(b - a, c - a), normal) > 0
 ///
-/// The first baseline is y = 0, the first pen position x = 0. A line break begins a line (Direct3D draws a box or
-/// nothing). An empty or blank text is an empty mesh, not an error.
+/// The first baseline is y = 0, the first pen position is x = 0. A line break begins a line (Direct3D draws a box or
+/// nothing). An empty or blank text gives an empty mesh, not an error.
 ///
 /// `font` is both shaper and outline source, and must outlive this. A d3dx_text serves one thread at a time; after
-/// warm-up nothing is allocated. With a glyph_cache a letter is meshed once for all texts of its deviation:
+/// warm-up it allocates nothing. With a glyph_cache, a letter is meshed once for all texts with the same deviation:
 ///
 ///     glyph_cache cache;
 ///     d3dx_text maker{font, cached_in{cache, 1}};
 ///
-/// Caps are triangulated by monotone, or by another triangulator. The solid is extruded, or made by another extruder
-/// whose member `depth` is set to the extrusion, and which maps textures onto a box if it has a member `texture`:
+/// Caps are triangulated by monotone, or by another triangulator. The default solid is extruded. Another extruder needs
+/// a member `depth`, which is set to the extrusion; if it has a member `texture`, it maps textures onto a box:
 ///
 ///     auto fair = d3dx_text{font}.with(constrained_delaunay{});
 ///     auto moulded = d3dx_text{font}.with(bevelled{.width = 0.02f, .bevel_depth = 0.03f});
 ///
-/// The width of a bevel is in em, its depth in output units, as the extrusion is.
+/// The width of a bevel is in em. Its depth is in output units, like the extrusion.
 template <d3dx_extruder Solid = extruded<>>
 class d3dx_text {
 public:
     using plan_type = d3dx_text_plan<Solid>;
 
-    /// Options follow the font: a triangulator, an extruder that has a depth, cached_in, and where memory comes from.
+    /// Options follow the font: a triangulator, an extruder that has a depth, cached_in, and the memory source.
     template <class Font, class... Option, detail::takes<Solid, Option...> = 0>
         requires shaper<Font> && outline_source<Font>
     explicit d3dx_text(Font& font, Option... options) noexcept
@@ -118,7 +118,7 @@ public:
         return std::move(*this);
     }
 
-    // The font is referred to: neither a temporary nor a result without its `*` will do.
+    // It refers to the font: neither a temporary nor a result without its `*` is accepted.
     template <class Font, class... Option>
     explicit d3dx_text(const Font&&, Option..., detail::keep_the_font_in_a_variable = {}) = delete;
     template <class Made, class... Option>
@@ -127,12 +127,12 @@ public:
     {
     }
 
-    /// Everything except the writing. Ends the plan before it.
+    /// Everything except the writing. Ends the previous plan.
     ///
     /// Fails  error::bad_tolerance: the deviation is negative, NaN or infinite
     ///        error::bad_option: the extrusion is not a positive 32-bit number (for flat text see extrude/flat.hpp), or
-    ///        what the extruder refuses
-    ///        what text_mesher::plan() fails with
+    ///        the extruder refuses an option
+    ///        any error of text_mesher::plan()
     [[nodiscard]] result<plan_type> plan(text_view text, const d3dx_text_options& options = {}) & noexcept
     {
         const double em_size = em_size_of(options);
@@ -172,8 +172,8 @@ public:
         return refuse_text<Text>();
     }
 
-    /// The style of side normals, to change its options between texts: curve_normals' crease angle is 15 degrees,
-    /// Direct3D's 45.
+    /// The style of side normals, to change its options between texts. The crease angle of curve_normals is 15 degrees,
+    /// Direct3D's is 45.
     [[nodiscard]] auto& normals_policy() noexcept
         requires requires(Solid& e) { e.normals; }
     {
@@ -203,7 +203,7 @@ private:
         return how;
     }
 
-    /// An option, if it is one.
+    /// The option if it is one of this type.
     template <class Option>
     static Option taken(Option option) noexcept
     {

@@ -33,7 +33,7 @@ static_assert(sizeof(d3dx_glyph_metrics) == 24);
 
 /// A text planned by d3dx_text: first its sizes, then its vertices, indices and metrics, as often as wanted.
 ///
-/// Move-only; refers to its d3dx_text as a text_plan does to its mesher.
+/// Move-only. It refers to its d3dx_text as a text_plan refers to its mesher.
 template <extruder Extruder>
 class d3dx_text_plan {
 public:
@@ -42,10 +42,10 @@ public:
     {
     }
 
-    /// Exactly how many vertices and triangles write() will write.
+    /// The exact numbers of vertices and triangles that write() will write.
     [[nodiscard]] mesh_size size() const noexcept { return plan_.size(); }
 
-    /// How many metrics there are: one per unit of the text (16 bits in UTF-16), as in Direct3D.
+    /// The number of metrics: one per unit of the text (16 bits in UTF-16), as in Direct3D.
     [[nodiscard]] std::size_t metrics_size() const noexcept { return text_size_; }
 
     /// The range of the cap at z = -extrusion, which the viewer sees.
@@ -54,7 +54,7 @@ public:
     [[nodiscard]] mesh_range back() const noexcept { return plan_.range(part::front); }
     /// The walls' range.
     [[nodiscard]] mesh_range sides() const noexcept { return plan_.range(part::side); }
-    /// The bevels round the two, of an extruder that makes bevels.
+    /// The bevels around both caps, if the extruder makes bevels.
     [[nodiscard]] mesh_range front_bevel() const noexcept
         requires(part_count_of<Extruder> == 5)
     {
@@ -69,12 +69,12 @@ public:
     /// The text_mesher's own plan: ranges of glyphs, bounds, the shaped text. Its part::front is the cap at z = 0.
     [[nodiscard]] const text_plan<Extruder>& text() const noexcept { return plan_; }
 
-    /// What is not in the mesh, and why.
+    /// The glyphs that are not in the mesh, and why.
     [[nodiscard]] const text_report& report() const noexcept { return plan_.report(); }
 
-    /// Fills two arrays of the caller's: the first size().vertices and size().indices() elements.
+    /// Fills two arrays of the caller: the first size().vertices and size().indices() elements.
     ///
-    /// Fails  error::buffer_too_small (count = how many elements that array needs)
+    /// Fails  error::buffer_too_small (count = the number of elements that the array needs)
     ///        error::index_overflow: 16-bit indices can number 65,535 vertices; use 32-bit ones for more
     /// Nothing is written then.
     template <class Vertex, std::size_t V, class Index, std::size_t I>
@@ -96,9 +96,9 @@ public:
         return refuse_arrays<Vertices>();
     }
 
-    /// One per unit of the text. A character's metrics are at its first unit; what has no glyph of its own (the other
-    /// units of a character, later letters of a ligature, line breaks) gets zeros. A glyph's advance is the step to the
-    /// next glyph, so it includes kerning.
+    /// One per unit of the text. A character's metrics are at its first unit. Units without a glyph of their own get
+    /// zeros: the other units of a character, later letters of a ligature, line breaks. A glyph's advance is the step
+    /// to the next glyph, so it includes kerning.
     ///
     /// Fails  error::buffer_too_small: fewer than metrics_size(), which is `count`; nothing is written then
     result<void> metrics(std::span<d3dx_glyph_metrics> out) const noexcept
@@ -132,7 +132,7 @@ public:
 private:
     [[nodiscard]] float in_output(double font_units) const noexcept { return static_cast<float>(font_units * unit_); }
 
-    /// The box of what is drawn of the run's glyphs [first, last), in font units.
+    /// The box of the drawn part of the run's glyphs [first, last), in font units.
     [[nodiscard]] box ink_of(std::size_t first, std::size_t last) const noexcept
     {
         const auto drawn = plan_.glyphs();
@@ -146,7 +146,7 @@ private:
         return ink;
     }
 
-    /// From the last pen position of a line, which lies `gone` from its first, to the line's end.
+    /// The step from the last pen position of a line to the line's end. `gone` is the step from its first pen position.
     [[nodiscard]] point rest_of(const text_line& line, point gone) const noexcept
     {
         return vertical_ ? point{0.0, -line.advance - gone.y} : point{line.advance - gone.x, 0.0};

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// What most programs use, compiled once for each: link typemesh::compiled. That target adds harfbuzz.cpp, beside this
-// file, to your own sources, to be compiled with your own flags, and defines TYPEMESH_COMPILED, with which
-// <typemesh/typemesh.hpp> includes this file. Without CMake: do both yourself, the definition for all units of a
-// target.
+// The parts that most programs use, compiled once for each program: link typemesh::compiled. That target adds
+// harfbuzz.cpp (beside this file) to your sources, to be compiled with your flags, and defines TYPEMESH_COMPILED, with
+// which <typemesh/typemesh.hpp> includes this file. Without CMake, do both yourself; define the macro for all units of
+// a target.
 //
-// Each policy and solid has a table of what is called once per glyph: the ready ones' are compiled there, whichever are
-// combined. Left to your own units is what depends on your vertices, and policies of your own.
+// Each policy and solid has a table of functions that are called once per glyph. The library's own tables are compiled
+// there, in any combination. Code that depends on your vertices, and your own policies, remains in your own units.
 
 #include <typemesh/adapt/harfbuzz.hpp>
 #include <typemesh/discretise/adaptive_subdivision.hpp>
@@ -41,7 +41,7 @@ extern template struct triangulator_ref::table<constrained_delaunay>;
 
 extern template struct region_step_ref::table<embolden>;
 
-// one_of plans with these; those without caps see whether options are good.
+// one_of plans with these; the overloads without caps check options.
 extern template result<solid_plan> plan_solid(const extruded<>&, const region&, plan_data_of<extruded<>>&,
                                               region_caps&) noexcept;
 extern template result<solid_plan> plan_solid(const extruded<>&, const region&, plan_data_of<extruded<>>&,

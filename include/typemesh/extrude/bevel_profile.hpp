@@ -13,13 +13,13 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// The section of a bevel: a value, which is either points or a curve whose points depend on how large it is drawn.
+/// The section of a bevel, as a value: either points, or a curve whose number of points depends on its size.
 ///
 ///     bevelled{.profile = round_profile(4)}
 ///     bevelled{.profile = {{0, 0}, {0.2f, 0.8f}, {1, 1}}}                 your own points, see profile_points
 ///     bevelled{.profile = sampled_profile([](float t) { return t * t; })}
 ///
-/// One that is not valid (profile_points) is error::bad_option when it is used.
+/// Using an invalid profile (profile_points) gives error::bad_option.
 class bevel_profile {
 public:
     /// One straight slope.
@@ -27,7 +27,7 @@ public:
     bevel_profile(std::initializer_list<profile_point> points) noexcept : points_{points} {}
     bevel_profile(const profile_points& points) noexcept : points_{points} {}
 
-    /// Its points on one glyph; more or fewer by the scale, if it is a curve without a number of steps.
+    /// Its points on one glyph. Their number depends on the scale if the profile is a curve without a number of steps.
     [[nodiscard]] profile_points at(const profile_scale& scale) const noexcept
     {
         if (is_ == kind::points) return points_;
@@ -39,16 +39,16 @@ public:
         return out;
     }
 
-    /// Whether it makes a profile (profile_points), with however many points it is drawn.
+    /// Whether its points are a valid profile (profile_points), however many are drawn.
     [[nodiscard]] bool is_valid() const noexcept
     {
         return at(finest).is_valid() && (is_ != kind::bezier || steps_ != 0 || curve_.is_valid());
     }
 
-    /// A scale that asks for as many points as there can be.
+    /// A scale that requests the largest possible number of points.
     static constexpr profile_scale finest{1.0, 1.0, 0x1p-60};
 
-    /// Two that differ have one key with odds of about 2^-128.
+    /// Two different profiles have the same key with a probability of about 2^-128.
     [[nodiscard]] option_bits cache_key() const noexcept
     {
         option_hash all;
@@ -77,8 +77,8 @@ private:
 /// One straight slope: the default.
 [[nodiscard]] inline bevel_profile chamfer_profile() noexcept { return {}; }
 
-/// A quarter ellipse, convex: it leaves the wall upright and meets the cap level. At most 63 steps; 0: by the text's
-/// tolerance.
+/// A quarter ellipse, convex: it leaves the wall upright and meets the cap level. At most 63 steps; 0: the text's
+/// tolerance sets their number.
 [[nodiscard]] inline bevel_profile round_profile(std::uint32_t steps = 0) noexcept
 {
     return {bevel_profile::kind::round, steps};
@@ -98,7 +98,7 @@ private:
 /// Up to full height at half the width and down again, so that a rim surrounds the cap.
 [[nodiscard]] inline bevel_profile engraved_profile() noexcept { return {{0.0f, 0.0f}, {0.5f, 1.0f}, {1.0f, 0.0f}}; }
 
-/// A cubic with your own control points. At most 63 steps; 0: by the text's tolerance.
+/// A cubic with your own control points. At most 63 steps; 0: the text's tolerance sets their number.
 [[nodiscard]] inline bevel_profile bezier_profile(const bezier_section& curve, std::uint32_t steps = 0) noexcept
 {
     bevel_profile made{bevel_profile::kind::bezier, steps};
@@ -106,8 +106,8 @@ private:
     return made;
 }
 
-/// Your own function: height(t) at `steps` + 1 equal distances, from the wall, where it is to be 0. At most 63 steps;
-/// the points are taken at once, the function is not kept.
+/// Your own function: height(t) at `steps` + 1 equal distances from the wall, where it must be 0. At most 63 steps. The
+/// points are computed at once; the function is not kept.
 template <class Height>
     requires requires(const Height& height) {
         { height(0.0f) } noexcept -> std::convertible_to<float>;
@@ -115,7 +115,7 @@ template <class Height>
 [[nodiscard]] bevel_profile sampled_profile(const Height& height, std::uint32_t steps = 16) noexcept
 {
     profile_points points;
-    for (std::uint32_t i = 0; i <= steps && i <= profile_points::most; ++i) {  // of more points none is valid
+    for (std::uint32_t i = 0; i <= steps && i <= profile_points::most; ++i) {  // more points are not valid
         const float t = i == steps ? 1.0f : static_cast<float>(i) / static_cast<float>(steps);
         points.add({t, height(t)});
     }

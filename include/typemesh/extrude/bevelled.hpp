@@ -32,71 +32,71 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// What a bevel does where a stroke is thinner than twice its width.
+/// The treatment of bevels where a stroke is thinner than twice their width.
 enum class bevel_mode : std::uint8_t {
-    clip,  ///< it closes in a ridge
+    clip,  ///< they close in a ridge
     fit,   ///< the bevels of that glyph become narrower: at most 0.9 times the width at which one of its connected
-           ///< pieces would lose all of its cap; thinner strokes of a piece still close in ridges. A speck, in which
-           ///< no circle of the tolerance has room, may lose its cap (solid_plan::lost_caps) unless all are specks
-    fit_text,  ///< those of the whole text become as narrow as those of its narrowest glyph: it is planned twice. A
-               ///< text_mesher's; to anything else it means fit
+           ///< pieces would lose all of its cap; thinner strokes of a piece still close in ridges. A speck, in which no
+           ///< circle of the tolerance fits, may lose its cap (solid_plan::lost_caps) unless all pieces are specks
+    fit_text,  ///< all bevels of the text become as narrow as in its narrowest glyph: the text is planned twice. Only
+               ///< for text_mesher; otherwise it means fit
 };
 
 /// A front, a back, walls between them, and bevels along the edges of front, back or both: five parts.
 ///
-///            ______         front       z = 0       the bevel is carved in: the depth is that of the whole, front and
+///            ______         front       z = 0       the bevel is carved in: `depth` is the whole depth; front and
 ///          /        \       front_bevel             back stay where they are and become smaller
 ///         |          |      side
 ///          \ ______ /       back_bevel              the profile is drawn from the wall inwards
 ///                           back        z = -depth
 ///
-/// An outward bevel is put on instead: front and back keep their size, and the walls stand outside of the letter.
+/// An outward bevel is added instead: front and back keep their size, and the walls stand outside of the letter.
 ///
-/// A bevel's height over a point depends only on how far the edges had moved when they reached it, so it cannot cut
-/// itself. Where a stroke is thinner than twice the width, its bevels meet in a ridge (bevel_mode).
+/// A bevel's height at a point depends only on how far the edges had moved when they reached the point, so a bevel
+/// cannot cut itself. Where a stroke is thinner than twice the width, its bevels meet in a ridge (bevel_mode).
 ///
 ///     bevelled{.depth = 0.2f, .width = 0.03f, .bevel_depth = 0.03f}
 ///     bevelled{.profile = round_profile(4)}                                bevel_profile.hpp
 ///     bevelled{.profile = {{0, 0}, {0.2f, 0.8f}, {1, 1}}}
 ///
-/// A bevel that is not proven at its width becomes narrower for that glyph (solid_plan::narrowed): bevel_carver.hpp. So
-/// does the plan say of one that had to be less than half as wide to fit.
+/// A bevel that is not proven at its width becomes narrower for that glyph: bevel_carver.hpp. The plan reports this as
+/// solid_plan::narrowed, and also if a bevel had to be less than half as wide to fit.
 ///
-/// Normals are those of the contour's curves (curve_normals), tilted by the profile's slope, and are kept along the way
-/// inwards. Texture coordinates in em mapping: u as on the walls, also kept on the way inwards, v goes on with the
-/// profile's length.
+/// Normals are the normals of the contour's curves (curve_normals), tilted by the profile's slope; they stay constant
+/// on the way inwards. Texture coordinates in em mapping: u equals the walls' u and also stays constant on the way
+/// inwards; v continues with the profile's length.
 ///
-/// Fails  error::bad_option: an option is out of range, the profile is not valid (profile_points), or the bevels
-///        together are deeper than the whole, or as deep with a profile that is at 0 again beyond the wall
+/// Fails  error::bad_option: an option is out of range, the profile is not valid (profile_points), the bevels together
+///        are deeper than the whole, or they are as deep and the profile returns to 0 beyond the wall
 ///        error::too_large: more than 2^24 points, or 2^30 - 1 vertices of a bevel
 ///        error::crossing_contours, too_many_pieces, outline_beyond_grid: the surroundings of an outward bevel are not
 ///        proven, or reach beyond the grid; the glyph is left out
 ///        error::out_of_memory
 struct bevelled {
-    float depth = 0.2f;         ///< of the whole; in em, or in output units: see text_options::depth_in
-    float width = 0.02f;        ///< how far a bevel reaches; always in em, below 2^28 cells, outwards 2^25
-    float bevel_depth = 0.02f;  ///< how deep a bevel is, in the unit of depth
+    float depth = 0.2f;         ///< of the whole solid; in em, or in output units: see text_options::depth_in
+    float width = 0.02f;        ///< the width of a bevel; always in em, below 2^28 cells, outwards 2^25
+    float bevel_depth = 0.02f;  ///< the depth of a bevel, in the unit of depth
     bevel_sides sides = bevel_sides::both;
     bevel_mode mode = bevel_mode::clip;
-    bool outward = false;  ///< bevels are put on, around the letter: it grows, and its caps stay as large as they are
+    bool outward = false;  ///< bevels are added around the letter: it grows, and its caps keep their size
     bevel_joins joins = bevel_joins::round;
     bevel_shading shading = bevel_shading::by_slope;
     float mitre_limit = 2.0f;              ///< at least 1; 0: none
     float crease_degrees = 15.0f;          ///< 0 to 180; along the contour, see curve_normals
-    float profile_crease_degrees = 30.0f;  ///< 0 to 180; across the profile, drawn as wide as it is deep; half of it
-                                           ///< at the wall and at the cap
+    float profile_crease_degrees = 30.0f;  ///< 0 to 180; across the profile, drawn as wide as it is deep; half of it at
+                                           ///< the wall and at the cap
     bool centred = false;                  ///< front at z = depth / 2 and back at -depth / 2
     bool front = true;
     bool back = true;
     bool side = true;
     texture_mapping texture = texture_mapping::em;
     bevel_profile profile = {};
-    float wanted = 0.0f;  ///< the width before refit() has made it less; leave it at 0
+    float wanted = 0.0f;  ///< the width before refit() reduced it; leave it at 0
 
     static constexpr std::size_t part_count = 5;
     using plan_data = bevel_data;
 
-    /// See option_bits. What does not fit beside the two lengths and the switches is hashed to 128 bits.
+    /// See option_bits. Everything except the two lengths and the switches is hashed to 128 bits.
     [[nodiscard]] option_bits cache_key() const noexcept
     {
         option_bits bits{width, std::uint64_t{0}};
@@ -112,7 +112,7 @@ struct bevelled {
         bits.words[1] |= option_bits{mitre_limit}.words[0] << 32;
         option_hash rest;
         rest.add(option_bits{crease_degrees, profile_crease_degrees});
-        rest.add(option_bits{wanted > width ? wanted : 0.0f}.words[0]);  // joins are counted there
+        rest.add(option_bits{wanted > width ? wanted : 0.0f}.words[0]);  // joins are computed for that width
         rest.add_key_of(profile);
         bits.words[2] = rest.first;
         bits.words[3] = rest.second;
@@ -142,7 +142,7 @@ struct bevelled {
             made.narrowed = made.narrowed || is_narrow(reached);
             made.lost_caps = data.swept.lost;
         }
-        // Specks stay at height 0, where bevels that take all the depth leave no thickness.
+        // Specks stay at height 0, where bevels that take the whole depth leave no thickness.
         const bool takes_all = own_heights().rim(true, 0.0f) <= own_heights().rim(false, 0.0f);
         if (mode != bevel_mode::clip && takes_all && data.swept.lost != 0 && filled.corners() != touching::keep)
             made.touching = true;
@@ -153,7 +153,7 @@ struct bevelled {
 
     [[nodiscard]] height_range heights() const noexcept { return {own_heights().low(), own_heights().high()}; }
 
-    /// Those of a planned solid, whose bevels may meet in a ridge before they are as high as they could be.
+    /// The heights of a planned solid: its bevels may meet in a ridge below their full height.
     [[nodiscard]] height_range heights(const solid_with<plan_data>& s) const noexcept
     {
         const bevel_heights own = own_heights();
@@ -162,7 +162,7 @@ struct bevelled {
         return {own.rim(false, top), own.rim(true, top)};
     }
 
-    /// Of bevels those of one side, of caps each that is there.
+    /// The triangles of one side's bevel, and of each cap that is drawn.
     template <class Put>
     void seen_from_front(const solid_with<plan_data>& s, Put&& put) const noexcept
     {
@@ -178,20 +178,20 @@ struct bevelled {
             for (const triangle t : s.triangles) put(s.points[t.a], s.points[t.b], s.points[t.c]);
     }
 
-    /// Of outward bevels that of the walls.
+    /// With outward bevels, the outline of the walls.
     [[nodiscard]] solid_outline outline(const solid_with<plan_data>& s) const noexcept
     {
         if (s.points.empty() || !s.data.of<bevel_rims>()[0].outward) return {s.points, s.starts};
         return {s.data.of<grid_point>(), s.data.of<std::uint32_t>()};
     }
 
-    /// How wide the bevels of a planned solid are, in em: narrower than asked for where they fit, or are narrowed.
+    /// The width of a planned solid's bevels, in em: less than requested if they had to fit or were narrowed.
     [[nodiscard]] float width_of(const solid_with<plan_data>& s) const noexcept
     {
         return s.points.empty() ? 0.0f : s.data.of<bevel_rims>()[0].width;
     }
 
-    /// For bevel_mode::fit_text: takes the width of a solid, if that is narrower.
+    /// For bevel_mode::fit_text: adopts the width of a solid if it is narrower.
     [[nodiscard]] bool refit(const solid_with<plan_data>& s) noexcept
     {
         if (mode != bevel_mode::fit_text || s.points.empty() || !(width_of(s) < width)) return false;
@@ -200,7 +200,7 @@ struct bevelled {
         return true;
     }
 
-    /// As extruded counts them.
+    /// The same count as extruded's.
     [[nodiscard]] std::uint64_t hard_edges(const solid_with<plan_data>& s) const noexcept
     {
         return count_hard(s.data.of<side_point>());
@@ -238,7 +238,7 @@ struct bevelled {
     }
 
 private:
-    /// Whether that is less than half of what is wanted.
+    /// Whether the reached width is less than half of the wanted width.
     [[nodiscard]] bool is_narrow(float reached) const noexcept
     {
         return reached < 0.5f * (wanted > width ? wanted : width);
@@ -260,7 +260,7 @@ private:
         const profile_points points = profile.at(bevel_profile::finest);
         if (!profile.is_valid()) return error::bad("profile");
         const bool takes_all = bevels * as_double(bevel_depth) >= as_double(depth);
-        constexpr float least = 0x1p-20f;  // that 32-bit heights tell from 0
+        constexpr float least = 0x1p-20f;  // the least height that 32-bit floats distinguish from 0
         float h = 0.0f;
         for (const profile_point p : points.view()) {
             if (takes_all && p.t > 0.0f && p.h < least) return error::bad("bevel_depth");  // no thickness there
@@ -294,7 +294,7 @@ private:
         return {};
     }
 
-    /// The same for bevels that are put on: what lies around the region is swept, and the walls stand where that ends.
+    /// The same for outward bevels: the sweep covers the surroundings of the region, and the walls stand where it ends.
     template <cap_maker Caps>
     error plan_outward(const region& filled, profile_scale& scale, plan_data& data, Caps& caps,
                        solid_plan& made) const noexcept
@@ -304,13 +304,13 @@ private:
         data.triangles.clear();
         const auto around = caps.fill(data.triangles);
         if (!around) return around.error();
-        data.around = std::move(caps.loops());  // which exchanges their storage: `around` refers to it still
+        data.around = std::move(caps.loops());  // move exchanges the storage: `around` still refers to it
         const auto doubled = plan_sides(*around, curve_normals{crease_degrees}, texture, data.of<side_point>());
         if (!doubled) return doubled.error();
         const double way = reach / scale.width;
         bevel_carver carve = carver_of(filled, true);
         const auto make = [&](const swept_region&) noexcept {
-            constexpr double slack = 4.0;  // of rounding
+            constexpr double slack = 4.0;  // for rounding
             if (!is_in_reach(data.swept.cap, filled, way * scale.width + slack)) return error{error::crossing_contours};
             leave_frame(data.swept.cap);
             if (filled.corners() != touching::keep) {
@@ -345,7 +345,7 @@ private:
         return {};
     }
 
-    /// Fails  error::crossing_contours: what the sweep leaves is not proven as it is
+    /// Fails  error::crossing_contours: the region that the sweep leaves is not proven
     template <cap_maker Caps>
     error make_cap(plan_data& data, Caps& caps) const noexcept
     {
@@ -355,7 +355,7 @@ private:
         return kept ? error{} : error{error::out_of_memory};
     }
 
-    /// Of outward bevels on both sides there is no such cap, but the walls have an outline.
+    /// Outward bevels on both sides have no such cap, but their walls have an outline.
     static error keep_outline(plan_data& data) noexcept
     {
         const contours& walls = data.swept.cap;
@@ -366,7 +366,7 @@ private:
 
     static constexpr std::uint32_t none = ~std::uint32_t{0};
 
-    /// `frame` is where that of an outward bevel begins, or none.
+    /// `frame` is the first point of an outward bevel's frame, or none.
     error make_bevel(const profile_levels& levels, const region& filled, std::uint32_t frame, plan_data& data,
                      workspace& space) const noexcept
     {

@@ -13,20 +13,20 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// What an extruder's plan() may use: caps of further regions (levels of a bevel, say), triangulated like all others of
-/// the text, and the scratch memory that all stages share.
+/// The resources of an extruder's plan(): caps of further regions (for example levels of a bevel), triangulated like
+/// all others of the text, and the scratch memory that all stages share.
 ///
-///     caps.triangles()     those of the region that is being planned
+///     caps.triangles()     the triangles of the region that is being planned
 ///     caps(region, out)    appends a region's triangles to `out`: indices into its points, as many as its
 ///                          triangle_count(); `out` is unchanged after an error. error::outline_beyond_grid if a
 ///                          point is farther than grid::reach, 2^28 cells, from 0 in x or y
-///     caps.loops()         contours to be filled in, for loops that are no region yet; storage is kept. What lies in
-///                          them is valid until the next call
+///     caps.loops()         contours to be filled in, for loops that are no region yet; storage is kept. The loops
+///                          are valid until the next call
 ///     caps.fill(out)       makes the region that these loops fill by fill_rule::non_zero, with its triangles, as
-///                          above. It refers to loops(), which are unchanged where they bound it already
-///     caps.space()         for scopes of your own, which give back what they took
+///                          above. It refers to loops(), which are unchanged if they already bound it
+///     caps.space()         for scopes of your own, which release their memory at the end
 ///
-/// The library passes one in. Your own are for an extruder's tests, or for calling the stage by itself.
+/// The library supplies one. Write your own for an extruder's tests, or to call the stage by itself.
 template <class C>
 concept cap_maker = requires(C& caps, const region& r, triangle_list& out) {
     { caps.triangles() } noexcept -> std::convertible_to<array_view<const triangle>>;
@@ -36,7 +36,7 @@ concept cap_maker = requires(C& caps, const region& r, triangle_list& out) {
     { caps.space() } noexcept -> std::same_as<workspace&>;
 };
 
-/// A cap_maker for an empty region, which an extruder has to plan before any other.
+/// A cap_maker for an empty region, which an extruder must plan before any other region.
 class no_caps {
 public:
     [[nodiscard]] array_view<const triangle> triangles() const noexcept { return {}; }

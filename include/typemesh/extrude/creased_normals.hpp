@@ -7,13 +7,13 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// 4N + 2H vertices, and 2 for the seam of each contour without a hard point (extruded.hpp): like averaged_normals, but
-/// a point whose two walls' normals differ by more than the crease angle is hard: it is doubled, and each wall keeps
-/// its own normal.
+/// 4N + 2H vertices, and 2 for the seam of each contour without a hard point (extruded.hpp). Like averaged_normals,
+/// except that a point is hard if the normals of its two walls differ by more than the crease angle. A hard point is
+/// doubled, and each wall keeps its own normal.
 ///
-/// It sees only the polygon, whose angles on coarse curves are as large as those of blunt corners: at 30 degrees and
-/// quality `high` it takes about 1 in 200 curve points for a corner, at `normal` 1 in 13. curve_normals does not have
-/// this problem.
+/// This class sees only the polygon, whose angles on coarse curves are as large as the angles of blunt corners. At 30
+/// degrees and quality `high` it mistakes about 1 in 200 curve points for a corner, at `normal` 1 in 13. curve_normals
+/// does not have this problem.
 struct creased_normals {
     static constexpr bool shares_caps = false;
 

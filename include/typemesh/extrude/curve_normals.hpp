@@ -16,18 +16,18 @@ namespace typemesh::inline TYPEMESH_ABI {
 /// 4N + 2H vertices, and 2 for the seam of each contour without a hard point (extruded.hpp): exact normals of the
 /// curves that the walls approximate, however coarse the polygon.
 ///
-///     inside a curve     soft: one normal, the curve's own; at a cusp or where the curve turns back, as at a joint
+///     inside a curve     soft: one normal, the curve's own; a cusp or a reversal of the curve is treated as a joint
 ///     at a joint         hard if the angle between the two curves' tangents exceeds the crease angle: doubled, each
 ///                        wall with its own curve's normal. Otherwise soft, with the normalised sum of the two
 ///     along a line       the line's normal: a wall between two corners is shaded evenly
 ///
-/// A tangent that points against its own edge (the polygon is so coarse that it omits the whole hook there), or that
-/// does not exist (a curve that is a point), is replaced by the edge's direction; a soft normal that would point into
-/// one of its two walls is replaced by the normalised sum of the walls' own. So normals always point out of their
+/// A tangent is replaced by the edge's direction if it points against its own edge (the polygon is so coarse that it
+/// omits a whole hook there), or if it does not exist (the curve is a point). A soft normal that would point into one
+/// of its two walls is replaced by the normalised sum of the walls' own normals. So normals always point out of their
 /// walls.
 ///
-/// No wall longer than 16 tolerances is lit from the side. Where such a normal would be more than 45 degrees off the
-/// wall's own, the wall takes its own, and its point is hard:
+/// No wall longer than 16 tolerances is lit from the side. Where a normal would deviate by more than 45 degrees
+/// from the wall's own normal, the wall uses its own normal, and its point is hard:
 ///
 ///                    ^ the wall's own             The tip of a hairpin inside a curve, narrower than the tolerance.
 ///     n <---- o======|=====================       At the point o the curve runs straight down, so its normal n would
@@ -35,8 +35,8 @@ namespace typemesh::inline TYPEMESH_ABI {
 ///             '--._                               continues around the tip, it is right. The same happens at joints,
 ///                  '---.._____________            soft and hard, where a curve bends at its very end.
 ///
-/// The tolerance is the region's; if it is unknown no wall counts as long. For crease angles of 90 degrees and more
-/// none of this is done: soft joints are then half that angle off by the caller's choice.
+/// The tolerance is the region's; if it is unknown, no wall counts as long. For crease angles of 90 degrees and more,
+/// these corrections are omitted: the caller then accepts soft joints that deviate by half the angle.
 ///
 /// Measured on fonts, all but 0.74 % of the angles at joints are below 8 or above 30 degrees.
 struct curve_normals {
@@ -73,10 +73,10 @@ private:
         [[nodiscard]] point along(std::size_t i) const noexcept { return delta(points[i], points[next(i)]); }
     };
 
-    /// The lighting of a wall where its edge starts or ends.
+    /// The light of a wall at the start or end of its edge.
     struct wall_end {
         point normal;
-        bool leads;  ///< it is the curve's own, less than 45 degrees off the wall's
+        bool leads;  ///< it is the curve's own, less than 45 degrees from the wall's normal
     };
 
     /// The directions of the two edges at a point.
@@ -89,8 +89,8 @@ private:
         grid_point a, b, c;
     };
 
-    /// Whether two directions, of any length, are less than 45 degrees apart, as nearly all are: at 45 degrees the
-    /// cross product is as large as the dot product.
+    /// Whether two directions, of any length, are less than 45 degrees apart, as nearly all are. At 45 degrees the
+    /// cross product equals the dot product.
     static bool is_near(point a, point b) noexcept { return dot(a, b) > std::fabs(cross(a, b)); }
 
     /// Whether one edge continues where the other stopped on its curve.
@@ -112,7 +112,7 @@ private:
             moving_ = 0x1p-40 * longest_leg * longest_leg;
         }
 
-        /// Lights all walls over a contour: where a curve begins, then within it, and so on.
+        /// Computes the light of all walls over a contour: the start of a curve, its interior, the next curve.
         void shine_on(const contour& c, side_point* sides) const noexcept
         {
             point arriving = c.along(c.last);
@@ -129,17 +129,18 @@ private:
         }
 
     private:
-        /// A direction leads clearly if it is less than 45 degrees less half the crease angle off its edge: the sum of
-        /// two such directions that meet softly is then near both edges. The tangent of this angle, with a margin for
-        /// rounding: tan(45 - crease / 2) = cos / (1 + sin). 0 for 90 degrees and more: none does.
+        /// A direction is clear if its angle to its edge is less than 45 degrees minus half the crease angle. Then the
+        /// sum of two such directions that meet softly is near both edges. Returns the tangent of this angle, with a
+        /// margin for rounding: tan(45 - crease / 2) = cos / (1 + sin). It is 0 for 90 degrees and more: no direction
+        /// is clear.
         [[nodiscard]] static double clear_slope(double crease) noexcept
         {
             constexpr double kept = 1.0 - 0x1p-20;
             return crease > 0.0 ? kept * crease / (1.0 + std::sqrt(1.0 - crease * crease)) : 0.0;
         }
 
-        /// The derivative where an edge leaves the end of its curve: a leg of the control polygon. 0 where it starts
-        /// within.
+        /// The derivative where an edge leaves the end of its curve: a leg of the control polygon. 0 if the edge starts
+        /// inside the curve.
         [[nodiscard]] point leaving_leg(const contour_edge& e) const noexcept
         {
             const curve& q = curves_[e.curve];
@@ -147,7 +148,7 @@ private:
             return e.t0 >= 1.0f ? q.p[q.degree - 1] - q.p[q.degree] : point{};
         }
 
-        /// The same where it arrives at one.
+        /// The same where the edge arrives at an end of its curve.
         [[nodiscard]] point arriving_leg(const contour_edge& e) const noexcept
         {
             const curve& q = curves_[e.curve];
@@ -155,15 +156,15 @@ private:
             return e.t1 >= 1.0f ? q.p[q.degree] - q.p[q.degree - 1] : point{};
         }
 
-        /// Joins two walls where one curve ends and the next begins, if both lead clearly: nearly all. Else false, with
-        /// nothing done.
+        /// Joins two walls where one curve ends and the next begins, if both directions are clear, as nearly all are.
+        /// Otherwise it returns false and changes nothing.
         [[nodiscard]] bool meet_at_ends(const contour_edge& stopped, const contour_edge& edge,
                                         const edge_directions& edges, side_point& side) const noexcept
         {
             const point in = arriving_leg(stopped), out = leaving_leg(edge);
             const double out_square = dot(out, out);
             if (!(out_square > moving_) || stopped.curve == edge.curve) return false;
-            if (in == out) {  // as where TrueType implies a point between two controls
+            if (in == out) {  // for example where TrueType implies a point between two controls
                 if (!is_near(out, edges.arriving) || !is_near(out, edges.leaving)) return false;
                 side.before = side.after = rounded(normal_of(out, out_square));
                 return true;
@@ -186,20 +187,20 @@ private:
             return slope_ * dot(direction, edge) > std::fabs(cross(direction, edge));
         }
 
-        /// The unit normal beside a direction, given its squared length.
+        /// The unit normal of a direction, given its squared length.
         [[nodiscard]] static point normal_of(point direction, double square) noexcept
         {
             return (1.0 / std::sqrt(square)) * outward(direction);
         }
 
-        /// Lights the points within edge i's curve, where it goes on evenly: nearly all that lie within one. Returns
-        /// the edge behind the last of them, and its direction in `arriving`.
+        /// Lights the points inside edge i's curve as long as it is smooth there, which covers nearly all points inside
+        /// curves. Returns the edge after the last of them, and its direction in `arriving`.
         std::size_t shine_within(const contour& c, std::size_t i, point& arriving, side_point* sides) const noexcept
         {
             const contour_edge& edge = c.edges[i];
             if (i == c.last || !goes_on(edge, c.edges[i + 1])) return i;
             const curve& q = curves_[edge.curve];
-            if (q.degree == 2) {  // a hodograph's derivative in fewer instructions
+            if (q.degree == 2) {  // the derivative of a hodograph, in fewer instructions
                 const double sign = is_forth(edge) ? 1.0 : -1.0;
                 const point from = sign * (q.p[1] - q.p[0]), to = sign * (q.p[2] - q.p[1]);
                 return shine_along([=](double t) noexcept { return lerp(from, to, t); }, c, i, arriving, sides);
@@ -239,8 +240,8 @@ private:
             return {at_end == is_forth(e) ? both.before : both.after, true};
         }
 
-        /// Joins the walls at point i of a contour, whatever they are: hairpins, spikes, hooks that the polygon leaves
-        /// out, curves that are cut or stop.
+        /// Joins the walls at point i of a contour in all cases: hairpins, spikes, hooks that the polygon omits, curves
+        /// that are cut or stop.
         void meet(const contour& c, std::size_t i, side_point& side) const noexcept
         {
             const corner at_i{c.points[c.previous(i)], c.points[i], c.points[c.next(i)]};
@@ -285,15 +286,15 @@ private:
             return {unit(outward(curve_direction)), leads};
         }
 
-        /// Corrects a curve's direction that is not near its edge's: reverses it if t does not tell in which direction
-        /// the edge runs, and takes the edge's own if the curve leads backwards, or nowhere.
+        /// Corrects a curve's direction that is not near its edge's direction. Reverses it if t does not show in which
+        /// direction the edge runs. Uses the edge's direction if the curve leads backwards, or nowhere.
         [[nodiscard]] static point set_right(const contour_edge& e, point curve_direction, point along) noexcept
         {
             if (same(e.t0, e.t1) && dot(curve_direction, along) < 0.0) curve_direction = -1.0 * curve_direction;
             return dot(curve_direction, along) > 0.0 ? curve_direction : along;
         }
 
-        /// The normal of the wall from a to b, given n: its own if it is long and n more than 45 degrees off.
+        /// The normal of the wall from a to b, given n: its own if it is long and n deviates by more than 45 degrees.
         [[nodiscard]] point lit(point n, grid_point a, grid_point b) const noexcept
         {
             const point own = outward(delta(a, b));
@@ -301,7 +302,7 @@ private:
             return from_the_side ? unit(own) : n;
         }
 
-        /// The single normal of a soft point with two different ones.
+        /// The single normal of a soft point that has two different ones.
         [[nodiscard]] static point soft(const corner& at, point before, point after) noexcept
         {
             const point sum = before + after;
@@ -315,8 +316,8 @@ private:
         double crease_;
         double slope_;  // see clear_slope()
         double
-            moving_;  // squared length from which a derivative surely does not vanish: no leg is longer than the grid
-        double long_square_ = 0x1p62;  // squared length from which a wall is long; no edge has 2^31 cells
+            moving_;  // squared length above which a derivative surely does not vanish: no leg is longer than the grid
+        double long_square_ = 0x1p62;  // squared length above which a wall is long; no edge has 2^31 cells
     };
 };
 static_assert(side_normals<curve_normals>);

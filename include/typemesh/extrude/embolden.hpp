@@ -17,33 +17,33 @@ namespace typemesh::inline TYPEMESH_ABI {
 
 /// Bolder or thinner letters: a step before any solid.
 ///
-///       .-->--.       All edges move outwards by the same distance, so that strokes become twice that wider, and
-///      | ,-->-. |     counters that are narrower close. With a negative distance they move inwards.
+///       .-->--.       All edges move outwards by the same distance. Strokes become wider by twice this distance,
+///      | ,-->-. |     and narrower counters close. With a negative distance, edges move inwards.
 ///      ||     | |
 ///
 ///     text_mesher mesher{font, embolden{.by = 0.02f}, bevelled{.width = 0.01f}};
 ///
-/// Corners stay as sharp as they are drawn, up to the mitre limit. A limit of 4, the default for strokes in SVG, keeps
-/// corners of 29 degrees and more; sharper ones would grow spikes and become round.
+/// Corners stay sharp up to the mitre limit. A limit of 4, the default for strokes in SVG, keeps corners of 29 degrees
+/// and more; sharper corners would grow spikes, so they become round.
 ///
 /// Advances are the layout's: layout_options::letter_spacing of twice the distance keeps the letters' own spacing.
-/// Letters are merged (text_options::merge) where they meet when they have grown. Thinner letters are merged where they
-/// meet as drawn, or where their solid, with outward bevels for example, makes them meet again.
+/// Letters are merged (text_options::merge) where they meet after they have grown. Thinner letters are merged where
+/// they meet as drawn, or where their solid makes them meet again, for example with outward bevels.
 ///
-/// A distance at which the new edges are not proven is halved for that glyph (solid_plan::narrowed). Where corners meet
-/// and grow a spike beyond the limit, that glyph is moved with a limit of 1.5 first.
+/// If the new edges are not proven at a distance, it is halved for that glyph (solid_plan::narrowed). If corners meet
+/// and grow a spike beyond the limit, that glyph is first moved with a limit of 1.5.
 ///
 /// Fails  error::bad_option: `by` is not finite or 2^28 cells or more, the mitre limit is below 1 and not 0
 ///        ("embolden::mitre_limit")
-///        error::nothing_left: the glyph is nowhere as thick as what is taken off
+///        error::nothing_left: the glyph is nowhere thicker than the thickness that is removed
 ///        error::edges_not_moved: at none of these distances are the new edges proven
 ///        error::outline_beyond_grid, error::out_of_memory
 struct embolden {
-    float by = 0.02f;  ///< how far edges move outwards, always in em; negative: inwards
+    float by = 0.02f;  ///< the distance that edges move outwards, always in em; negative: inwards
     bevel_joins joins = bevel_joins::round;
     float mitre_limit = 4.0f;  ///< at least 1; 0: none
 
-    /// The bolder letter and what it is made with.
+    /// The bolder letter, and the working memory for making it.
     struct scratch : inner_region {
         boundary_mover mover;
         buffer<curve> curves;
@@ -85,7 +85,7 @@ struct embolden {
     }
 
 private:
-    /// The region that the letter becomes; without points if nothing is left of it.
+    /// The region that the letter becomes; without points if nothing remains.
     template <cap_maker Caps>
     [[nodiscard]] result<region> move(const region& drawn, double distance, scratch& made, Caps& caps) const noexcept
     {

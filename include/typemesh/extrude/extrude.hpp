@@ -11,8 +11,7 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// Emits a solid's vertices of one part into a sink, with their glyph, cluster, part and style filled in where the sink
-/// wants these.
+/// Emits a solid's vertices of one part into a sink. Adds their glyph, cluster, part and style if the sink wants them.
 template <extruder Extruder, mesh_sink Sink>
 void write_vertices(part p, const solid_of<Extruder>& s, const Extruder& how, const placement& at, Sink& sink) noexcept
 {
@@ -31,7 +30,7 @@ void write_vertices(part p, const solid_of<Extruder>& s, const Extruder& how, co
     }
 }
 
-/// Emits a solid's triangles of one part into a sink, reversed if the frame needs it (see frame::turns_triangles()).
+/// Emits a solid's triangles of one part into a sink, reversed if the frame requires it (frame::turns_triangles()).
 template <extruder Extruder, mesh_sink Sink>
 void write_triangles(part p, const solid_of<Extruder>& s, const Extruder& how, const first_vertices& first, bool turned,
                      Sink& sink) noexcept
@@ -45,7 +44,7 @@ void write_triangles(part p, const solid_of<Extruder>& s, const Extruder& how, c
     }
 }
 
-/// The same, and checks the extruder against its plan() in debug builds: surplus output is not passed on.
+/// The same; in debug builds it also checks the extruder against its plan(): surplus output is discarded.
 template <extruder Extruder, mesh_sink Sink>
 void write_vertices(part p, const planned_solid_of<Extruder>& s, const Extruder& how, const placement& at,
                     Sink& sink) noexcept
@@ -90,9 +89,9 @@ result<void> write_solid(const planned_solid_of<Extruder>& s, const Extruder& ho
 ///     cap      the region's triangles, from any triangulator
 ///     data     the extruder's plan data; its old content is replaced, its storage kept for the next call
 ///
-/// For an extruder that asks for caps: plan_solid(), then write_solid().
+/// If an extruder needs caps, call plan_solid(), then write_solid().
 ///
-/// Fails  error::bad_option, error::out_of_memory, error::too_large, or what else the extruder's plan() returns;
+/// Fails  error::bad_option, error::out_of_memory, error::too_large, or any other error of the extruder's plan();
 ///        nothing is written then. And as write_solid() does
 template <extruder Extruder, mesh_sink Sink>
 result<void> extrude(const region& filled, array_view<const triangle> cap, const Extruder& how, const placement& at,

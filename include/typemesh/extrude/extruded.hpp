@@ -30,14 +30,14 @@ namespace typemesh::inline TYPEMESH_ABI {
 ///      \|         \|                                 is box
 ///       +----------+  back  z = -depth
 ///
-/// A part that is switched off has no vertices and triangles; only shared_normals and cap_normals keep the vertices of
-/// a cap that its walls share.
+/// A part that is switched off has no vertices and no triangles. Only shared_normals and cap_normals keep the vertices
+/// of a cap that its walls share.
 ///
-/// plan() cannot know which attributes a vertex will want: it finds the normals and places the seams in any case (box
-/// mapping has no seams). Writing computes only what is requested.
+/// plan() cannot know which attributes a vertex will want. It always finds the normals and places the seams (box
+/// mapping has no seams). Writing computes only the requested attributes.
 ///
 ///     extruded{}                                     curve_normals, 0.2 em deep, one texture tile per em
-///     extruded<>{.depth = 0.3f}                      the <> is for clang before 17; others do without
+///     extruded<>{.depth = 0.3f}                      only clang before 17 needs the <>
 ///     extruded<shared_normals>{.depth = 0.3f}
 ///     extruded<>{.texture = texture_mapping::box}    one texture over the whole text instead (texture.hpp)
 ///     extruded<creased_normals>{.normals = {.crease_degrees = 20.0f}}
@@ -56,8 +56,8 @@ struct extruded {
     texture_mapping texture = texture_mapping::em;
     Normals normals = {};
 
-    /// See option_bits. Depth matters only for writing, but a depth that plan() refuses must not find what another one
-    /// cached. The normals have three of the numbers.
+    /// See option_bits. Depth matters only for writing, but if plan() refuses a depth, it must not find a result cached
+    /// for another depth. The normals have three of the numbers.
     [[nodiscard]] option_bits cache_key() const noexcept
         requires std::is_empty_v<Normals> || requires(const Normals& n) {
             { n.cache_key() } noexcept;
@@ -73,7 +73,7 @@ struct extruded {
         return bits;
     }
 
-    using plan_data = plan_arrays<side_point>;  ///< one per contour point, if there are walls to be lit
+    using plan_data = plan_arrays<side_point>;  ///< one per contour point, if there are lit walls
 
     [[nodiscard]] result<part_sizes> plan(const region& filled, plan_data& data) const noexcept
     {
@@ -96,7 +96,7 @@ struct extruded {
         return {side || back ? low : front ? high : 0.0, side || front ? high : back ? low : 0.0};
     }
 
-    /// The points whose walls meet hard: they have two pairs of vertices; seams are not counted.
+    /// The number of points whose walls meet hard: each has two pairs of vertices. Seams are not counted.
     [[nodiscard]] std::uint64_t hard_edges(const solid_with<plan_data>& s) const noexcept
     {
         return count_hard(s.data.of<side_point>());
@@ -198,7 +198,7 @@ private:
         }
     }
 
-    /// The normalised sum of two walls' normals and of a cap's, in the text's own axes; cap is its z, or 0 for none.
+    /// The normalised sum of the normals of two walls and a cap, in the text's own axes; cap is its z, or 0 for none.
     static vec3 shared(const side_point& s, float cap) noexcept
     {
         const point before{as_double(s.before.x), as_double(s.before.y)},

@@ -25,13 +25,13 @@ struct height_range {
     double high = 0.0;
 };
 
-/// Loops in the plane, as those of a region: what a solid covers.
+/// Loops in the plane, like a region's loops: the area that a solid covers.
 struct solid_outline {
     array_view<const grid_point> points;
     array_view<const std::uint32_t> starts;
 };
 
-/// The output that the concept `extruder` is checked with.
+/// Output for checking the concept `extruder`.
 struct ignore_surface {
     template <attribute Wants>
     constexpr void operator()(const surface_point<Wants>&) const noexcept
@@ -40,19 +40,19 @@ struct ignore_surface {
     constexpr void operator()(std::uint32_t, std::uint32_t, std::uint32_t) const noexcept {}
 };
 
-/// The output that `has_front_triangles` is checked with.
+/// Output for checking `has_front_triangles`.
 struct ignore_places {
     constexpr void operator()(grid_point, grid_point, grid_point) const noexcept {}
 };
 
-/// How many parts an extruder writes: its part_count, or else three.
+/// The number of parts that an extruder writes: its part_count, or three.
 template <class E>
 inline constexpr std::size_t part_count_of = 3;
 template <class E>
     requires requires { E::part_count; }
 inline constexpr std::size_t part_count_of<E> = E::part_count;
 
-/// Those parts.
+/// The parts that an extruder writes.
 template <class E>
 inline constexpr array_view<const part> parts_of = {all_parts, part_count_of<E>};
 
@@ -60,7 +60,7 @@ inline constexpr array_view<const part> parts_of = {all_parts, part_count_of<E>}
 template <class E>
 using plan_data_of = typename detail::plan_data<E>::type;
 
-/// What an extruder writes from: a solid, with its plan data if it has any.
+/// The input of an extruder's writing: a solid, with its plan data if it has any.
 template <class E>
 using solid_of = solid_with<plan_data_of<E>>;
 /// The same with its plan.
@@ -89,41 +89,42 @@ concept plans_with_caps = requires(const E& e, const region& r, plan_data_of<E>&
 
 /// Makes a solid of a filled region.
 ///
-///     e.plan(region)                   counts exactly what the solid needs of each part: part_sizes; or solid_plan,
-///                                      if in the plane it extends beyond the region's own box, or not as far
-///     e.heights()                      between which heights everything will lie
-///     e.vertices<Wants>(part, s, at, put)      put(surface_point<Wants>) as often as plan() said for that part; glyph,
-///                                      cluster, part and style are not the extruder's business: write_vertices()
-///                                      (extrude.hpp) fills them in. `at` maps points and directions: placement.hpp
-///     e.triangles(part, s, first, put)         put(a, b, c) as often as plan() said: vertex numbers, of any part, each
-///                                      being first[part] + its position in the order in which vertices() emitted it.
-///                                      Counter-clockwise seen from outside in a right-handed frame; mirroring is not
-///                                      the extruder's business.
+///     e.plan(region)                   counts exactly what the solid needs in each part: part_sizes; or solid_plan, if
+///                                      the solid's extent in the plane is larger or smaller than the region's box
+///     e.heights()                      the heights between which everything will lie
+///     e.vertices<Wants>(part, s, at, put)      put(surface_point<Wants>) as often as plan() said for that part. The
+///                                      extruder ignores glyph, cluster, part and style: write_vertices() (extrude.hpp)
+///                                      adds them. `at` maps points and directions: placement.hpp
+///     e.triangles(part, s, first, put)         put(a, b, c) as often as plan() said: vertex numbers, of any part. Each
+///                                      is first[part] + its position in the order in which vertices() emitted it.
+///                                      Counter-clockwise seen from outside in a right-handed frame; the extruder
+///                                      ignores mirroring.
 ///
 /// A simple extruder needs no more. Optional:
 ///
-///     E::plan_data                     what plan() finds out and writing needs, see plan_arrays.hpp: the call is then
+///     E::plan_data                     the results of plan() that writing needs, see plan_arrays.hpp: the call is then
 ///                                      plan(region, data) with `data` empty, and `s` is a solid_with<plan_data>
-///     e.plan(region, data, caps)       instead, to have caps of further regions made while it plans: cap_maker.hpp
+///     e.plan(region, data, caps)       instead, to make caps of further regions while it plans: cap_maker.hpp
 ///     E::part_count                    parts 0 to part_count - 1 instead of front, back and side; at most eight
-///     e.hard_edges(s)                  how many contour points are doubled because their walls meet hard
+///     e.hard_edges(s)                  the number of contour points that are doubled because their walls meet hard
 ///     e.cache_key()                    all options that affect plan(), if there are any: option_bits.hpp
-///     e.heights(s)                     between which heights a planned solid lies, where that may be less
+///     e.heights(s)                     the heights of a planned solid, if its range may be smaller
 ///     e.seen_from_front(s, put)        put(a, b, c) with the grid points of every triangle that is neither upright nor
 ///                                      the mirror image of another, if they are not the region's own
-///     e.outline(s)                     the loops of all that it covers in the plane, if it grows beyond the region:
-///                                      glyphs whose outlines meet are merged
+///     e.outline(s)                     the loops of the whole area that it covers in the plane, if it grows beyond the
+///                                      region: glyphs whose outlines meet are merged
 ///     e.refit(s)                       adapts the options to a planned solid of the text, if all its solids must agree
-///                                      in something; true if that changes an option. When each solid has been asked,
-///                                      and one said so, all are planned again
+///                                      in something; returns whether an option changed. It is called for each solid;
+///                                      if one call returned true, all solids are planned again
 ///
-/// Of several plan() the one with most arguments is called. text_mesher calls it with an empty region first, so that a
-/// text without letters refuses the same options. plan() fails with error::refused_by_user and others that concern the
-/// glyph alone, which is then left out (glyph_builder::concerns_the_glyph_alone), or with error::bad_option for options
-/// out of range, error::too_large, error::out_of_memory, which end the text. The rest cannot fail.
+/// If there are several plan() overloads, the one with most arguments is called. text_mesher calls it with an empty
+/// region first, so that a text without letters refuses the same options. If plan() fails with error::refused_by_user
+/// or another error that concerns only the glyph (glyph_builder::concerns_the_glyph_alone), the glyph is left out.
+/// error::bad_option for options out of range, error::too_large and error::out_of_memory end the text. The other
+/// functions cannot fail.
 ///
-/// Builds with asserts count what is emitted, pass on nothing that was not planned, and report what lies outside of
-/// heights() or the box.
+/// Builds with asserts count the output, discard output that was not planned, and report output outside of heights() or
+/// the box.
 template <class E>
 concept extruder = (detail::plans_by_itself<E> || detail::plans_with_data<E> || detail::plans_with_caps<E>) &&
                    requires(const E& e, const solid_of<E>& s, const placement& at, part p, const first_vertices& first,
@@ -134,13 +135,13 @@ concept extruder = (detail::plans_by_itself<E> || detail::plans_with_data<E> || 
                        requires part_count_of<E> >= 1 && part_count_of<E> <= max_parts;
                    };
 
-/// An extruder that reports how many of a solid's contour points are doubled because their walls meet hard.
+/// An extruder that counts a solid's contour points that are doubled because their walls meet hard.
 template <class E>
 concept has_hard_edges = extruder<E> && requires(const E& e, const solid_of<E>& s) {
     { e.hard_edges(s) } noexcept -> std::convertible_to<std::uint64_t>;
 };
 
-/// An extruder that tells the heights of each solid.
+/// An extruder that reports the heights of each solid.
 template <class E>
 concept has_heights = extruder<E> && requires(const E& e, const solid_of<E>& s) {
     { e.heights(s) } noexcept -> std::same_as<height_range>;
@@ -158,17 +159,17 @@ concept has_outline = extruder<E> && requires(const E& e, const solid_of<E>& s) 
     { e.outline(s) } noexcept -> std::same_as<solid_outline>;
 };
 
-/// An extruder that makes all solids of a text agree.
+/// An extruder that makes all solids of a text agree in something.
 template <class E>
 concept refitting_extruder = extruder<E> && requires(E& e, const solid_of<E>& s) {
     { e.refit(s) } noexcept -> std::same_as<bool>;
 };
 
-/// An extruder that asks for caps.
+/// An extruder that needs caps.
 template <class E>
 concept capping_extruder = extruder<E> && detail::plans_with_caps<E>;
 
-/// Calls an extruder's plan() with the arguments that it takes. `data` is empty.
+/// Calls the extruder's plan() overload. `data` is empty.
 template <extruder E, cap_maker Caps>
 [[nodiscard]] result<solid_plan> plan_solid(const E& how, const region& filled, plan_data_of<E>& data,
                                             Caps& caps) noexcept
@@ -190,7 +191,7 @@ template <extruder E, cap_maker Caps>
     return plan;
 }
 
-/// Between which heights a planned solid lies.
+/// The heights between which a planned solid lies.
 template <extruder E>
 [[nodiscard]] height_range heights_of(const E& how, [[maybe_unused]] const solid_of<E>& s) noexcept
 {
@@ -200,7 +201,7 @@ template <extruder E>
         return how.heights();
 }
 
-/// The option to blame for heights that cannot be written: "depth" of an extruder that has one.
+/// The option that causes heights that cannot be written: "depth" if the extruder has one.
 template <extruder E>
 [[nodiscard]] const char* heights_name_of([[maybe_unused]] const E& how) noexcept
 {
@@ -222,7 +223,7 @@ template <extruder E>
         return has_front_triangles<E>;
 }
 
-/// What seen_from_front() tells of a solid, or else the region's triangles.
+/// The triangles that seen_from_front() reports for a solid, or the region's triangles.
 template <extruder E, class Put>
 void each_seen_from_front(const E& how, const solid_of<E>& s, Put&& put) noexcept
 {
@@ -232,7 +233,7 @@ void each_seen_from_front(const E& how, const solid_of<E>& s, Put&& put) noexcep
         for (const triangle t : s.triangles) put(s.points[t.a], s.points[t.b], s.points[t.c]);
 }
 
-/// Why an extruder refuses its options, or none: what its plan() returns for an empty region.
+/// The error with which an extruder refuses its options, or none: the result of its plan() for an empty region.
 template <extruder E>
 [[nodiscard]] error refused_options(const E& how) noexcept
 {

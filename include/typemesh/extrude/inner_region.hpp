@@ -15,16 +15,16 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// A region made of loops that a step or an extruder has found, with its triangles. Fit for region_step's scratch.
+/// A region made of loops that a step or an extruder has found, with its triangles. Suitable as region_step's scratch.
 ///
-///     inner.loops = ...                loops that bound a region as they are: points, edges with their curves, starts,
+///     inner.loops = ...                loops that already bound a region: points, edges with their curves, starts,
 ///                                      grid, tolerance
 ///     auto filled = inner.fill(caps)   it refers to them; inner.triangles are its cap
 struct inner_region {
-    contours loops;               ///< what bounds it
+    contours loops;               ///< its boundary
     triangle_list triangles;      ///< its cap
-    buffer<curve> parted_curves;  ///< those of loops, if corners have been parted or joined
-    corner_parting parting;       ///< what was done to them
+    buffer<curve> parted_curves;  ///< the curves of loops, if corners were parted or joined
+    corner_parting parting;       ///< the changes to the corners
 
     explicit inner_region(memory source = heap()) noexcept : loops{source}, triangles{source}, parted_curves{source} {}
 
@@ -36,7 +36,7 @@ struct inner_region {
     }
 
     /// Makes the region of `loops`, which refers to them, and its triangles. Where they touch themselves, their corners
-    /// become what `loops` say.
+    /// are treated as `loops` says.
     ///
     /// Fails  as fill_exactly() and corner_parting do
     template <cap_maker Caps>

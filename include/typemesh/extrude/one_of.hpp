@@ -18,11 +18,11 @@ namespace typemesh::inline TYPEMESH_ABI {
 
 namespace detail {
 
-/// The plan data of the chosen solid. Stored as bytes, it takes no more room than that solid's own data.
+/// The plan data of the chosen solid. Stored as bytes, it is as large as that solid's own data.
 template <class... Solids>
 class one_of_data {
 public:
-    /// What the chosen solid reads is looked up when it is written.
+    /// Finds the data of the chosen solid while it is written.
     class view {
         friend class one_of_data;
 
@@ -35,7 +35,7 @@ public:
         }
 
     private:
-        const std::tuple<plan_data_of<Solids>...>* live_ = nullptr;  // or else stored
+        const std::tuple<plan_data_of<Solids>...>* live_ = nullptr;  // or null if stored
         const std::byte* stored_ = nullptr;
     };
 
@@ -97,13 +97,13 @@ private:
 
 }  // namespace detail
 
-/// One of several extruders, chosen while the program runs:
+/// One of several extruders, chosen at run time:
 ///
 ///     text_mesher<one_of<flat, extruded<>, bevelled>> mesher{font};       // flat so far
 ///     mesher.solid() = bevelled{.width = 0.03f};
 ///
-/// It has the parts of all of them; those that the chosen one does not make are empty. The choice is looked at once per
-/// glyph and part, not per vertex. A glyph_cache tells the choices apart.
+/// It has the parts of all its extruders; the parts that the chosen one does not make are empty. The choice is
+/// evaluated once per glyph and part, not per vertex. A glyph_cache distinguishes the choices.
 template <extruder... Solids>
 class one_of {
     static_assert(sizeof...(Solids) != 0, "typemesh: one_of needs a solid to choose");
@@ -116,7 +116,7 @@ public:
     using plan_data = detail::one_of_data<Solids...>;
     using solid = solid_with<plan_data>;
 
-    /// The first one, as it is by default.
+    /// The first extruder, with its default options.
     one_of() noexcept = default;
     template <class Solid>
         requires(times<Solid> == 1)
@@ -124,9 +124,9 @@ public:
     {
     }
 
-    /// Which it is, counted as they are named.
+    /// The index of the chosen extruder in the template arguments.
     [[nodiscard]] std::size_t index() const noexcept { return choice_.index(); }
-    /// The chosen one, to change its options; null if it is of another type.
+    /// The chosen extruder, to change its options; null if it is of another type.
     template <class Solid>
         requires(times<Solid> == 1)
     [[nodiscard]] Solid* get() noexcept
@@ -134,7 +134,7 @@ public:
         return std::get_if<Solid>(&choice_);
     }
 
-    // --- an extruder: see there
+    // --- an extruder: see extruder.hpp
 
     [[nodiscard]] option_bits cache_key() const noexcept
         requires(cacheable_policy<Solids> && ...)
@@ -160,12 +160,12 @@ public:
     {
         return visit([&s](auto at, const auto& how) noexcept { return heights_of(how, of<at>(s)); });
     }
-    /// Of the chosen one's options the one to blame for heights.
+    /// The chosen extruder's option that causes heights that cannot be written.
     [[nodiscard]] const char* heights_name() const noexcept
     {
         return visit([](auto, const auto& how) noexcept { return heights_name_of(how); });
     }
-    /// Whether the chosen one's triangles are not the region's own.
+    /// Whether the triangles of the chosen extruder are not the region's own.
     [[nodiscard]] bool has_own_caps() const noexcept
     {
         return visit([](auto, const auto& how) noexcept { return typemesh::has_own_caps(how); });
@@ -176,7 +176,7 @@ public:
     {
         visit([&](auto at, const auto& how) noexcept { each_seen_from_front(how, of<at>(s), put); });
     }
-    /// The chosen one's, or the region's own.
+    /// The chosen extruder's outline, or the region's.
     [[nodiscard]] solid_outline outline(const solid& s) const noexcept
         requires(has_outline<Solids> || ...)
     {
@@ -187,7 +187,7 @@ public:
                 return solid_outline{s.points, s.starts};
         });
     }
-    /// Of the chosen one; none if it does not count them.
+    /// The chosen extruder's count; 0 if it does not count them.
     [[nodiscard]] std::uint64_t hard_edges(const solid& s) const noexcept
         requires(has_hard_edges<Solids> || ...)
     {
@@ -230,7 +230,7 @@ private:
     {
         return static_cast<std::size_t>(p) < part_count_of<Solid>;
     }
-    /// The solid as the chosen one knows it.
+    /// The solid in the chosen extruder's type.
     template <std::size_t Choice>
     static auto of(const solid& s) noexcept
     {
@@ -238,7 +238,7 @@ private:
         return solid_of<chosen>{s, s.data.template of<Choice>()};
     }
 
-    /// what(the number of the chosen one as a type, the chosen one).
+    /// Calls what(the index of the chosen extruder as a type, the chosen extruder).
     template <std::size_t Choice = 0, class What>
     auto visit(const What& what) const noexcept
     {

@@ -21,10 +21,10 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// Where the ring of a hollow letter lies: within the letter's edges, on both sides of them, or around them.
+/// The place of a hollow letter's ring: inside the letter's edges, on both sides of them, or around them.
 enum class outline_place : std::uint8_t { inner, centre, outer };
 
-/// The extruder of nothing: no letter within the ring.
+/// An extruder with no output: no letter within the ring.
 struct no_letter {
     [[nodiscard]] result<part_sizes> plan(const region&) const noexcept { return part_sizes{}; }
     [[nodiscard]] height_range heights() const noexcept { return {}; }
@@ -39,7 +39,7 @@ struct no_letter {
 };
 static_assert(extruder<no_letter>);
 
-/// The plan data of outlined: the ring's solid, the letter's within it, and where the letter has grown its outline.
+/// The plan data of outlined: the ring's solid, the solid of the letter within it, and the outline if the letter grew.
 template <class Ring, class Letter>
 struct outlined_data {
     using outline_arrays = plan_arrays<grid_point, std::uint32_t>;  ///< points, starts
@@ -72,7 +72,7 @@ struct outlined_data {
 
     [[nodiscard]] std::size_t bytes() const noexcept { return 16 + outline.bytes() + ring.bytes() + letter.bytes(); }
 
-    ///     block   [ where the ring begins, where the letter ][ outline ][ ring ][ letter ]
+    ///     block   [ start of the ring, start of the letter ][ outline ][ ring ][ letter ]
     void copy_to(std::byte* block) const noexcept
     {
         const std::uint64_t of_ring = 16 + outline.bytes(), at[] = {of_ring, of_ring + ring.bytes()};
@@ -90,27 +90,27 @@ struct outlined_data {
     }
 };
 
-/// Hollow letters: a ring along the edges, made into a solid by any other extruder, and within it, if asked for, the
-/// letter, by another one.
+/// Hollow letters: a ring along the edges, made into a solid by any other extruder. Optionally another extruder makes
+/// the letter within the ring.
 ///
 ///      .-->--.       inner     the ring reaches from the letter's edges inwards: the letter keeps its size
-///     | .-<-. |      centre    half of it lies within them, half around
+///     | .-<-. |      centre    half of it lies within the edges, half around them
 ///     | |   | |      outer     it lies around the letter, which grows
 ///     | '->-' |
-///      '--<--'       Where a stroke is thinner than what is taken off, the ring fills it.
+///      '--<--'       Where a stroke is thinner than the thickness that is removed, the ring fills it.
 ///
 ///     outlined<>{.width = 0.02f}
 ///     outlined<extruded<>, extruded<>>{.place = outline_place::outer, .letter = {.depth = 0.1f, .centred = true}}
 ///
-/// The ring's parts come first, then the letter's: with two `extruded` part{0} to part{2} and part{3} to part{5}, with
-/// materials of their own. There may be eight. Edges that both have are the same, point by point, in opposite
-/// directions: nothing gapes between them. Where every edge of the mesh is to have two faces (text_options::corners),
-/// the letter keeps 8 cells away from its ring, and from bridges that join its corners.
+/// The ring's parts come first, then the letter's. With two `extruded` these are part{0} to part{2} and part{3} to
+/// part{5}, with their own materials. At most eight parts are possible. Edges that both have are identical, point by
+/// point, in opposite directions, so there is no gap between them. If every edge of the mesh must have two faces
+/// (text_options::corners), the letter keeps 8 cells away from its ring, and from bridges that join its corners.
 ///
-/// Corners, advances, letters that meet when they have grown, and distances that are not proven are as with
+/// Corners, advances, letters that meet after they have grown, and distances that are not proven are treated as with
 /// `embolden`.
 ///
-/// A ring that grows, by outward bevels for example, would grow into a letter within it, and a letter that grows into
+/// A ring that grows, for example by outward bevels, would grow into a letter within it, and a letter that grows into
 /// its ring: error::bad_option "ring", "letter".
 ///
 /// Fails  error::bad_option: the width is not positive and finite, or on a glyph less than four cells (centre: eight)
@@ -185,7 +185,7 @@ struct outlined {
         return {a.low < b.low ? a.low : b.low, a.high > b.high ? a.high : b.high};
     }
 
-    /// Of the ring, then of the letter.
+    /// The ring's triangles, then the letter's.
     template <class Put>
     void seen_from_front(const solid_with<plan_data>& s, Put&& put) const noexcept
     {
@@ -194,7 +194,7 @@ struct outlined {
         if constexpr (has_letter) each_seen_from_front(letter, s.data.letter, put);
     }
 
-    // What the two extruders tell of the ring and of the letter.
+    // The reports of the two extruders about the ring and the letter.
 
     [[nodiscard]] height_range heights(const solid_with<plan_data>& s) const noexcept
         requires(has_letter || has_heights<Ring>)
@@ -214,7 +214,8 @@ struct outlined {
         return changed;
     }
 
-    /// That of the letter with the ring round it. A ring whose own extruder makes it grow covers what that one says.
+    /// The outline of the letter with the ring around it. If the ring's extruder makes it grow, that extruder's
+    /// outline.
     [[nodiscard]] solid_outline outline(const solid_with<plan_data>& s) const noexcept
     {
         if (s.points.empty()) return {s.points, s.starts};
@@ -226,7 +227,7 @@ struct outlined {
         return {s.data.outline.template of<grid_point>(), s.data.outline.template of<std::uint32_t>()};
     }
 
-    /// As the two extruders count them.
+    /// The sum of the two extruders' counts.
     [[nodiscard]] std::uint64_t hard_edges(const solid_with<plan_data>& s) const noexcept
         requires has_hard_edges<Ring> && (!has_letter || has_hard_edges<Letter>)
     {
@@ -253,8 +254,8 @@ struct outlined {
     }
 
 private:
-    static constexpr double gap = 2.0 * boundary_mover::finest;  // between ring and letter, in cells, where edges are
-                                                                 // to have two faces
+    static constexpr double gap = 2.0 * boundary_mover::finest;  // between ring and letter, in cells, if edges must
+                                                                 // have two faces
 
     template <class E>
     static height_range heights_of(const E& how, const solid_of<E>& s) noexcept
@@ -280,7 +281,7 @@ private:
         return static_cast<part>(static_cast<std::size_t>(p) - ring_parts);
     }
 
-    /// The loops of the ring and those of the letter within it.
+    /// The loops of the ring and of the letter within it.
     template <cap_maker Caps>
     [[nodiscard]] error make_loops(const region& filled, double distance, plan_data& data, Caps& caps) const noexcept
     {
@@ -315,7 +316,7 @@ private:
         region &ring, &letter;
     };
 
-    /// The region of the ring and, if it is drawn, that of the letter within it.
+    /// The region of the ring and, if the letter is drawn, the region of the letter within it.
     template <cap_maker Caps>
     [[nodiscard]] error make_regions(const region& filled, double distance, plan_data& data, Caps& caps,
                                      const both_regions& out) const noexcept

@@ -13,7 +13,7 @@ namespace typemesh::inline TYPEMESH_ABI {
 
 /// One number for each part.
 struct part_counts {
-    std::uint32_t of[max_parts] = {};  ///< by the part as a number
+    std::uint32_t of[max_parts] = {};  ///< indexed by the part's number
 
     [[nodiscard]] constexpr std::uint32_t operator[](part p) const noexcept { return of[number_of(p)]; }
     [[nodiscard]] constexpr std::uint32_t& operator[](part p) noexcept { return of[number_of(p)]; }
@@ -41,7 +41,7 @@ struct part_counts {
         return sum;
     }
 
-    /// Where each part begins when the parts are consecutive, the first at `first`; modulo 2^32.
+    /// The start of each part if the parts are consecutive and the first begins at `first`; modulo 2^32.
     [[nodiscard]] constexpr part_counts starts(std::uint32_t first = 0) const noexcept
     {
         part_counts begin;
@@ -57,7 +57,7 @@ private:
     }
 };
 
-/// How many vertices and triangles a solid has in each part.
+/// The numbers of vertices and triangles of a solid in each part.
 struct part_sizes {
     part_counts vertices;
     part_counts triangles;
@@ -75,10 +75,10 @@ struct part_sizes {
     /// All parts together.
     [[nodiscard]] constexpr mesh_size total() const noexcept { return {vertices.total(), triangles.total()}; }
 
-    /// Where each part begins when the parts are consecutive, from 0.
+    /// The start of each part if the parts are consecutive from 0.
     [[nodiscard]] constexpr part_sizes starts() const noexcept { return {vertices.starts(), triangles.starts()}; }
 
-    /// Where one part lies when the parts are consecutive, from a given position.
+    /// The range of one part if the parts are consecutive from a given position.
     ///
     ///     vertices    [ ... | front | back | side ]       indices likewise; total().fits_32_bits() must hold
     ///                  first ^

@@ -10,8 +10,8 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// Adds all that stands over a box of the plane, in cells, between two heights, in output units, where it is placed.
-/// `around` is not empty; along_axes is frame::is_along_axes().
+/// Adds everything placed over a box of the plane, in cells, between two heights, in output units. `around` is not
+/// empty; along_axes is frame::is_along_axes().
 inline void add_placed(bounds3& all, const box& around, float bottom, float top, const placement& at,
                        bool along_axes) noexcept
 {
@@ -24,8 +24,8 @@ inline void add_placed(bounds3& all, const box& around, float bottom, float top,
             all.add(at.position(at.foot(p), z));
 }
 
-/// The bounding box, where it is placed, of all that stands over a box of the plane, in cells, between two heights.
-/// Exact for frames whose axes are parallel to the coordinate axes, else it may be larger. `around` is not empty.
+/// The bounding box of everything placed over a box of the plane, in cells, between two heights. It is exact for frames
+/// whose axes are parallel to the coordinate axes; otherwise it may be larger. `around` is not empty.
 [[nodiscard]] inline bounds3 placed_bounds(const box& around, height_range heights, const placement& at) noexcept
 {
     const float bottom = at.height(heights.low), top = at.height(heights.high);
@@ -37,8 +37,8 @@ inline void add_placed(bounds3& all, const box& around, float bottom, float top,
 
 namespace detail {
 
-/// The box that an extruder's vertices must lie in, in builds with asserts, whether or not its plan() gave one;
-/// enlarged by what positions computed in another way may be rounded by.
+/// The box in which an extruder's vertices must lie, in builds with asserts, whether or not its plan() supplied one. It
+/// is enlarged by the rounding error of positions that are computed in another way.
 [[nodiscard]] inline bounds3 promised_bounds(box around, array_view<const grid_point> points, height_range heights,
                                              const placement& at) noexcept
 {

@@ -17,7 +17,7 @@ struct solid_point {
     double z = 0.0;  ///< in the unit of the extruder's heights()
 };
 
-/// Where a glyph stands and in which unit it is written: from grid cells to the caller's coordinates.
+/// The place of a glyph and its unit: the map from grid cells to the caller's coordinates.
 ///
 ///     output = frame((cell + pen) * unit_per_cell)        z = depth * unit_per_depth
 ///
@@ -27,12 +27,12 @@ struct solid_point {
 ///     planar_texture, wall_texture    texture coordinates: texture.hpp
 ///     texture_tangent                 and their tangents: texture_tangent.hpp
 ///
-/// Sum and product are computed in double precision and their result is rounded to the 24 bits of a float, by the same
-/// operations everywhere: so equal sums give equal floats. The frame's products are then exact, whether or not a
-/// compiler fuses them with additions (FMA); where its axes are not parallel to the coordinate axes, their sum is
-/// rounded once more.
+/// Sum and product are computed in double precision, and the result is rounded to the 24 bits of a float, by the same
+/// operations everywhere. So equal sums give equal floats. The frame's products are then exact, whether or not a
+/// compiler fuses them with additions (FMA). If the frame's axes are not parallel to the coordinate axes, the sum of
+/// the products is rounded once more.
 struct placement {
-    /// The position of a point of the plane z = 0, in the caller's axes; position() lifts it.
+    /// The position of a point of the plane z = 0, in the caller's axes; position() lifts it to a height.
     struct footprint {
         double x = 0.0;
         double y = 0.0;
@@ -46,13 +46,13 @@ struct placement {
     double em_per_cell = 1.0;     ///< em per cell
     point em_pen = {};            ///< em mapping: the glyph's origin, in cells, relative to the text's own origin
     point texture_pen = {};       ///< box mapping: the glyph's origin, in cells, from the box's lower left corner
-    point texture_per_cell = {};  ///< box mapping: by how much u and v grow per cell; 0 where the box has no extent
+    point texture_per_cell = {};  ///< box mapping: the growth of u and v per cell; 0 where the box has no extent
     typemesh::frame frame = {};
-    glyph_id glyph = no_glyph;        ///< what vertices that want `glyph` carry
+    glyph_id glyph = no_glyph;        ///< the glyph of vertices that want it
     cluster_id cluster = no_cluster;  ///< its position in the caller's text, likewise
-    style_id style = no_style;        ///< that of its look, likewise
+    style_id style = no_style;        ///< the style of its look, likewise
 
-    /// What a grid point's positions at all heights have in common.
+    /// The common part of a grid point's positions at all heights.
     [[nodiscard]] footprint foot(grid_point p) const noexcept { return foot(exact(p)); }
 
     /// The same for a point in double precision, in cells.
@@ -106,7 +106,7 @@ struct placement {
     }
 
 private:
-    /// The result of a cast to float and back, made on the bits: if it saw the casts, -ffast-math would compute the
+    /// The result of a cast to float and back, computed on the bits. If it saw the casts, -ffast-math would compute the
     /// whole position in floats, where FMA does matter, and differently in each loop.
     [[nodiscard]] static double to_24_bits(double v) noexcept
     {

@@ -51,15 +51,15 @@ struct plan_data<E> {
 
 }  // namespace detail
 
-/// What an extruder's plan() leaves for writing: an array of each of several types.
+/// The results of an extruder's plan() that writing needs: one array for each of several types.
 ///
 ///     using plan_data = plan_arrays<side_point, grid_point, triangle>;     in the extruder
 ///     data.of<grid_point>()       in plan(): a buffer, empty at first
-///     s.data.of<grid_point>()     when it writes: a span of what plan() left there
+///     s.data.of<grid_point>()     when it writes: a span of the values that plan() left there
 ///
-/// The arrays are stored with their glyph, in its one block, where they are copied as bytes. So the types are plain
-/// values that refer to nothing outside, with an alignment of at most 8. For two arrays of one type, wrap one of them
-/// in a struct of its own.
+/// The arrays are stored in the glyph's single block, where they are copied as bytes. The types must therefore be plain
+/// values that refer to nothing outside, with an alignment of at most 8. For two arrays of one type, wrap one type in a
+/// struct.
 template <class... Values>
 class plan_arrays : detail::growing_array<Values>... {
     static_assert(sizeof...(Values) != 0, "typemesh: an extruder without plan data has no plan_data at all");
@@ -104,7 +104,7 @@ public:
         return all;
     }
 
-    // --- as bytes: for what stores a glyph
+    // --- as bytes: for the storage of a glyph
 
     /// The number of bytes that copy_to() writes; a multiple of 8.
     [[nodiscard]] std::size_t bytes() const noexcept

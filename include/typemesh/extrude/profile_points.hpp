@@ -14,8 +14,8 @@ namespace typemesh::inline TYPEMESH_ABI {
 /// A point of a bevel's profile: t = distance from the wall as a share of the width, h = height as a share of the
 /// bevel's depth.
 ///
-///     h = 1  ..........______  cap       t never decreases. Where it stays, a riser stands, which is upright; where h
-///                 ,--'                   stays, the bevel is level.
+///     h = 1  ..........______  cap       t never decreases. Where t is constant, the bevel has an upright riser; where
+///                 ,--'                   h is constant, the bevel is level.
 ///               ,'
 ///     h = 0    |'
 ///        wall  |
@@ -51,8 +51,8 @@ public:
 
     [[nodiscard]] constexpr array_view<const profile_point> view() const noexcept { return {at_, count_}; }
 
-    /// Whether they make a profile: from (0, 0) to t = 1, t never decreasing, h between 0 and 1, everything finite, at
-    /// most 64 points.
+    /// Whether the points are a valid profile: from (0, 0) to t = 1, t never decreasing, h between 0 and 1, everything
+    /// finite, at most 64 points.
     [[nodiscard]] bool is_valid() const noexcept
     {
         if (!fits_ || count_ < 2 || !is_zero(at_[0].t) || !is_zero(at_[0].h) || !same(at_[count_ - 1].t, 1.0f))
@@ -72,11 +72,11 @@ private:
     bool fits_ = true;
 };
 
-/// How large a profile is drawn on one glyph, in cells.
+/// The size at which a profile is drawn on one glyph, in cells.
 struct profile_scale {
     double width = 0.0;
     double depth = 0.0;
-    double tolerance = 0.0;  ///< the text's; 0: unknown
+    double tolerance = 0.0;  ///< the text's tolerance; 0: unknown
     bool leans = false;      ///< risers lean by four cells: see profile_levels
 };
 

@@ -13,27 +13,27 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// What a step makes of a region.
+/// The result of a step.
 struct stepped_region {
-    region filled;                         ///< in the scratch, or the drawn one itself
+    region filled;                         ///< in the scratch, or the original region itself
     array_view<const triangle> triangles;  ///< its cap
-    bool grown = false;                    ///< it covers the drawn one: glyphs are merged where they meet as grown,
-                                           ///< and otherwise where they meet as drawn
+    bool grown = false;                    ///< it covers the drawn region: glyphs are merged where they meet as grown;
+                                           ///< otherwise where they meet as drawn
     bool narrowed = false;                 ///< it has changed less than wanted: see solid_plan
     bool touching = false;                 ///< corners touch that should have been parted or joined
-    std::uint32_t corners_moved = 0;       ///< that the step has parted or joined
+    std::uint32_t corners_moved = 0;       ///< corners that the step has parted or joined
 };
 
-/// A step before the solid: makes another region of each glyph's, whatever extruder makes a solid of it then.
+/// A step before the solid: turns each glyph's region into another one, for any extruder.
 ///
-///     S::scratch                       what it works in, made with a memory source; clear() empties it:
-///                                      inner_region.hpp, or what derives from it
-///     s(region, scratch, caps)         the new region, which refers to the scratch, or the same one; never for an
-///                                      empty one. Fails as an extruder's plan() does
-///     s.refused_options()              why it refuses its options, or none
+///     S::scratch                       its working memory, made with a memory source; clear() empties it:
+///                                      inner_region.hpp, or a class derived from it
+///     s(region, scratch, caps)         the new region, which refers to the scratch, or the same one; never called for
+///                                      an empty one. Fails as an extruder's plan() does
+///     s.refused_options()              the error with which it refuses its options, or none
 ///     s.cache_key()                    its options, if there are any: option_bits.hpp
 ///
-/// A simple step gives back the same region where it has nothing to change.
+/// A simple step returns the same region if it has nothing to change.
 template <class S>
 concept region_step = std::constructible_from<typename S::scratch, memory> &&
                       requires(const S& s, const region& r, typename S::scratch& scratch, no_caps& caps) {

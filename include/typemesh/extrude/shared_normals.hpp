@@ -7,9 +7,10 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// 2N vertices: walls share the caps' vertices, whose normal is the normalised sum of the unit normals of the cap and
-/// the two walls that meet there; parts that are switched off do not count. As small as cap_normals; caps look like
-/// cushions, and walls fade from front to back. Texture coordinates are the caps', planar, on the walls as well.
+/// 2N vertices: walls share the caps' vertices. Their normal is the normalised sum of the unit normals of the cap and
+/// the two walls that meet there; parts that are switched off do not count. The mesh is as small as with cap_normals,
+/// but caps look like cushions, and walls fade from front to back. Texture coordinates are the caps', planar, also on
+/// the walls.
 struct shared_normals {
     static constexpr bool shares_caps = true;
 

@@ -7,7 +7,7 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// What an extruder's plan() found out about one contour point, stored so that writing need not compute it again.
+/// The results of an extruder's plan() for one contour point, stored so that writing need not compute them again.
 ///
 ///        wall before        both normals lie in the plane, are of unit length and point away from the interior.
 ///     --------------o       A point that is not doubled has one normal: `before` and `after` are equal
@@ -16,10 +16,10 @@ namespace typemesh::inline TYPEMESH_ABI {
 struct side_point {
     vec2 before;
     vec2 after;
-    float along = 0.0f;    ///< length of the contour from its seam to this point, in cells, or as the texture mapping
-                           ///< counts it; at the seam, for the wall before
+    float along = 0.0f;    ///< length of the contour from its seam to this point, in cells or in the texture mapping's
+                           ///< measure; at the seam, for the wall before
     bool doubled = false;  ///< has a vertex pair for each of its two walls
-    bool seam = false;     ///< `along` starts anew for the wall after, where the mapping says; such a point is doubled
+    bool seam = false;     ///< `along` restarts for the wall after, as the mapping says; the point is doubled
 };
 
 }  // namespace typemesh::inline TYPEMESH_ABI

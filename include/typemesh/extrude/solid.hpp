@@ -10,7 +10,7 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// One planned solid, as an extruder gets it back to write it.
+/// One planned solid, which its extruder receives to write it.
 ///
 ///     points, starts    the region's (region.hpp)
 ///     triangles         its cap, indices into points
@@ -26,22 +26,22 @@ struct solid_with : solid {
     typename Data::view data;
 };
 
-/// What an extruder's plan() says about a solid: its exact sizes, how far it extends in the plane, and what a
-/// text_report should count.
+/// The result of an extruder's plan() for a solid: its exact sizes, its extent in the plane, and the counts for a
+/// text_report.
 ///
-/// The box `around` bounds everything that will be written, in cells. An empty one means: the box of the region's
-/// points.
+/// The box `around` bounds everything that will be written, in cells. If it is empty, the box of the region's points is
+/// used.
 struct solid_plan {
     part_sizes sizes;
     box around = {};
-    bool narrowed = false;            ///< its edges have moved less than wanted, as those farther on were not proven,
-                                      ///< or less than half as far, so that they fit
+    bool narrowed = false;            ///< its edges moved less than wanted because farther edges were not proven, or
+                                      ///< less than half as far in order to fit
     bool touching = false;            ///< corners touch that should have been parted or joined
-    std::uint32_t corners_moved = 0;  ///< that have been parted or joined; see contours::corners
-    std::uint32_t lost_caps = 0;      ///< pieces smaller than a tolerance that have none, though bevels were to fit
+    std::uint32_t corners_moved = 0;  ///< corners that were parted or joined; see contours::corners
+    std::uint32_t lost_caps = 0;      ///< pieces smaller than a tolerance that have no cap in spite of bevel_mode::fit
 };
 
-/// A solid, and what its extruder's plan() said about it.
+/// A solid with the result of its extruder's plan().
 template <class Data>
 struct planned_solid {
     solid_with<Data> form;

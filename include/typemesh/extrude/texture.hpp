@@ -12,7 +12,7 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// Where texture coordinates come from. v grows upwards, or downwards as 1 - v if the frame says uv_origin::top_left.
+/// The source of texture coordinates. v grows upwards, or downwards as 1 - v if the frame says uv_origin::top_left.
 ///
 ///     box           the text's (or line's, or glyph's) box becomes the square [0, 1], for caps and walls alike: walls
 ///                   show the caps' rim, drawn out into lines. For pictures made for one text, and for formats limited
@@ -22,15 +22,15 @@ namespace typemesh::inline TYPEMESH_ABI {
 ///                   walls   u = distance along the contour from its seam, in its own direction; v runs from 1 at the
 ///                           front down to 1 - depth (in em), so that an upright image is upright on a wall whose front
 ///                           edge is its top
-///     cylindrical   as em, but u runs from 0 to 1 once along each contour, as a label goes round a can: a picture that
-///                   closes on itself has no seam on any letter
+///     cylindrical   like em, but u runs from 0 to 1 once along each contour, like a label around a can: a picture
+///                   whose sides match has no seam on any letter
 ///
-/// Each is a small type below, which says where walls have seams, when they are planned, and what u, v and tangent are,
-/// when they are written: wall_mapping. A new one is such a type, its name here and in texture_mappings, and its line
-/// in with_mapping().
+/// Each mapping is a small type below, a wall_mapping. It places the walls' seams when they are planned, and computes
+/// u, v and tangent when they are written. A new mapping needs such a type, its name here and in texture_mappings, and
+/// a line in with_mapping().
 enum class texture_mapping : std::uint8_t { box, em, cylindrical };
 
-/// All of them.
+/// All texture mappings.
 inline constexpr texture_mapping texture_mappings[] = {texture_mapping::box, texture_mapping::em,
                                                        texture_mapping::cylindrical};
 
@@ -56,7 +56,7 @@ public:
                 turned(static_cast<float>((p.y + pen_.y) * per_cell_.y))};
     }
 
-    /// v as it is written, from v growing upwards.
+    /// v as written, from v growing upwards.
     [[nodiscard]] float turned(float v) const noexcept { return base_ + sign_ * v; }
 
 private:
@@ -66,8 +66,8 @@ private:
     float sign_;
 };
 
-/// Texture coordinates of walls, and of all that takes their place, in em mapping: by the distance along the contour,
-/// in cells, and the distance down from its front edge, in the unit of an extruder's heights.
+/// Texture coordinates of walls, and of parts that replace them, in em mapping: from the distance along the contour, in
+/// cells, and the distance down from its front edge, in the unit of an extruder's heights.
 class wall_texture {
 public:
     explicit wall_texture(const placement& at) noexcept
@@ -90,15 +90,15 @@ private:
     double em_per_depth_;
 };
 
-/// What of a wall's or bevel's vertex a mapping needs.
+/// The data of a wall's or bevel's vertex that a mapping needs.
 struct wall_place {
     point at;             ///< in the plane, in cells
     float along;          ///< side_point::along
-    float v;              ///< wall_texture's
+    float v;              ///< from wall_texture
     vec2 outward;         ///< the normal in the plane
-    vec3 normal{};        ///< the whole, in the text's own axes: for bevels alone
+    vec3 normal{};        ///< the whole normal, in the text's own axes: only for bevels
     float facing = 1.0f;  ///< 1 on the front's bevel, -1 on the back's
-    bool upright = true;  ///< a wall's, or a riser's
+    bool upright = true;  ///< on a wall or a riser
 
     /// The same at another v.
     [[nodiscard]] wall_place with_v(float other) const noexcept
@@ -111,19 +111,19 @@ struct wall_place {
 
 // A wall_mapping M:
 //
-//     M::plan(filled, sides)     where contours have seams, when a glyph is planned: changes `along`, `seam` and
-//                                `doubled` of all side_points of a region, which are lit but not measured, and
-//                                returns how many are doubled. measure_sides() does it for lengths.
-//     M::after_seam(along)       `along` of the wall after a seam, from that of the wall before it
-//     M::max_apart(em)          how far apart in `along` corners of a bevel that share a vertex may be; negative: any
-//                                way. em: in cells
+//     M::plan(filled, sides)     places the seams of contours when a glyph is planned: changes `along`, `seam` and
+//                                `doubled` of all side_points of a region (lit but not measured), and
+//                                returns the number of doubled points. measure_sides() does it for lengths.
+//     M::after_seam(along)       `along` of the wall after a seam, from `along` of the wall before it
+//     M::max_apart(em)           the largest difference in `along` between corners of a bevel that share a vertex;
+//                                negative: unlimited. em: in cells
 //     M{at}.uv(place)            when written
 //     M{at}.tangent(axes, place)
 
 namespace detail {
 
-/// Measures lengths along each contour, from its first doubled point; without one its first point is doubled. Returns
-/// how many are doubled then.
+/// Measures lengths along each contour, from its first doubled point. If it has none, its first point becomes doubled.
+/// Returns the number of doubled points after that.
 inline std::uint32_t measure_sides(const region& filled, array_view<side_point> all) noexcept
 {
     const grid_point* points = filled.points().data();
@@ -138,7 +138,8 @@ inline std::uint32_t measure_sides(const region& filled, array_view<side_point> 
         double along = 0.0;
         const auto add_lengths = [&](std::uint32_t from, std::uint32_t to) noexcept {
             for (std::uint32_t i = from; i < to; ++i) {
-                const grid_point a = points[i], b = points[i + 1];  // below 2^28: differences fit, and are cheaper
+                const grid_point a = points[i], b = points[i + 1];  // below 2^28: the differences fit, and integers are
+                                                                    // cheaper
                 along += length({static_cast<double>(b.x - a.x), static_cast<double>(b.y - a.y)});
                 sides[i + 1].along = static_cast<float>(along);
                 doubled += sides[i + 1].doubled;
@@ -235,11 +236,11 @@ private:
     texture_tangent tangents_;
 };
 
-/// Calls `what`, a lambda with a type as its parameter, for a mapping's: once for a part, so that no loop over vertices
-/// asks.
+/// Calls `what`, a lambda with a type parameter, with the type of a mapping: once per part, so that no loop over
+/// vertices has to branch.
 template <class What>
 #if defined(__GNUC__)
-[[gnu::always_inline]]  // else all of a placement is stored for each letter and part: 2 % of a warm short text
+[[gnu::always_inline]]  // otherwise a whole placement is stored for each letter and part: 2 % of a warm short text
 #endif
 inline decltype(auto)
 with_mapping(texture_mapping mapping, What&& what) noexcept

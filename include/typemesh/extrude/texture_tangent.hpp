@@ -17,10 +17,10 @@ namespace typemesh::inline TYPEMESH_ABI {
 ///                     With shared_normals they lean: the tangent is the text's direction without its component along
 ///                     the normal
 ///          walls      u grows along the contour, in its own direction (the interior on the left): a quarter turn from
-///                     the normal, exact wherever the normal is. In box mapping u and v are the same at both ends of a
-///                     wall's height and define no tangent; that of em mapping stands in
+///                     the normal, exact wherever the normal is. In box mapping, u and v are equal at both ends of a
+///                     wall's height and define no tangent; the tangent of em mapping is used instead
 ///
-/// The convention is that of MikkTSpace (M. S. Mikkelsen, "Simulation of Wrinkled Surfaces Revisited", 2008), where
+/// The convention is MikkTSpace's (M. S. Mikkelsen, "Simulation of Wrinkled Surfaces Revisited", 2008):
 /// bitangent = sign * cross(normal, tangent). Engines whose normal maps have "green up" while v grows downwards (glTF,
 /// Godot) need -w.
 class texture_tangent {
@@ -32,7 +32,7 @@ public:
     }
 
     /// On any surface, from the direction in which u grows there: a unit vector perpendicular to the normal, in the
-    /// text's own axes. facing is 1 if v, growing upwards, grows along cross(normal, u), and -1 if against it.
+    /// text's own axes. facing is 1 if upward v grows along cross(normal, u), and -1 if against it.
     template <class Axes>
     [[nodiscard]] vec4 along(const Axes& axes, vec3 u, float facing) const noexcept
     {

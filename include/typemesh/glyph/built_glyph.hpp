@@ -18,21 +18,22 @@ namespace typemesh::inline TYPEMESH_ABI {
 /// The result of building one glyph, while it is still in the builder's scratch memory: see glyph_builder.
 struct glyph_draft {
     solid form;                          ///< all empty for a blank glyph and for a refused one
-    solid_outline drawn;                 ///< the glyph as it is drawn, where a step has changed it; else empty
-    bool merged_as_drawn = false;        ///< whether drawn tells which glyphs are merged with it: see stepped_region
-    solid_plan plan;                     ///< what the extruder will write of it
+    solid_outline drawn;                 ///< the glyph as drawn, if a step has changed it; otherwise empty
+    bool merged_as_drawn = false;        ///< whether `drawn` decides which glyphs are merged with it: see
+                                         ///< stepped_region
+    solid_plan plan;                     ///< the extruder's plan for writing it
     double cells = 512.0;                ///< its grid's cells per font unit
-    error refusal;                       ///< why the glyph cannot be built; none if it can, or is blank
+    error refusal;                       ///< the reason why the glyph cannot be built; none if it can, or is blank
     const plan_scratch* data = nullptr;  ///< the extruder's plan data; null if it has none
 };
 
-/// Everything about one glyph that does not depend on where it stands, in one block of memory, never changed once made.
+/// All data of one glyph that do not depend on its place, in one block of memory that never changes once made.
 ///
 ///     block   [ built_glyph | plan data | points | starts | triangles | drawn points | drawn starts ]
 ///                                                     form() and merged_as_drawn() refer to the rest of it
 ///
-/// A blank glyph has no points, a refused one carries its error: requesting it again costs no more than any other.
-/// Built glyphs may be read from any number of threads.
+/// A blank glyph has no points; a refused glyph carries its error, so requesting it again costs no more than any other
+/// glyph. Any number of threads may read built glyphs.
 class built_glyph {
 public:
     /// The size of the block that a draft needs; its alignment is alignof(built_glyph).
@@ -55,38 +56,38 @@ public:
     built_glyph& operator=(const built_glyph&) = delete;
 
     [[nodiscard]] const solid& form() const noexcept { return form_; }
-    /// The loops of the glyph as it is drawn, where it is these that tell which glyphs are merged with it; else empty.
+    /// The loops of the glyph as drawn, if these decide which glyphs are merged with it; otherwise empty.
     [[nodiscard]] const solid_outline& merged_as_drawn() const noexcept { return drawn_; }
     [[nodiscard]] const part_sizes& sizes() const noexcept { return plan_.sizes; }
 
-    /// As passed back to its extruder, the one that planned it.
+    /// The solid as it is passed back to the extruder that planned it.
     template <extruder Extruder>
     [[nodiscard]] planned_solid_of<Extruder> planned() const noexcept
     {
         return {{form_, plan_data_of<Extruder>::read_from(data())}, plan_};
     }
-    /// Whether its bevel is narrower than asked for: see solid_plan.
+    /// Whether its bevel is narrower than requested: see solid_plan.
     [[nodiscard]] bool is_narrowed() const noexcept { return plan_.narrowed; }
-    /// How many of its corners were parted or joined: see contours::corners.
+    /// The number of its corners that were parted or joined: see contours::corners.
     [[nodiscard]] std::uint32_t corners_moved() const noexcept { return plan_.corners_moved; }
-    /// Whether corners touch that should have been.
+    /// Whether corners touch that should have been parted or joined.
     [[nodiscard]] bool is_touching() const noexcept { return plan_.touching; }
-    /// How many of its pieces have lost their caps: see solid_plan.
+    /// The number of its pieces that have lost their caps: see solid_plan.
     [[nodiscard]] std::uint32_t lost_caps() const noexcept { return plan_.lost_caps; }
     [[nodiscard]] double cells() const noexcept { return cells_; }
     /// The size of the grid's cells, in font units.
     [[nodiscard]] double font_units_per_cell() const noexcept { return font_units_per_cell_; }
 
-    /// The bounding box in the plane of all that is written of it, in cells and in font units. Meaningless without
+    /// The bounding box in the plane of everything that is written, in cells and in font units. Meaningless without
     /// points.
     [[nodiscard]] const box& around() const noexcept { return plan_.around; }
     /// The same in font units.
     [[nodiscard]] const box& ink() const noexcept { return ink_; }
-    /// The bounding box of its points as it is drawn, in cells.
+    /// The bounding box of its points as drawn, in cells.
     [[nodiscard]] grid_point low() const noexcept { return low_; }
     [[nodiscard]] grid_point high() const noexcept { return high_; }
 
-    /// Why it cannot be built, or none.
+    /// The reason why it cannot be built, or none.
     [[nodiscard]] const error& refusal() const noexcept { return refusal_; }
     /// Nothing to draw, and not refused.
     [[nodiscard]] bool is_blank() const noexcept { return form_.points.empty() && !refusal_; }

@@ -29,12 +29,13 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// By which rule a cap_builder fills, and its limits.
+/// The fill rule of a cap_builder, and its limits.
 struct cap_settings {
     fill_rule rule = fill_rule::non_zero;
-    std::uint32_t max_pieces = default_most_pieces;  ///< that contours which cross may be cut into; see resolve()
-    std::uint32_t max_points = default_most_points;  ///< that curves may be flattened into
-    touching corners = touching::keep;               ///< what part() does
+    std::uint32_t max_pieces = default_most_pieces;  ///< the limit of pieces into which crossing contours are cut; see
+                                                     ///< resolve()
+    std::uint32_t max_points = default_most_points;  ///< the limit of points into which curves are flattened
+    touching corners = touching::keep;               ///< the action of part()
 };
 
 /// Makes caps: the region that curves or contours fill, with its triangles. Owns the contours, the order of their
@@ -50,10 +51,10 @@ struct cap_settings {
 ///     caps.loops() = ...;                                                                          // or from here on
 ///     auto filled = caps.fill({fill_rule::even_odd}, monotone{});
 ///
-/// Outlines that are simple, which is nearly all, take one sweep, and those that only touch in points at most two. The
-/// points of an outline that crosses are sorted once for all sweeps (of a round, see refine()). A region is valid until
-/// the next build(), fill(), flatten(), prove() or trim(), or until loops() change; cap() leaves it alone. A builder
-/// serves one thread at a time.
+/// Simple outlines, which are nearly all, take one sweep. Outlines that only touch in points take at most two. The
+/// points of an outline that crosses itself are sorted once for all sweeps (of a round, see refine()). A region is
+/// valid until the next build(), fill(), flatten(), prove() or trim(), or until loops() change; cap() does not change
+/// it. A builder serves one thread at a time.
 class cap_builder {
 public:
     explicit cap_builder(memory source = heap()) noexcept : space_{source}, loops_{source}, triangles_{source} {}
@@ -65,7 +66,7 @@ public:
     ///     cells       the grid, see grid::fitting
     ///
     /// Fails  as discretise(), resolve() and the triangulator do
-    /// Cost   theirs; where chords cross, that of refine()
+    /// Cost   the sum of their costs; refine()'s cost where chords cross
     [[nodiscard]] result<region> build(const outline& curves, double tolerance, const grid& cells,
                                        const cap_settings& how, const cap_policies& with) noexcept
     {
@@ -82,9 +83,10 @@ public:
         return refine(curves, tolerance, cells, how, with);
     }
 
-    /// What becomes of the region that build() made where its corners touch, if loops() say so: see corner_parting.
+    /// The region that build() made, after its touching corners are parted or joined as loops() says: see
+    /// corner_parting.
     ///
-    ///     curves    those that build() had; more may be appended
+    ///     curves    the curves given to build(); more may be appended
     ///
     /// Fails  as corner_parting and the triangulator do
     [[nodiscard]] result<region> part(const region& built, buffer<curve>& curves, const cap_settings& how,
@@ -124,48 +126,48 @@ public:
         return how.flatten(curves, tolerance, cells, loops_, halvings);
     }
 
-    /// Proves that loops() bound a region: as they are, or, if they only touch in points, once relinked there.
+    /// Proves that loops() bound a region: unchanged, or relinked at points in which they only touch.
     ///
     ///     loops -- orient --> prove --------------------------------------> region + triangles
     ///                          + refuses equal points -> link -> prove ------>
     ///
-    /// Fails with error::crossing_contours (the rest is for resolve()) and error::out_of_memory; loops() are then
-    /// reversed at most, and there are no triangles.
+    /// Fails with error::crossing_contours (the rest is for resolve()) and error::out_of_memory. loops() are then at
+    /// most reversed, and there are no triangles.
     template <proving_triangulator Triangulator>
     [[nodiscard]] result<region> prove(const Triangulator& cut) noexcept
     {
         return prove_by(cut);
     }
 
-    /// Triangulates any region, into triangles().
+    /// Triangulates any region; the result is triangles().
     [[nodiscard]] result<void> cap(const region& r, triangulator_ref how) noexcept
     {
         triangles_.clear();
         return cap(r, how, triangles_);
     }
-    /// The same, appended to `out`; triangles() stay. See cut_region().
+    /// The same, but appends to `out`; triangles() stay. See cut_region().
     [[nodiscard]] result<void> cap(const region& r, triangulator_ref how, triangle_list& out) noexcept
     {
         return how.cut(r, space_, out);
     }
 
-    /// The contours: your own, or those of the last outline.
+    /// The contours: your own, or the last outline's.
     [[nodiscard]] contours& loops() noexcept { return loops_; }
     [[nodiscard]] const contours& loops() const noexcept { return loops_; }
 
     /// The triangles of the last cap; none after an error.
     [[nodiscard]] const triangle_list& triangles() const noexcept { return triangles_; }
 
-    /// What refine() did for the last outline.
+    /// The effort of refine() for the last outline.
     [[nodiscard]] const refinement_effort& effort() const noexcept { return effort_; }
 
     /// The scratch memory, for scopes of your own.
     [[nodiscard]] workspace& space() noexcept { return space_; }
 
-    /// Where its memory comes from.
+    /// The source of its memory.
     [[nodiscard]] memory source() const noexcept { return space_.source(); }
 
-    /// Gives all memory back to its source, and with it what was made last.
+    /// Returns all memory to its source, and the last results with it.
     void trim() noexcept
     {
         space_.trim();
@@ -176,7 +178,7 @@ public:
 private:
     [[nodiscard]] result<region> prove_by(triangulator_ref cut) noexcept;
 
-    /// prove(), or, for triangulators that do not prove, nest() and cap().
+    /// prove(), or nest() and cap() for triangulators that do not prove.
     [[nodiscard]] result<region> prove(fill_rule rule, triangulator_ref cut, observer_ref observe) noexcept
     {
         if (cut.proves()) {
@@ -192,7 +194,8 @@ private:
         return nested;
     }
 
-    /// What loops() fill, however they cross, with its triangles; a region without points if the filter rejects one.
+    /// The region that loops() fill, however they cross, with its triangles; a region without points if the filter
+    /// rejects one.
     [[nodiscard]] result<region> resolve(const cap_settings& how, triangulator_ref cut, intersection_filter_ref filter,
                                          observer_ref observe) noexcept
     {
@@ -205,13 +208,12 @@ private:
         return made;
     }
 
-    /// Where the chords of two curves cross or touch and the curves do not, or do so more than 4 tolerances away, these
-    /// curves are flattened more finely (see crossing_refinement.hpp), and everything is done again: often the outline
-    /// is then simple.
+    /// Curves are flattened more finely (see crossing_refinement.hpp) if their chords cross or touch, but the curves do
+    /// not, or do so more than 4 tolerances away. Then everything is repeated; often the outline is now simple.
     ///
-    /// Cost   each round as much as the first; there are hardly ever two, and never more than 12. The last one begins
-    ///        when the contours have been cut into more pieces than `max_pieces`, or than four times those of the
-    ///        first round and 2,048. Doubtful intersections are then accepted.
+    /// Cost   each round as much as the first; there are hardly ever two rounds, and never more than 12. The last round
+    ///        begins when the contours have been cut into more than `max_pieces` pieces, or into more than 2,048
+    ///        plus four times the first round's pieces. Doubtful intersections are then accepted.
     [[nodiscard]] result<region> refine(const outline& curves, double tolerance, const grid& cells,
                                         const cap_settings& how, const cap_policies& with) noexcept
     {
@@ -249,7 +251,7 @@ private:
 inline result<region> cap_builder::prove_by(triangulator_ref cut) noexcept
 {
     triangles_.clear();
-    loops_.forget_order();  // it may be of points that the caller has moved
+    loops_.forget_order();  // the order may be of points that the caller has moved
     orient(loops_);
     if (!sort_points(loops_, space_)) return error::out_of_memory;
     auto proven = cut.prove(loops_, space_, triangles_);

@@ -7,7 +7,7 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// What caps are built with: one policy of each kind, and the observer of stages. It refers to them; none is copied.
+/// The policies for building caps: one of each kind, and the observer of stages. It refers to them; none is copied.
 ///
 ///     certified flatten;
 ///     monotone cut;

@@ -22,20 +22,22 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// What a glyph is built with, besides the policies.
+/// The settings for building a glyph, besides the policies.
 struct glyph_settings {
     double tolerance = 0.0;                          ///< the largest distance between curve and mesh, in em
-    std::optional<fill_rule> fill = {};              ///< instead of the outline source's own
-    std::uint32_t max_pieces = default_most_pieces;  ///< that contours which cross may be cut into; see resolve()
-    std::uint32_t max_points = default_most_points;  ///< that curves may be flattened into; and how many curves
-    touching corners = touching::keep;               ///< what becomes of corners that touch
+    std::optional<fill_rule> fill = {};              ///< replaces the outline source's own rule
+    std::uint32_t max_pieces = default_most_pieces;  ///< the limit of pieces into which crossing contours are cut; see
+                                                     ///< resolve()
+    std::uint32_t max_points = default_most_points;  ///< the limit of points into which curves are flattened, and of
+                                                     ///< curves
+    touching corners = touching::keep;               ///< how touching corners are treated
 
-    /// An em of the grid has no more cells, unless corners are kept as they are: a power of two, which goes by how far
-    /// from the origin glyphs are written, so that floats tell neighbouring cells apart.
+    /// The largest number of cells per em in the grid, unless corners are kept: a power of two. It depends on the
+    /// distance from the origin at which glyphs are written, so that floats distinguish neighbouring cells.
     double max_cells = 0x1p40;
 };
 
-/// What a glyph is recorded from: an outline_source, or what else has a record(), as font_ref's faces have.
+/// A source to record a glyph from: an outline_source, or any other type with a record(), like the faces of font_ref.
 template <class F>
 concept recordable = requires(F& font, glyph_id id, outline& out) {
     { font.units_per_em() } noexcept -> std::convertible_to<double>;
@@ -52,10 +54,10 @@ class glyph_builder {
 public:
     explicit glyph_builder(memory source = heap()) noexcept : outline_{source}, caps_{source}, planner_{source} {}
 
-    /// The glyph's draft, which lies in this builder until its next call. A glyph that cannot be built is no failure
-    /// here: its draft is empty and carries the reason.
+    /// The glyph's draft, which is stored in this builder until its next call. A glyph that cannot be built is no
+    /// failure here: its draft is empty and carries the reason.
     ///
-    /// Fails  with what concerns more than the glyph: error::out_of_memory, bad_option, bad_tolerance, too_large
+    /// Fails  with errors that concern more than the glyph: error::out_of_memory, bad_option, bad_tolerance, too_large
     template <recordable Font>
     [[nodiscard]] result<glyph_draft> build(Font& font, glyph_id id, const glyph_settings& how,
                                             const policies& with) noexcept
@@ -83,10 +85,10 @@ public:
         return fill_outline(font.units_per_em(), how, with);
     }
 
-    /// What was done to corners that touch, by the last build_region().
+    /// The changes of the last build_region() to touching corners.
     [[nodiscard]] const corner_parting& parting() const noexcept { return parting_; }
 
-    /// Gives all memory back to its source, and with it what was built last. The next glyph allocates anew.
+    /// Returns all memory to its source, and the last results with it. The next glyph allocates again.
     void trim() noexcept
     {
         caps_.trim();

@@ -14,28 +14,28 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// Protects a cache from being used by two threads at once.
+/// Prevents two threads from using a cache at once.
 template <class L>
 concept cache_lock = requires(L& l) {
     { l.lock() } noexcept;
     { l.unlock() } noexcept;
 };
 
-/// The lock of a cache that only one thread uses. One on std::mutex is in adapt/threads.hpp.
+/// The lock of a cache that only one thread uses. adapt/threads.hpp has one based on std::mutex.
 struct no_lock {
     constexpr void lock() noexcept {}
     constexpr void unlock() noexcept {}
 };
 
-/// What a glyph_cache holds and has been asked for.
+/// The contents and the requests of a glyph_cache.
 struct cache_statistics {
-    std::uint64_t hits = 0;        ///< how often find() succeeded
-    std::uint64_t misses = 0;      ///< how often it did not
-    std::uint64_t evictions = 0;   ///< glyphs removed to keep the bound
+    std::uint64_t hits = 0;        ///< the number of successful find() calls
+    std::uint64_t misses = 0;      ///< the number of unsuccessful find() calls
+    std::uint64_t evictions = 0;   ///< glyphs removed to keep within the bound
     std::size_t entries = 0;       ///< glyphs held, blank and refused ones included
     std::size_t bytes = 0;         ///< of their blocks, in total
     std::size_t pinned = 0;        ///< entries that are pinned
-    std::size_t pinned_bytes = 0;  ///< of those that plans hold at the moment
+    std::size_t pinned_bytes = 0;  ///< the bytes of the pinned entries
 };
 
 /// Keeps built glyphs for the next text that needs them.
@@ -44,14 +44,15 @@ struct cache_statistics {
 ///     auto mesher = text_mesher{font}.with(cached_in{cache, 1});     // 1: your number for this font
 ///
 /// Glyphs are distinguished by id and glyph_context: font, variation, the look's face and map, tolerance, fill rule,
-/// max_pieces, max_points, policies with their options. Blank glyphs and refusals are kept as well, so nothing is
-/// tried twice.
+/// max_pieces, max_points, policies with their options. Blank and refused glyphs are also kept, so nothing is tried
+/// twice.
 ///
-/// What find() and keep() return is pinned: it stays, unchanged and in place, until release(), whatever others do. The
-/// bound applies to all that is not pinned; what was released longest ago goes first. Any number of threads may use the
-/// cache if Lock is a real one; each call is one short critical section, and reading a pinned glyph needs no lock.
+/// The results of find() and keep() are pinned: a pinned glyph stays unchanged and in place until release(), even if
+/// other users evict glyphs. The bound applies to all glyphs that are not pinned; the glyph released longest ago is
+/// evicted first. Any number of threads may use the cache if Lock is a real lock. Each call is one short critical
+/// section; reading a pinned glyph needs no lock.
 ///
-/// Memory   one block per glyph, and the table; used under the lock only. clear() and the destructor give it back.
+/// Memory   one block per glyph, and the table; used only under the lock. clear() and the destructor return it.
 /// Cost     O(1) per call
 template <cache_lock Lock = no_lock>
 class glyph_cache {
@@ -111,7 +112,7 @@ public:
     }
 
     /// Keeps a copy of the draft and returns it, pinned. If another thread was faster, its glyph is returned and
-    /// nothing kept. Null when memory runs out; then nothing has changed.
+    /// nothing is kept. Null if out of memory; then nothing has changed.
     [[nodiscard]] const built_glyph* keep(const glyph_context& context, glyph_id id, const glyph_draft& draft) noexcept
     {
         return keep(context, context.hash(), id, draft);
@@ -139,8 +140,8 @@ public:
         return built_glyph::make(static_cast<std::byte*>(block) + header, draft);
     }
 
-    /// Removes one pin from each of these, which find() or keep() returned; nulls are skipped. They count as just used,
-    /// the last one last.
+    /// Removes one pin from each of these glyphs, which find() or keep() returned; nulls are skipped. They count as
+    /// used now, in this order.
     void release(array_view<const built_glyph* const> glyphs) noexcept
     {
         const locked until_end{lock_};
@@ -159,7 +160,7 @@ public:
         keep_bound();
     }
 
-    /// How many bytes of unpinned glyphs may be held. A smaller bound takes effect at once.
+    /// Sets the bound for the bytes of unpinned glyphs. A smaller bound takes effect at once.
     void set_bound(std::size_t bytes) noexcept
     {
         const locked until_end{lock_};
@@ -167,7 +168,7 @@ public:
         keep_bound();
     }
 
-    /// Gives back all that is not pinned.
+    /// Frees all entries that are not pinned.
     void clear() noexcept
     {
         const locked until_end{lock_};
@@ -175,7 +176,7 @@ public:
         if (numbers_.entries == 0) buckets_ = buffer<entry*>{source_};
     }
 
-    /// What it holds now, and what it has been asked for. Cost: O(1), under the lock
+    /// The present contents, and all requests so far. Cost: O(1), under the lock
     [[nodiscard]] cache_statistics statistics() const noexcept
     {
         const locked until_end{lock_};
@@ -210,7 +211,7 @@ private:
         numbers_.pinned_bytes += e.bytes;
     }
 
-    /// Removes an entry from the list of those that are not pinned.
+    /// Removes an entry from the list of unpinned entries.
     void take_out(entry& e) noexcept
     {
         (e.older != nullptr ? e.older->newer : oldest_) = e.newer;
@@ -234,7 +235,7 @@ private:
         source_.deallocate(source_.user, e, e->bytes, alignment);
     }
 
-    /// Doubles the number of buckets. When memory runs out, chains just grow longer.
+    /// Doubles the number of buckets. If out of memory, chains only grow longer.
     bool grow() noexcept
     {
         const std::size_t wanted = buckets_.empty() ? 256 : 2 * buckets_.size();
@@ -266,13 +267,13 @@ private:
 /// Refers to a glyph_cache with any lock, which must outlive it.
 class cache_ref {
 public:
-    cache_ref() noexcept = default;  ///< to none
+    cache_ref() noexcept = default;  ///< to no cache
     template <cache_lock Lock>
     cache_ref(glyph_cache<Lock>& cache) noexcept : cache_{&cache}, does_{&calls_of<Lock>}
     {
     }
 
-    /// Whether it refers to one; all else needs that.
+    /// Whether it refers to a cache; all other functions require this.
     [[nodiscard]] explicit operator bool() const noexcept { return does_ != nullptr; }
 
     /// See glyph_cache.
@@ -316,14 +317,14 @@ private:
     const calls* does_ = nullptr;
 };
 
-/// What a text_mesher takes to use a cache: the cache, and the caller's number for the font. Fonts of your own that
-/// share a cache need different numbers; the adapters' (all that have variation_key()) are distinguished
-/// automatically, axes included. The cache must outlive the mesher.
+/// The option that makes a text_mesher use a cache: the cache, and the caller's number for the font. Your own fonts
+/// need different numbers if they share a cache. The adapters' fonts (all with variation_key()) are distinguished
+/// automatically, including their axes. The cache must outlive the mesher.
 struct cached_in {
     cache_ref cache;
     std::uint64_t font = 0;
 
-    cached_in() noexcept = default;  ///< in none
+    cached_in() noexcept = default;  ///< in no cache
 
     template <cache_lock Lock>
     cached_in(glyph_cache<Lock>& c, std::uint64_t font_number) noexcept : cache{c}, font{font_number}
@@ -331,7 +332,7 @@ struct cached_in {
     }
 };
 
-/// Says that a mesher is to have no cache.
+/// The option for a mesher without a cache.
 struct no_cache {};
 
 }  // namespace typemesh::inline TYPEMESH_ABI

@@ -12,18 +12,19 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// Everything that a built glyph depends on except its id: two texts may share glyphs exactly if theirs are equal.
+/// Everything on which a built glyph depends, except its id. Two texts may share glyphs exactly if their contexts are
+/// equal.
 struct glyph_context {
     std::uint64_t font = 0;       ///< the caller's number for the font
-    std::uint64_t variation = 0;  ///< what the font itself reports of its variation and face; see variation_of()
+    std::uint64_t variation = 0;  ///< the font's own key for its variation and face; see variation_of()
     std::uint64_t tolerance = 0;  ///< the bits of the double
-    std::uint64_t fill = 0;       ///< 0: the outline source's own rule; else one more than the rule
+    std::uint64_t fill = 0;       ///< 0: the outline source's own rule; otherwise the rule's number plus 1
     std::uint64_t max_pieces = 0;
     std::uint64_t max_points = 0;
-    std::uint64_t corners = 0;  ///< 0: as they are drawn; else which way, and the bits of glyph_settings::max_cells
+    std::uint64_t corners = 0;  ///< 0: as drawn; otherwise the treatment, and the bits of glyph_settings::max_cells
     policy_key discretiser, triangulator, extruder, step;  ///< one for each kind of policy
 
-    /// Whether all policies can be told from others of their types: see cacheable_policy.
+    /// Whether all policies can be distinguished from others of their types: see cacheable_policy.
     [[nodiscard]] bool is_complete() const noexcept
     {
         return discretiser.type != nullptr && triangulator.type != nullptr && extruder.type != nullptr &&
@@ -32,7 +33,7 @@ struct glyph_context {
 
     friend bool operator==(const glyph_context&, const glyph_context&) noexcept = default;
 
-    /// A hash: mostly different for different contexts.
+    /// A hash. It almost always differs if the contexts differ.
     [[nodiscard]] std::uint64_t hash() const noexcept
     {
         std::uint64_t h = 0;

@@ -7,8 +7,8 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// What a glyph is built with: one policy of each kind, the observer of stages, and the step before the solid, if there
-/// is one. It refers to them; none is copied.
+/// The policies for building a glyph: one of each kind, the observer of stages, and the step before the solid, if any.
+/// It refers to them; none is copied.
 ///
 ///     certified flatten;
 ///     monotone cut;
@@ -22,7 +22,7 @@ struct policies {
     observer_ref observe;
     region_step_ref step = {};
 
-    /// Those that caps need.
+    /// The policies that caps need.
     operator cap_policies() const noexcept { return {flatten, cut, observe}; }
 };
 

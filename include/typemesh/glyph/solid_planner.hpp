@@ -16,21 +16,21 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// A glyph's draft, and the region that it is a solid of.
+/// A glyph's draft, and the region from which its solid is made.
 struct planned_draft {
     glyph_draft draft;
-    region filled;  ///< the step's, if there is one
+    region filled;  ///< the step's region if there is a step
 };
 
-/// Has an extruder plan the solid of a region, after the step before it, if there is one. Owns the scratch memory for
-/// this, which is kept for the next glyph.
+/// Lets an extruder plan the solid of a region, after the step if there is one. Owns the scratch memory for this, which
+/// is kept for the next glyph.
 ///
 ///     region + its caps -- step --> region + caps -- raise --> draft
 class solid_planner {
 public:
     explicit solid_planner(memory source = heap()) noexcept : further_{source}, stepped_{source}, plan_{source} {}
 
-    /// Gives its scratch memory back to its source.
+    /// Returns its scratch memory to its source.
     void trim() noexcept
     {
         further_.trim();
@@ -38,11 +38,11 @@ public:
         plan_.release();
     }
 
-    /// The draft of a region that has points, which refers to the region, to its caps, and to this planner until its
-    /// next call.
+    /// The draft of a region that has points. It refers to the region, to its caps, and to this planner until its next
+    /// call.
     ///
-    ///     caps      that have built the region
-    ///     parted    how many of its corners have been parted or joined so far, and whether some still touch
+    ///     caps      the builder that made the region
+    ///     parted    the number of its corners that were parted or joined so far, and whether some still touch
     ///
     /// Fails  as the step and the extruder do
     [[nodiscard]] result<planned_draft> plan(const region& drawn, cap_builder& caps, const policies& with,
@@ -74,8 +74,8 @@ public:
     }
 
 private:
-    cap_builder further_;   // for regions that the step and the extruder ask for
-    plan_scratch stepped_;  // what the step works in
+    cap_builder further_;   // for regions that the step and the extruder need
+    plan_scratch stepped_;  // the step's working memory
     plan_scratch plan_;
 };
 

@@ -9,14 +9,14 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// The stages of a text, in order. `idle` comes when a call of the mesher ends.
+/// The stages of a text, in order. `idle` follows when a call of the mesher ends.
 enum class stage : std::uint8_t { shape, outline, discretise, fill, triangulate, extrude, idle };
 
-/// Called at every change of stage, for profilers and statistics: observe(stage) noexcept. It should be cheap, as there
+/// Called at every change of stage, for profilers and statistics: observe(stage) noexcept. It should be cheap: there
 /// are about six calls per glyph.
 ///
-/// A triangulator that proves (see triangulate/triangulator.hpp) does fill's work on most glyphs: that counts as
-/// triangulate.
+/// A triangulator that proves (see triangulate/triangulator.hpp) does the work of fill on most glyphs. This work counts
+/// as triangulate.
 template <class O>
 concept stage_observer = requires(O& observe, stage now) {
     { observe(now) } noexcept;

@@ -9,24 +9,25 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// How many cells an em may have so that 32-bit positions tell neighbouring ones apart, up to `reach` em from the
-/// origin: a power of two, from 2^9 to 2^23.
+/// The largest number of cells that an em may have so that 32-bit positions distinguish neighbouring cells, up to
+/// `reach` em from the origin. It is a power of two from 2^9 to 2^23.
 ///
-/// At a distance of r em floats are at most r * 2^-23 em apart, in every unit. So places a cell apart are written apart
-/// if an em has no more than 2^23 / r cells; in a frame whose axes are slanted, which turns rounded places and rounds
-/// again, an eighth of that. Beyond 2^14 em (2^11 in slanted frames) less is promised.
+/// At a distance of r em, adjacent floats are at most r * 2^-23 em apart, in every unit. Places one cell apart are
+/// therefore written as different positions if an em has at most 2^23 / r cells. A frame with slanted axes rotates
+/// rounded places and rounds again, so its limit is an eighth of this. Beyond 2^14 em (2^11 in slanted frames) this is
+/// not guaranteed.
 ///
-///     along_axes    whether the frame's axes are those of the output
+///     along_axes    whether the frame's axes are parallel to the output's axes
 [[nodiscard]] inline double cells_told_apart(double reach, bool along_axes) noexcept
 {
-    constexpr double slack = 1.0 + 0x1p-20;  // of computing places in double
+    constexpr double slack = 1.0 + 0x1p-20;  // for rounding of places computed in double
     double cells = 0x1p23;
     while (cells * slack * reach * (along_axes ? 1.0 : 8.0) > 0x1p23 && cells > 0x1p9) cells *= 0.5;
     return cells;
 }
 
-/// How far from the origin the glyphs of a run reach, in em, if none reaches farther than 2 em beyond its pen. Pens
-/// that are not finite do not count. O(glyphs)
+/// The distance from the origin that the glyphs of a run reach, in em, if no glyph extends more than 2 em beyond its
+/// pen. Pens that are not finite are ignored. O(glyphs)
 [[nodiscard]] inline double reach_of(const glyph_run& run, double units_per_em) noexcept
 {
     double farthest = 0.0;
@@ -36,7 +37,7 @@ namespace typemesh::inline TYPEMESH_ABI {
     return farthest / units_per_em + 2.0;
 }
 
-/// The same of a text whose ink has this box, in font units.
+/// The same for a text whose ink has this box, in font units.
 [[nodiscard]] inline double reach_of(const box& ink, double units_per_em) noexcept
 {
     double farthest = 0.0;

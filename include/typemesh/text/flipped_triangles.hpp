@@ -9,17 +9,17 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// How many triangles of caps and bevels, seen from the front, are reversed or flattened when placed positions are
-/// rounded to 32-bit floats: none if every triangle's height is more than two of the plan's position_step(). The cap of
-/// front and back is counted once, each part that is drawn has as many; so are bevels. Walls over the rim of such a cap
-/// may be flattened with it. Of an extruder that makes caps of its own and does not tell them (see
-/// extruder.hpp, seen_from_front) only the region's are counted.
+/// The number of triangles of caps and bevels, seen from the front, that are reversed or flattened when placed
+/// positions are rounded to 32-bit floats. It is 0 if every triangle is higher than two of the plan's position_step().
+/// Front and back cap have the same triangles: they are counted once, and so are the bevels. Walls over the rim of an
+/// affected cap may be flattened too. If an extruder makes its own caps and has no seen_from_front() (extruder.hpp),
+/// only the region's triangles are counted.
 ///
-/// On the grid no triangle is reversed or flat; floats are coarser than it wherever units per em are not a power of
-/// two, and far from the origin everywhere. Within 4 em of it there are only those that no other diagonals avoid (see
-/// triangulate/impl/low_triangles.hpp), or that a triangulator wants kept (has_final_diagonals), and slivers of bevels,
-/// where edges meet. Glyphs that each stand at an origin of their own (see text_plan::write_meshes) do not have this
-/// problem.
+/// On the grid no triangle is reversed or flat. Floats are coarser than the grid wherever units per em are not a power
+/// of two, and far from the origin everywhere. Within 4 em of the origin three kinds remain: triangles that no other
+/// diagonals avoid (see triangulate/impl/low_triangles.hpp), triangles that a triangulator keeps (has_final_diagonals),
+/// and slivers of bevels where edges meet. Glyphs with an origin of their own (see text_plan::write_meshes) do not have
+/// this problem.
 ///
 /// Cost   O(triangles), computed in double precision from the positions as they are written
 template <extruder Extruder>

@@ -13,16 +13,16 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// Several fonts of which each has what those before it lack:
+/// Several fonts; each one supplies the glyphs that the fonts before it lack:
 ///
 ///     font_cascade fonts{latin, arabic, cjk};              // all must outlive it
 ///     text_mesher mesher{fonts};
 ///     auto plan = mesher.plan(text);
 ///
-/// Text that the first font has is shaped by it alone, once, as without the others. Glyphs of the others are as large
-/// as the first one's em, and lines stand as far apart as the first one says, in a
-/// paragraph as those say that stand in them, unless its options want uniform ones. How holes are found and filled:
-/// fallback_shaping.hpp; fonts whose number is known only at run time: font_list.hpp.
+/// Text that the first font supports is shaped once, by the first font only, with the same result as without the
+/// others. Glyphs of the other fonts are scaled to the first font's em. The first font sets the line spacing; in a
+/// paragraph, the fonts used in a line set its spacing unless the options request uniform lines. fallback_shaping.hpp
+/// says how missing glyphs are found and replaced. font_list.hpp is for fonts whose number is known only at run time.
 ///
 /// Move-only. Used by one thread at a time.
 template <outline_source... Fonts>
@@ -34,7 +34,7 @@ class font_cascade : public font_faces<Fonts...> {
 public:
     explicit font_cascade(Fonts&... fonts) noexcept : faces{fonts...} {}
     template <class... Given>
-        requires(is_result<Given> || ...)  // one without its `*` will not do
+        requires(is_result<Given> || ...)  // refuses a result without its `*`
     explicit font_cascade(Given&... given) noexcept : font_cascade{refuse_result(given)...}
     {
     }

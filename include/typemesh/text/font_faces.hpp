@@ -17,7 +17,7 @@ namespace typemesh::inline TYPEMESH_ABI {
 
 namespace detail {
 
-/// Says of which face glyphs are, whose unit is `unit` units of the first face.
+/// Assigns the glyphs to a face, whose unit is `unit` units of the first face.
 inline void belong_to(array_view<shaped_glyph> glyphs, std::uint16_t face, double unit) noexcept
 {
     for (shaped_glyph& g : glyphs) {
@@ -29,11 +29,11 @@ inline void belong_to(array_view<shaped_glyph> glyphs, std::uint16_t face, doubl
 
 /// Several faces as one source, in units of the first. `Store` keeps them:
 ///
-///     face_count()                        how many there are
-///     first()                             the first one
-///     call(face, what)                    what(face number `face`), or nothing if there is none of that number
-///     any(what)                           whether what(face) is true for any of them
-///     first_type, shapes_items            the type of the first; whether all are item shapers
+///     face_count()                        the number of faces
+///     first()                             the first face
+///     call(face, what)                    calls what(face number `face`); does nothing if there is no such face
+///     any(what)                           whether what(face) is true for any face
+///     first_type, shapes_items            the type of the first face; whether all are item shapers
 template <class Store>
 class numbered_faces : public Store {
     using first_type = typename Store::first_type;
@@ -57,7 +57,7 @@ public:
         return rule;
     }
 
-    /// See variation_key.hpp: the first one's stands for the whole.
+    /// See variation_key.hpp: the first face's key stands for all of them.
     [[nodiscard]] std::uint64_t variation_key() const noexcept { return variation_of(first()); }
     [[nodiscard]] std::uint64_t variation_key(std::uint32_t face) const noexcept
     {
@@ -104,7 +104,7 @@ public:
         return e;
     }
 
-    /// What one face says of lines, bars and carets, in units of the first: see face_metrics.hpp, ligature_carets.hpp.
+    /// Metrics, bars and carets of one face, in units of the first: see face_metrics.hpp, ligature_carets.hpp.
     [[nodiscard]] line_metrics metrics(direction d, std::uint32_t face) const noexcept
         requires(Store::shapes_items)
     {
@@ -130,7 +130,7 @@ public:
         for (double& place : carets.view().subspan(before)) place *= units_per_em() / units_per_em(face);
         return e;
     }
-    /// See item_shaper: whether any of them has one; and of the first one.
+    /// See item_shaper: whether any face has a vertical form. column_middle() is the first face's.
     [[nodiscard]] bool has_vertical_form(char32_t c) const noexcept
         requires(Store::shapes_items)
     {
@@ -143,7 +143,7 @@ public:
     }
 };
 
-/// Sources of different types, which outlive it.
+/// Sources of different types; they must outlive it.
 template <class... Sources>
 class faces_of_types {
 public:
@@ -184,8 +184,8 @@ private:
 ///     text_mesher mesher{faces};
 ///     auto icon = run.number_of({.face = 2});              // for placed_glyph::look; a result, see glyph_run.hpp
 ///
-/// Plain text is shaped by the first one, if that is a shaper; an item of a paragraph by the one that it names, if all
-/// are item shapers. Where one is to stand in for what another lacks: font_cascade.hpp.
+/// The first face shapes plain text if it is a shaper. An item of a paragraph is shaped by the face that it names, if
+/// all faces are item shapers. For fonts that replace each other's missing glyphs, see font_cascade.hpp.
 template <outline_source... Sources>
 class font_faces : public detail::numbered_faces<detail::faces_of_types<Sources...>> {
     static_assert(sizeof...(Sources) != 0, "typemesh: font_faces needs a font");

@@ -17,11 +17,11 @@ namespace typemesh::inline TYPEMESH_ABI {
 
 namespace detail {
 
-/// Fonts of one type, which outlive it, and who finds more.
+/// Fonts of one type, which must outlive it, and the provider that finds more.
 template <class Font, class Provider>
 class listed_fonts {
 public:
-    /// Adds a font, which must outlive the list; its number as a face. Fails with error::out_of_memory, or
+    /// Adds a font, which must outlive the list, and returns its face number. Fails with error::out_of_memory, or
     /// error::too_large at 65,535 fonts.
     result<std::uint32_t> add(Font& font) noexcept
     {
@@ -34,7 +34,7 @@ public:
     /// face < face_count()
     [[nodiscard]] Font& font(std::uint32_t face) const noexcept { return face == 0 ? *first_ : *others_[face - 1]; }
 
-    /// See fallback_shaping: a font of the provider's, which becomes one of these.
+    /// See fallback_shaping: the provider finds a font, which is added to these.
     result<std::uint32_t> find(text_view text, text_range grapheme, std::uint32_t script,
                                std::string_view language) noexcept
         requires(!std::same_as<Provider, no_fallback<Font>>)
@@ -78,15 +78,15 @@ private:
 
 }  // namespace detail
 
-/// A font_cascade of fonts of one type, whose number is known only at run time. What none of them has a provider finds,
-/// if there is one: see fallback_provider.hpp.
+/// A font_cascade of fonts of one type, whose number is known only at run time. An optional provider finds fonts for
+/// text that none of them supports: see fallback_provider.hpp.
 ///
 ///     font_list fonts{latin};                    // or {latin, provider}: both must outlive it
 ///     if (auto face = fonts.add(arabic); !face) return face.error();
 ///
-/// Fonts that the provider finds are added behind the others, in the order in which a text asks for them, and stay: the
-/// next text is given to them before the provider is asked. So a run that is shaped must be drawn by the list that has
-/// shaped it, and glyph_workers, whose lists would number such fonts each in its own way, do without a provider.
+/// Fonts that the provider finds are added after the others, in the order in which texts need them, and stay: the next
+/// text tries them before it queries the provider. A shaped run must therefore be drawn by the list that shaped it. The
+/// lists of glyph_workers have no provider, because each list would number the added fonts differently.
 ///
 /// Move-only. Used by one thread at a time.
 template <outline_source Font, fallback_provider<Font> Provider = no_fallback<Font>>
@@ -106,7 +106,7 @@ public:
     {
     }
 
-    /// See shaper and item_shaper. Fails also as the provider does.
+    /// See shaper and item_shaper. Also fails as the provider does.
     result<point> shape(text_view text, std::size_t first, std::size_t last, const shape_options& options,
                         glyph_run& run) noexcept
     {

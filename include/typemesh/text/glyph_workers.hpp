@@ -18,13 +18,13 @@ namespace typemesh::inline TYPEMESH_ABI {
 
 /// Makes the outline source of one worker: clone(worker) returns a result<Source>, once per worker.
 ///
-/// All must draw and shape alike, and none may share mutable state with another, or with the mesher's font:
+/// All sources must draw and shape alike. None may share mutable state with another one, or with the mesher's font:
 ///
 ///     HarfBuzz    [&](std::size_t) noexcept { return harfbuzz_font::wrap(font.handle()); }
 ///                 all large data is shared; only the text's own buffers are not
 ///     FreeType    [&](std::size_t) noexcept { return freetype_font::open(path, options); }
-///                 a face and a library for each: neither may be used by two threads at once
-///     your own    if reading it changes nothing, transformed_outlines<const My_source> over one that all share
+///                 a face and a library for each: two threads may use neither at once
+///     your own    if reading it changes nothing: transformed_outlines<const My_source> over a shared source
 template <class C>
 concept source_maker = requires(C& clone, std::size_t worker) {
     { clone(worker) } noexcept;
@@ -32,18 +32,18 @@ concept source_maker = requires(C& clone, std::size_t worker) {
     { clone(worker).error() } noexcept -> std::same_as<error>;
 };
 
-/// The workers that shape a text's lines and build its glyphs in parallel: an executor, and for each of its workers an
+/// The workers that shape a text's lines and build its glyphs in parallel: an executor and, for each of its workers, an
 /// outline source, scratch memory, and a store for the glyphs that it builds. See workers_of().
 ///
-/// Move-only. It refers to its executor. It holds one plan at a time: the next plan() with these workers ends the one
-/// before, whichever mesher made it, unless a glyph_cache holds the glyphs.
+/// Move-only. It refers to its executor. It holds one plan at a time: the next plan() with these workers ends the
+/// previous plan, whichever mesher made it, unless a glyph_cache holds the glyphs.
 ///
-/// Memory   from `source`, by several workers at once: it must allow that, as heap() does. It is kept for the next
-///          text. Which worker builds which glyph is open, so a worker may need more than the last time until each has
-///          built most of what there is.
+/// Memory   from `source`, by several workers at once: the source must allow this, as heap() does. It is kept for the
+///          next text. It is not defined which worker builds which glyph, so a worker may need more memory than for
+///          the last text until each worker has built most of the glyphs.
 template <executor Executor, outline_source Source>
 class glyph_workers {
-    struct alignas(64) own_source {  // likewise, for what a font changes when it is read
+    struct alignas(64) own_source {  // aligned for the same reason: reading a font changes it
         Source font;
     };
     struct block {
@@ -117,10 +117,10 @@ public:
     /// The font units per em of its sources.
     [[nodiscard]] double units_per_em() noexcept { return sources_[0].font.units_per_em(); }
 
-    /// What a mesher plans with. Its address stays the same when the workers are moved.
+    /// The team that a mesher plans with. Its address stays the same when the workers are moved.
     [[nodiscard]] glyph_team& team() noexcept { return block_->team; }
 
-    /// Gives the scratch memory for building glyphs back to its source. Plans stay as they are.
+    /// Returns the scratch memory for building glyphs to its source. Plans stay as they are.
     void trim() noexcept
     {
         for (team_member& m : block_->team.members) m.builder.trim();
@@ -134,12 +134,12 @@ private:
 
     Executor* executor_;
     memory source_;
-    block* block_;  // and the members after it, and the sources after these
+    block* block_;  // followed in memory by the members, then the sources
     own_source* sources_ = nullptr;
     std::size_t bytes_;
 };
 
-/// The workers of an executor, each with a source of its own:
+/// The workers of an executor, each with its own source:
 ///
 ///     thread_pool pool;                                                                // adapt/threads.hpp
 ///     auto workers = workers_of(pool, [&](std::size_t) noexcept { return harfbuzz_font::wrap(font.handle()); });

@@ -10,16 +10,16 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// One of a text's different glyphs, drawn glyph_count times: for instanced drawing.
+/// One of a text's different glyphs, which is drawn glyph_count times; for instanced drawing.
 struct glyph_mesh {
     const built_glyph* built = nullptr;  ///< valid as long as the plan
     glyph_id id = no_glyph;
-    std::uint32_t first_vertex = 0;  ///< where it begins in the output of write_meshes()
+    std::uint32_t first_vertex = 0;  ///< its start in the output of write_meshes()
     std::uint32_t first_index = 0;
-    std::uint32_t first_instance = 0;  ///< the position of its first one in the output of write_instances()
-    std::uint32_t glyph_count = 0;     ///< how many instances there are
-    std::uint32_t first_glyph = 0;     ///< the first and the last of them among the text's glyphs; the others are
-    std::uint32_t last_glyph = 0;      ///< linked by drawn_glyph::next_alike
+    std::uint32_t first_instance = 0;  ///< the position of its first instance in the output of write_instances()
+    std::uint32_t glyph_count = 0;     ///< the number of instances
+    std::uint32_t first_glyph = 0;     ///< the first instance among the text's glyphs;
+    std::uint32_t last_glyph = 0;      ///< the last one; drawn_glyph::next_alike links them
 };
 
 /// One occurrence of a glyph_mesh: every position of the mesh is translated, and nothing else changes.

@@ -19,26 +19,26 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// The character of a text that a ray has met.
+/// The character of a text that a ray hit.
 struct picked_character {
     text_range text = {};  ///< a grapheme, in units of the text; empty for an underline or another bar
-    box where = {};        ///< from caret to caret and from descender to ascender, in em; empty likewise
+    box where = {};        ///< from caret to caret and from descender to ascender, in em; also empty for bars
 };
 
 namespace detail {
 
-/// Where the letters of one cluster of a plain line stand, in font units of the run.
+/// The extent of the letters of one cluster of a plain line, in font units of the run.
 struct picked_cluster {
-    std::uint32_t line = 0, glyph = 0;  // the first of its glyphs in drawing order
+    std::uint32_t line = 0, glyph = 0;  // glyph: the first of the cluster in drawing order
     std::uint32_t glyphs = 0;
     text_range text = {};
-    double left = 0.0, right = 0.0;  // along the line: in columns downwards
+    double left = 0.0, right = 0.0;  // along the line; downwards in columns
 };
 
-/// How far along its line a place is.
+/// The coordinate of a place along its line.
 [[nodiscard]] inline double along(point p, bool down) noexcept { return down ? 0.0 - p.y : p.x; }
 
-/// The text of a cluster ends where the line does, or where the next cluster of the line begins.
+/// The text of a cluster ends at the end of the line or at the start of the line's next cluster.
 [[nodiscard]] inline std::uint32_t end_of_cluster(array_view<const placed_glyph> line, text_view text,
                                                   std::uint32_t first) noexcept
 {
@@ -77,7 +77,7 @@ struct picked_cluster {
     return found;
 }
 
-/// The edges between the graphemes of a cluster, from its left, if its font tells them all.
+/// The edges between the graphemes of a cluster, from its left, if its font supplies all of them.
 template <class Font>
 [[nodiscard]] bool find_carets(const Font& font, const glyph_run& run, const picked_cluster& c, std::size_t wanted,
                                bool down, buffer<double>& carets) noexcept
@@ -98,7 +98,7 @@ template <class Font>
     return false;
 }
 
-/// Where the n-th grapheme of a text begins, or where the text ends.
+/// The start of the n-th grapheme of a text, or the end of the text.
 [[nodiscard]] inline std::uint32_t nth_grapheme(text_view text, text_range in, std::size_t n) noexcept
 {
     grapheme_boundaries begins;
@@ -111,7 +111,7 @@ template <class Font>
     return in.last;
 }
 
-/// Which glyph of the run was hit: of merged ones, where the triangle is nobody's own, the one nearest to a place.
+/// The glyph of the run that was hit. If merged glyphs share the triangle, it is the one of them nearest to `at`.
 template <class Plan>
 [[nodiscard]] std::uint32_t glyph_hit(const Plan& plan, const mesh_hit& hit, double at, bool down) noexcept
 {
@@ -131,16 +131,16 @@ template <class Plan>
 
 }  // namespace detail
 
-/// The character of a plain text that a ray has met: of a ligature the letter that was met.
+/// The character of a plain text that a ray hit; within a ligature, the letter that it hit.
 ///
 ///     auto what = plan->hit(part::front, triangle);
 ///     auto letter = character_at(*plan, what, point, text, font);      the text and the font of mesher.plan(text)
 ///
-///     at      where the ray met the mesh, in the mesh's coordinates; of an instance, in those of the whole text
+///     at      where the ray hit the mesh, in the mesh's coordinates; for an instance, in the whole text's coordinates
 ///     down    the text was set in columns
 ///
-/// Letters of a ligature part it where the font says (ligature_carets.hpp), else in equal shares.
-/// Cost: O(glyphs of the line); may allocate where a cluster is several letters
+/// The font divides a ligature into letters (ligature_carets.hpp); otherwise the letters get equal shares. Cost:
+/// O(glyphs of the line); may allocate where a cluster is several letters
 template <class Plan, class Font>
 [[nodiscard]] picked_character character_at(const Plan& plan, const mesh_hit& hit, vec3 at, text_view text, Font& font,
                                             bool down = false) noexcept
@@ -175,11 +175,11 @@ template <class Plan, class Font>
     return found;
 }
 
-/// The same of a paragraph: `laid` is its laid(), and the plan is of the run that it was laid out into.
+/// The same for a paragraph: `laid` is its laid(), and the plan is of the run that it was laid out into.
 ///
 ///     auto letter = character_at(*plan, plan->hit(part::front, triangle), point, words.laid());
 ///
-/// Of a hyphen or an ellipsis, `text` is what that stands for. Cost: O(clusters of the line)
+/// For a hyphen or an ellipsis, `text` is the text that it stands for. Cost: O(clusters of the line)
 template <class Plan, class Laid>
     requires requires(const Laid& laid) { laid.grapheme_at(std::uint32_t{}, point{}); }
 [[nodiscard]] picked_character character_at(const Plan& plan, const mesh_hit& hit, vec3 at, const Laid& laid) noexcept

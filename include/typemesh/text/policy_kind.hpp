@@ -17,10 +17,10 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// Which of the concepts of text_mesher::with() a type models.
+/// The concept of text_mesher::with() that a type models.
 enum class policy_kind : std::uint8_t { none, discretiser, triangulator, step, extruder, observer, cache, several };
 
-/// Of which kind a policy is.
+/// The kind of a policy.
 template <class P>
 [[nodiscard]] constexpr policy_kind kind_of() noexcept
 {
@@ -39,7 +39,7 @@ template <class P>
 
 namespace detail {
 
-/// The extruder among a mesher's options, or else the default.
+/// The extruder among a mesher's options, or the default.
 template <class... Option>
 struct find_solid {
     using type = extruded<>;
@@ -51,8 +51,8 @@ struct find_solid<First, Option...>
 template <class... Option>
 using solid_among = typename find_solid<Option...>::type;
 
-/// An int if no option is a solid that the mesher's cannot become. Before clang 17 class templates are deduced from
-/// constructors without their requires clauses, but with their template parameters.
+/// An int if every solid among the options converts to the mesher's. Before clang 17, class template argument
+/// deduction ignores the requires clauses of constructors, but not their template parameters.
 template <class Solid, class... Option>
 using takes = std::enable_if_t<
     ((kind_of<Option>() != policy_kind::extruder || std::is_convertible_v<Option, Solid>) && ... && true), int>;
@@ -67,7 +67,7 @@ inline constexpr bool is_given_once = [] {
     return true;
 }();
 
-/// The memory source among a mesher's options, or else the heap.
+/// The memory source among a mesher's options, or the heap.
 template <class... Option>
 [[nodiscard]] memory memory_among(const Option&... options) noexcept
 {
@@ -79,13 +79,13 @@ template <class... Option>
     return found;
 }
 
-/// Whether a glyph_cache can hold what is built with an option.
+/// Whether a glyph_cache can hold glyphs that are built with this option.
 template <class Option>
 inline constexpr bool cacheable_option =
     cacheable_policy<Option> || std::is_same_v<Option, memory> || kind_of<Option>() == policy_kind::cache ||
     kind_of<Option>() == policy_kind::observer;
 
-// A type that models no concept, but was meant to model one: it can be called like such a policy, but promises less.
+// A type that models no concept but was meant to: it can be called like a policy, but guarantees less.
 template <class P>
 concept nearly_discretiser = requires(P& how, const quadratic& q, ignore_points put) { how(q, 1.0, put); } ||
                              requires(P& how, const cubic& c, ignore_points put) { how(c, 1.0, put); };
@@ -101,7 +101,7 @@ concept nearly_extruder = requires(P& how, const solid_of<P>& s, const placement
 template <class P>
 concept nearly_observer = requires(P& observe) { observe(stage::idle); };
 
-/// Says why with() does not take a type; if it is nearly a policy, the compiler adds what the concept misses.
+/// Says why with() does not accept a type. If it is nearly a policy, the compiler adds which requirement fails.
 template <class P>
 constexpr void refuse_policy() noexcept
 {

@@ -9,8 +9,8 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// A shaper and an outline source combined: text shaped by one library, drawn by another. Both must outlive it and be
-/// of the same font, with the same units per em.
+/// A shaper and an outline source combined: one library shapes the text, another one draws it. Both must outlive it and
+/// have the same font, with the same units per em.
 template <shaper Shaper, outline_source Source>
 class shaped_by {
 public:

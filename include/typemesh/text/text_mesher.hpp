@@ -19,7 +19,7 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// What changes a run between layout and meshing: see text_mesher::plan().
+/// Edits a run between layout and meshing: see text_mesher::plan().
 template <class E>
 concept run_edit = std::is_nothrow_invocable_v<E&, glyph_run&>;
 
@@ -36,8 +36,8 @@ concept run_edit = std::is_nothrow_invocable_v<E&, glyph_run&>;
 ///     text_mesher bold_text{font, embolden{.by = 0.02f}};       // a step before the solid, see region_step.hpp
 ///     text_mesher quick_text{font, cached_in{cache, 1}};        // see glyph_cache.hpp
 ///
-/// The type names the solid alone, which writes each vertex; all else is called once per glyph, and may be exchanged at
-/// any time:
+/// The type names only the solid, because the solid writes each vertex. The other policies are called once per glyph
+/// and can be exchanged at any time:
 ///
 ///     struct hud {
 ///         text_mesher<flat> mesher;                             // without a font so far
@@ -45,11 +45,11 @@ concept run_edit = std::is_nothrow_invocable_v<E&, glyph_run&>;
 ///         mesher.use(font);
 ///         mesher.use(constrained_delaunay{});
 ///
-/// A solid chosen while the program runs: one_of.hpp.
+/// one_of.hpp chooses the solid at run time.
 ///
-/// `font` is an outline source and, for plan(text), a shaper as well; it must outlive the mesher. A glyph that occurs
-/// more than once in a text is built once. Memory grows to what the largest text needs and is kept: after warm-up a
-/// text of the same size allocates nothing here. Policies lie in the mesher: stored_policy::room bytes each.
+/// `font` is an outline source and, for plan(text), also a shaper; it must outlive the mesher. A glyph that occurs more
+/// than once in a text is built once. Memory grows to the largest text's needs and is kept: after warm-up, a text of
+/// the same size allocates nothing here. Policies are stored in the mesher: stored_policy::room bytes each.
 ///
 /// Move-only. A mesher serves one thread at a time.
 template <extruder Solid = extruded<>>
@@ -62,10 +62,10 @@ public:
     using refusals::plan;
     using refusals::with;
 
-    /// Without a font: plan() fails until there is one.
+    /// Without a font: plan() fails until use() supplies one.
     explicit text_mesher(memory source = heap()) noexcept : planner_{source} {}
 
-    /// Options follow the font: policies, cached_in, and where memory comes from.
+    /// Options follow the font: policies, cached_in, and the memory source.
     template <outline_source Font, class... Option, detail::takes<Solid, Option...> = 0>
     explicit text_mesher(Font& font, Option... options) noexcept : planner_{detail::memory_among(options...)}
     {
@@ -80,7 +80,7 @@ public:
         (take(std::move(options)), ...);
     }
 
-    // The mesher refers to its font: neither a temporary nor a result without its `*` will do.
+    // The mesher refers to its font: neither a temporary nor a result without its `*` is accepted.
     template <outline_source Font, class... Option>
     explicit text_mesher(const Font&&, Option..., detail::keep_the_font_in_a_variable = {}) = delete;
     template <class Font, class... Option>
@@ -89,8 +89,8 @@ public:
         (void)refuse_result<Font>();
     }
 
-    /// The same mesher with one option replaced: a policy of any kind, or cached_in (no_cache{}: without one). Another
-    /// solid makes another type of it.
+    /// The same mesher with one option replaced: a policy of any kind, or cached_in (no_cache{} removes the cache).
+    /// Another solid changes the mesher's type.
     template <class Option>
     [[nodiscard]] auto with(Option option) && noexcept
     {
@@ -124,11 +124,11 @@ public:
         (void)refuse_result<Font>();
     }
 
-    /// The solid, to change its options between texts. The plan goes on with those that it was made with.
+    /// The solid, to change its options between texts. A plan keeps the options that it was made with.
     [[nodiscard]] Solid& solid() noexcept { return solid_; }
 
-    /// The discretiser, triangulator, step or observer, to change its options between texts or to read what it has
-    /// gathered; null if the mesher's is of another type.
+    /// The discretiser, triangulator, step or observer, to change its options between texts or to read the data that it
+    /// gathered. Null if the mesher's policy has another type.
     template <class Policy>
     [[nodiscard]] Policy* policy() noexcept
     {
@@ -145,13 +145,13 @@ public:
             return detail::refuse_policy<Policy>(), nullptr;
     }
 
-    /// Gives the scratch memory for building glyphs back to its source, after a text of unusual glyphs for example.
+    /// Returns the scratch memory for building glyphs to its source, for example after a text with unusual glyphs.
     /// Plans stay as they are.
     void trim() noexcept { planner_.trim(); }
 
     /// Shapes, lays out and meshes a text: everything except the writing. Ends the previous plan.
     ///
-    /// Glyphs that cannot be built are left out and reported by the plan; empty text and blank glyphs give an empty
+    /// Glyphs that cannot be built are left out, and the plan reports them. Empty text and blank glyphs give an empty
     /// mesh.
     ///
     /// Fails  error::no_font, error::not_a_shaper; as layout() does; error::bad_tolerance, error::bad_option;
@@ -161,8 +161,9 @@ public:
         return plan_text(text, options, nullptr);
     }
 
-    /// The same, and lets `edit` change the run between layout and meshing: move glyphs, take some away, give others a
-    /// style. What layout() reports of the text stays; a run that is broken is refused as one of your own is.
+    /// The same, but `edit` may change the run between layout and meshing: it can move glyphs, remove them, or give
+    /// them another style. layout()'s report of the text stays. An invalid run is refused, like an invalid run of your
+    /// own.
     ///
     ///     mesher.plan("wave", {}, [](glyph_run& run) noexcept {
     ///         for (placed_glyph& g : run.glyphs) g.origin.y += 50.0 * std::sin(g.origin.x / 100.0);
@@ -179,12 +180,12 @@ public:
         return plan_run(run, options, nullptr);
     }
 
-    /// Both by several workers (see glyph_workers.hpp), whose sources stand in for the mesher's font when lines are
-    /// shaped and glyphs built. The plan is the same, to the bit; of several errors that of the lowest glyph is
-    /// returned. Its glyphs lie in the workers, which must outlive it.
+    /// Both overloads with several workers (see glyph_workers.hpp), whose sources replace the mesher's font for shaping
+    /// lines and building glyphs. The plan is the same, to the bit. If several glyphs fail, the error of the lowest one
+    /// is returned. The plan's glyphs are stored in the workers, which must outlive it.
     ///
-    /// Policies are called by several threads at once, as const. While glyphs are built the observer sees only
-    /// stage::outline. Merging (text_options::merge) is done by one worker.
+    /// Several threads call the policies at once, as const. While glyphs are built, the observer sees only
+    /// stage::outline. One worker does the merging (text_options::merge).
     ///
     /// Fails  also with error::unlocked_cache; error::no_such_face if the sources have fewer faces than the font
     template <executor Executor, outline_source Source>
@@ -206,8 +207,8 @@ public:
         return plan_run(run, options, &workers.team());
     }
 
-    /// plan() and write() in one: returns the report of what was built, or the error. Nothing reaches the sink if the
-    /// plan fails.
+    /// plan() and write() in one: returns the report of the built text, or the error. If the plan fails, nothing
+    /// reaches the sink.
     template <class Text, class Sink>
         requires mesh_sink<std::remove_reference_t<Sink>>
     result<text_report> build(const Text& text, Sink&& sink, const text_options& options = {}) noexcept
@@ -217,7 +218,7 @@ public:
         return finish(*made, made->write(observed(sink)));
     }
 
-    /// The same by several workers. All of them write the sink if it takes subranges (see ranged_sink).
+    /// The same with several workers. All of them write the sink if it takes subranges (see ranged_sink).
     template <class Text, class Sink, executor Executor, outline_source Source>
         requires mesh_sink<std::remove_reference_t<Sink>>
     result<text_report> build(const Text& text, Sink&& sink, const text_options& options,
@@ -235,7 +236,7 @@ private:
     template <extruder>
     friend class text_mesher;
 
-    /// What `before` holds, with this solid.
+    /// The font and options of `before`, with this solid.
     template <class Before>
     text_mesher(text_mesher<Before>&& before, Solid solid) noexcept
         : planner_{std::move(before.planner_)},

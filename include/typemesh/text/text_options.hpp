@@ -14,22 +14,22 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// The unit of positions, before text_options::size multiplies them. x and y as said; z likewise, unless
+/// The unit of positions, before text_options::size multiplies them. It applies to x and y, and also to z unless
 /// text_options::depth_in says otherwise.
 enum class output_unit : std::uint8_t {
-    em,          ///< an em is 1, so that `size` is how large an em is
+    em,          ///< an em is 1, so `size` is the size of an em
     font_units,  ///< the font's own units, units_per_em per em
     pixels,      ///< pixels_per_em per em
-    unit_box,    ///< the text's box, made to fit [-1, 1]: its longer side spans it, its centre is at 0
+    unit_box,    ///< the text's box, scaled to fit [-1, 1]: its longer side spans the interval, its centre is at 0
 };
 
 /// The unit of an extruder's depths.
 enum class depth_unit : std::uint8_t {
     em,      ///< in em: depth scales with the size of the letters
-    output,  ///< in output units, whatever the unit and the size of x and y: a depth of 1 ends at z = -1
+    output,  ///< in output units, for any unit and size of x and y: a depth of 1 ends at z = -1
 };
 
-/// What the square [0, 1] of the `box` texture mapping spans: the whole text, each line, or each glyph.
+/// The area that the square [0, 1] of the `box` texture mapping covers: the whole text, each line, or each glyph.
 enum class texture_box : std::uint8_t { text, line, glyph };
 
 /// How a text is set and written. All defaults suit a headline in a 3D scene.
@@ -39,46 +39,47 @@ enum class texture_box : std::uint8_t { text, line, glyph };
 ///     {.unit = output_unit::unit_box,              a box of [-1, 1], and the back of extruded<>{.depth = 1.0f} at
 ///      .depth_in = depth_unit::output}             z = -1
 ///
-/// Tolerance is given in em, and so is depth unless depth_in says otherwise: they scale with the size; vertices and
-/// triangles stay the same. What 32-bit floats cannot hold (an em below 2^-100 output units, a depth or a size that
-/// takes coordinates beyond 3.4e38) is error::bad_option; letters that are too far away are left out and reported.
+/// Tolerance is given in em, and so is depth unless depth_in says otherwise. Both scale with the size; vertices and
+/// triangles stay the same. If 32-bit floats cannot hold the result, plan() fails with error::bad_option: an em is
+/// below 2^-100 output units, or a depth or size takes coordinates beyond 3.4e38. Letters that are too far away are
+/// left out and reported.
 struct text_options {
     shape_options shape = {};    ///< direction, language, script, features
     layout_options layout = {};  ///< alignment, spacing of lines and letters, tab stops
 
     double tolerance = quality::high;    ///< the largest distance between curve and mesh, in em; see quality.hpp
-    std::optional<fill_rule> fill = {};  ///< instead of the outline source's own rule
+    std::optional<fill_rule> fill = {};  ///< replaces the outline source's own rule
 
-    /// A glyph (or a group of merged ones) whose contours cross so often that their edges are cut into more pieces is
-    /// left out and reported: error::too_many_pieces. This bounds memory; a hostile glyph may still take ten seconds.
+    /// A glyph (or a group of merged glyphs) whose crossing contours cut its edges into more pieces is left out and
+    /// reported: error::too_many_pieces. This bounds memory; a hostile glyph may still take ten seconds.
     std::uint32_t max_pieces = default_most_pieces;
 
-    /// A glyph with more curves, or whose curves take more points at this tolerance, is left out and reported:
-    /// error::too_many_points. This bounds the memory that a font can ask for: 0.3 kB a point, 1.5 kB with bevels.
+    /// A glyph with more curves, or whose curves need more points at this tolerance, is left out and reported:
+    /// error::too_many_points. This bounds the memory that a font can use: 0.3 kB per point, 1.5 kB with bevels.
     std::uint32_t max_points = default_most_points;
 
     output_unit unit = output_unit::em;
-    double size = 1.0;            ///< multiplies the unit: how large an em is in your world
+    double size = 1.0;            ///< multiplies the unit: the size of an em in your world
     double pixels_per_em = 64.0;  ///< only for output_unit::pixels
     depth_unit depth_in = depth_unit::em;
     texture_box texture_over = texture_box::text;  ///< only for the `box` texture mapping; see texture.hpp
     typemesh::frame frame = right_handed_y_up;
 
-    /// Merge glyphs whose outlines meet (kerned, cursive or accented ones; bolder ones and those with outward bevels
-    /// when they have grown) to one solid without inner walls: see glyph_merger.hpp.
+    /// Merges glyphs whose outlines meet into one solid without inner walls: kerned, cursive or accented glyphs, and
+    /// emboldened ones or ones with outward bevels after they have grown. See glyph_merger.hpp.
     bool merge = false;
 
-    /// What becomes of corners in which a letter touches itself. With touching::part or join every edge of the mesh has
-    /// two faces, and every point of its surface is round it like a disc: programs that compute with solids demand that
-    /// (OpenSCAD, CGAL). Upright pieces of bevels then lean by a few cells, and the grid is so coarse that floats tell
-    /// neighbouring cells apart wherever a letter stands, up to 16,000 em from the origin. For letters that touch each
-    /// other add `merge`. The report counts such corners.
+    /// How corners are treated in which a letter touches itself. With touching::part or join, the mesh is a manifold:
+    /// every edge has two faces, and the surface around every point is a disc. Programs that compute with solids
+    /// require this (OpenSCAD, CGAL). Upright pieces of bevels then lean by a few cells. The grid is then so coarse
+    /// that floats distinguish neighbouring cells at every letter, up to 16,000 em from the origin. For letters that
+    /// touch each other, also set `merge`. The report counts such corners.
     touching corners = touching::keep;
 
-    /// Build a repeated glyph only once. If false, every occurrence is built anew, to the same mesh: for measurements.
+    /// Build a repeated glyph only once. If false, every occurrence is built again, to the same mesh: for measurements.
     bool reuse = true;
 
-    /// Draw the font's .notdef (usually a box) for glyphs that it lacks; they are reported either way.
+    /// Draw the font's .notdef (usually a box) for missing glyphs; they are reported either way.
     bool draw_missing = false;
 };
 

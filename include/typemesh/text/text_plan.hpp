@@ -22,12 +22,12 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// What a triangle belongs to: see text_plan::hit().
+/// The owner of a triangle: see text_plan::hit().
 struct mesh_hit {
     std::size_t glyph = 0;            ///< its index in glyphs()
     std::uint32_t of_run = 0;         ///< in the run, or shared_glyph: see text_plan::owner()
-    cluster_id cluster = no_cluster;  ///< where in the text; where glyphs are shared, that of the first;
-                                      ///< no_cluster for a decoration's bar
+    cluster_id cluster = no_cluster;  ///< its place in the text; for shared glyphs the first one's; no_cluster for a
+                                      ///< decoration's bar
 };
 
 /// Consecutive glyphs of a plan: glyphs [first, last).
@@ -36,17 +36,18 @@ struct glyph_span {
     std::size_t last = 0;
 };
 
-/// A text, meshed and measured but not yet written: exact sizes first, then write() as often as you like.
+/// A text, meshed and measured but not yet written: first the exact sizes, then write() as often as you like.
 ///
 ///     vertices   [ front: glyph 0, glyph 1, ... | back: ... | side: ... ]       each part is contiguous, so it can
 ///     indices    [ front: glyph 0, glyph 1, ... | back: ... | side: ... ]       be drawn with a material of its own
 ///
-/// Glyphs are numbered style by style (see look.hpp), within a style in drawing order, so that each style is contiguous
-/// within a part, too. Unless looks say otherwise there is one style, and that order is the drawing order.
+/// Glyphs are numbered style by style (see look.hpp) and in drawing order within a style, so each style is also
+/// contiguous within a part. Without looks there is one style, and the order is the drawing order. glyphs() contains
+/// only glyphs that fill something.
 ///
-/// Move-only. It refers to its mesher, which must outlive it; moving the mesher ends it, and so does the mesher's next
-/// plan() (using it then is asserted). Until then the glyphs that it took from a glyph_cache stay in place, whatever
-/// others evict; those that a glyph_workers built lie there. Only glyphs that fill something count as glyphs().
+/// Move-only. It refers to its mesher, which must outlive it. It ends when the mesher is moved or makes another plan();
+/// using it after that is asserted. Until then, glyphs that it took from a glyph_cache stay in place, even if others
+/// evict them; glyphs that a glyph_workers built are stored there.
 template <extruder Extruder>
 class text_plan {
     friend class text_chunks;
@@ -76,7 +77,7 @@ public:
         if (glyphs_ != nullptr && glyphs_->generation.number == generation_) glyphs_->pinned.release();
     }
 
-    /// Exactly how many vertices and triangles write() will emit.
+    /// The exact numbers of vertices and triangles that write() will emit.
     [[nodiscard]] mesh_size size() const noexcept { return whole().size(); }
 
     /// The parts that its extruder writes: front, back and side, and any further ones.
@@ -97,34 +98,34 @@ public:
         return whole().range(p, some.first, some.last);
     }
 
-    /// The range of one style in a part: what is drawn with one material.
+    /// The range of one style in a part, which is drawn with one material.
     [[nodiscard]] mesh_range range(style_id style, part p) const noexcept { return range(glyphs_of(style), p); }
 
     /// The styles in the mesh, ascending.
     [[nodiscard]] std::span<const style_id> styles() const noexcept { return fresh().styles(); }
 
-    /// The glyphs of one style; none (first == last) if it has none in the mesh. Cost: O(log glyphs).
+    /// The glyphs of one style; empty (first == last) if it has none in the mesh. Cost: O(log glyphs).
     [[nodiscard]] glyph_span glyphs_of(style_id style) const noexcept
     {
         return {fresh().first_of(style), fresh().last_of(style)};
     }
 
-    /// The glyphs that come from a position in the caller's text; none (first == last) if it left no glyph in the mesh.
-    /// The glyphs of a cluster are consecutive, whatever the script's direction; of a cluster in several styles, it
-    /// returns those of its first style. Cost: O(glyphs).
+    /// The glyphs that come from a position in the caller's text; empty (first == last) if it left no glyph in the
+    /// mesh. The glyphs of a cluster are consecutive, whatever the script's direction. If a cluster has several styles,
+    /// the result is the glyphs of its first style. Cost: O(glyphs).
     [[nodiscard]] glyph_span glyphs_of(cluster_id cluster) const noexcept { return glyphs_of(cluster, all_glyphs()); }
 
-    /// Those of them that are of one style. Cost: O(glyphs of the style).
+    /// The glyphs of the cluster that have one style. Cost: O(glyphs of the style).
     [[nodiscard]] glyph_span glyphs_of(cluster_id cluster, style_id style) const noexcept
     {
         return glyphs_of(cluster, glyphs_of(style));
     }
 
-    /// The glyphs in the mesh: style by style, within a style in drawing order.
+    /// The glyphs in the mesh: style by style, in drawing order within a style.
     [[nodiscard]] std::span<const drawn_glyph> glyphs() const noexcept { return fresh().records.view(); }
 
-    /// Which glyphs of the run one of glyphs() stands for: itself alone, or all that text_options::merge merged with
-    /// it, ascending. glyph < glyphs().size().
+    /// The glyphs of the run that one of glyphs() represents, ascending: only itself, or all glyphs that
+    /// text_options::merge merged with it. glyph < glyphs().size().
     [[nodiscard]] std::span<const std::uint32_t> members(std::size_t glyph) const noexcept
     {
         const drawn_glyph& s = fresh().records[glyph];
@@ -132,10 +133,11 @@ public:
         return glyphs_->merged.members_of(glyphs_->merged.groups[s.merged]);
     }
 
-    /// The owner of a triangle: the index in the run of the one glyph whose outline all contour edges at its corners
-    /// follow (for a wall: on whose outline it stands), or shared_glyph where merged glyphs run together. For extruders
-    /// that write caps in the order of the region's triangles and walls as two triangles per edge, as flat and extruded
-    /// do; of those that make caps of their own (bevelled), all triangles of merged glyphs are shared.
+    /// The owner of a triangle, as an index in the run. It is the one glyph whose outline all contour edges at the
+    /// triangle's corners follow (for a wall, the glyph on whose outline it stands), or shared_glyph where merged
+    /// glyphs run together. For extruders that write caps in the order of the region's triangles and walls as two
+    /// triangles per edge, as flat and extruded do. If an extruder makes its own caps (bevelled), all triangles of
+    /// merged glyphs are shared.
     ///
     ///     triangle    its position in range(glyph, p), below index_count / 3
     [[nodiscard]] std::uint32_t owner(std::size_t glyph, part p, std::uint32_t triangle) const noexcept
@@ -149,7 +151,7 @@ public:
         return glyphs_->merged.owner_of(group, s.built->form().triangles[triangle]);
     }
 
-    /// What a triangle of the mesh belongs to: what lies below a mouse, say. Cost: O(log glyphs)
+    /// The owner of a triangle of the mesh, for example the triangle below a mouse pointer. Cost: O(log glyphs)
     ///
     ///     triangle    its position in range(p), below index_count / 3
     [[nodiscard]] mesh_hit hit(part p, std::uint32_t triangle) const noexcept
@@ -164,9 +166,9 @@ public:
         return hit_within(glyph, p, (index - range(glyph, p).first_index) / 3);
     }
 
-    /// The same for instances, each of which tells its glyph. Cost: O(log contours) for merged glyphs, else O(1)
+    /// The same for instances. Cost: O(log contours) for merged glyphs, otherwise O(1)
     ///
-    ///     drawn       of this plan's write_instances()
+    ///     drawn       from this plan's write_instances()
     ///     triangle    its position in mesh_part(drawn.mesh, p), below index_count / 3
     [[nodiscard]] mesh_hit hit(const glyph_instance& drawn, part p, std::uint32_t triangle) const noexcept
     {
@@ -175,8 +177,8 @@ public:
         return hit_within(drawn.glyph, p, triangle);
     }
 
-    /// The place of the text that a point of the mesh belongs to, in em: in units of laid_text, and of run() times em.
-    /// character_at() in picked_character.hpp tells the letter there.
+    /// The place in the text of a point of the mesh, in em: the units of laid_text, and of run() divided by units per
+    /// em. character_at() in picked_character.hpp finds the letter there.
     [[nodiscard]] point place_of(vec3 p) const noexcept
     {
         const text_placement& placed = fresh().placed;
@@ -188,23 +190,23 @@ public:
         return (1.0 / placed.units_per_em) * ((1.0 / placed.unit_per_font_unit) * from + placed.centre);
     }
 
-    /// What is not in the mesh, and why.
+    /// The glyphs that are not in the mesh, and why.
     [[nodiscard]] const text_report& report() const noexcept { return fresh().report; }
 
-    /// The shaped text behind the mesh: every glyph with its position and cluster, every line.
+    /// The shaped text of the mesh: every glyph with its position and cluster, every line.
     [[nodiscard]] const glyph_run& run() const noexcept
     {
         (void)fresh();
         return *run_;
     }
 
-    /// The bounding box of all vertices; exact for frames whose axes are parallel to the coordinate axes, else it may
-    /// be larger.
+    /// The bounding box of all vertices. It is exact for frames whose axes are parallel to the coordinate axes;
+    /// otherwise it may be larger.
     [[nodiscard]] bounds3 bounds() const noexcept { return fresh().bounds; }
 
-    /// The distance between adjacent 32-bit floats at the mesh's farthest coordinate, in em: no position is rounded by
-    /// more than half of it; by little more than one where the frame's axes are not parallel to the coordinate axes.
-    /// What is thinner than two such steps may collapse; see flipped_triangles.hpp.
+    /// The distance between adjacent 32-bit floats at the mesh's farthest coordinate, in em. No position is rounded by
+    /// more than half of it, or by little more than one step if the frame's axes are not parallel to the coordinate
+    /// axes. Features thinner than two steps may collapse; see flipped_triangles.hpp.
     [[nodiscard]] double position_step() const noexcept
     {
         const text_glyphs& all = fresh();
@@ -216,20 +218,20 @@ public:
         return (as_double(next) - as_double(farthest)) / (all.placed.unit_per_font_unit * all.placed.units_per_em);
     }
 
-    /// The placement of one glyph, as its extruder gets it.
+    /// The placement of one glyph that its extruder receives.
     [[nodiscard]] placement place(std::size_t glyph) const noexcept { return fresh().place(fresh().records[glyph]); }
 
-    /// Calls put(a, b, c) with the grid points of each triangle of a glyph that its extruder tells as seen from the
-    /// front (seen_from_front in extruder.hpp), or else of the region's.
+    /// Calls put(a, b, c) with the grid points of each triangle of a glyph that faces the front, as its extruder
+    /// reports them (seen_from_front in extruder.hpp). Without a report, these are the region's triangles.
     template <class Put>
     void each_seen_from_front(std::size_t glyph, Put&& put) const noexcept
     {
         typemesh::each_seen_from_front(extruder_, fresh().records[glyph].built->template planned<Extruder>().form, put);
     }
 
-    /// N and H of the vertex counts 2N, 4N and 4N + 2H: contour points, and the hard ones among them, whose side
-    /// vertices are doubled. Seams of em mapping are not hard points and are counted in addition. N is of the letters
-    /// as they are drawn, before an extruder moves their edges. Cost: O(glyphs), and O(points) for H.
+    /// N and H of the vertex counts 2N, 4N and 4N + 2H: contour points, and the hard points among them, whose side
+    /// vertices are doubled. Seams of em mapping are not hard points and are counted in addition. N counts the letters
+    /// as drawn, before an extruder moves their edges. Cost: O(glyphs), and O(points) for H.
     [[nodiscard]] std::uint64_t contour_points() const noexcept
     {
         std::uint64_t points = 0;
@@ -256,8 +258,8 @@ public:
         return end_of(sink);
     }
 
-    /// The same by several workers, in equal shares; the output is the same to the bit. The sink must take subranges
-    /// (see ranged_sink), as those over arrays and containers do. Each share is written in ascending order.
+    /// The same with several workers, in equal shares; the output is the same to the bit. The sink must take subranges
+    /// (see ranged_sink), like the sinks over arrays and containers. Each share is written in ascending order.
     template <class Sink, executor Executor>
         requires ranged_sink<std::remove_reference_t<Sink>>
     result<void> write(Sink&& sink, Executor& workers) const noexcept
@@ -272,14 +274,14 @@ public:
     }
 
     /// Writes only some consecutive glyphs, each part to its range of the whole mesh: for a text that has changed
-    /// little since it was written. Vertices ascend, then indices, in each part; everything else is left alone.
+    /// little since it was written. In each part, vertices ascend, then indices. Everything else is left unchanged.
     ///
     ///     keep of the previous text   size(), and range(glyph, part) of each glyph that will change
-    ///     if size() is the same now and these ranges are, nothing else has moved: write these glyphs
-    ///     else                        write the whole
+    ///     if size() and these ranges are still the same, nothing else has moved: write these glyphs
+    ///     otherwise                   write the whole
     ///
-    /// The vertices of the others must be unchanged, too: their pen positions (the advance of what changed), and with
-    /// texture_box::text or texture_box::line or output_unit::unit_box the box that they are relative to.
+    /// The vertices of the other glyphs must also be unchanged. They depend on the pen positions (the advance of the
+    /// changed glyphs) and, with texture_box::text, texture_box::line or output_unit::unit_box, on the box.
     ///
     /// Fails as write() does. For sinks over memory that holds the whole mesh, not for a container of another size.
     template <class Sink>
@@ -296,7 +298,7 @@ public:
         return end_of(sink);
     }
 
-    // Arrays without their into().
+    // Overloads that refuse arrays without their into().
     template <array_without_sink Vertices, array_without_sink Indices, class... Workers>
     result<void> write(Vertices&&, Indices&&, Workers&...) const noexcept
     {
@@ -313,10 +315,10 @@ public:
         return refuse_arrays<Vertices>();
     }
 
-    /// The text's different glyphs, each of which write_meshes() writes once.
+    /// The text's different glyphs; write_meshes() writes each of them once.
     [[nodiscard]] std::span<const glyph_mesh> meshes() const noexcept { return fresh().meshes.view(); }
 
-    /// Exactly what write_meshes() emits. There are glyphs().size() instances.
+    /// The exact size of write_meshes()'s output. There are glyphs().size() instances.
     [[nodiscard]] mesh_size meshes_size() const noexcept
     {
         mesh_size all;
@@ -331,12 +333,12 @@ public:
         return m.built->sizes().range(p, m.first_vertex, m.first_index);
     }
 
-    /// For instanced drawing: every different glyph once, standing at the output's origin.
+    /// For instanced drawing: every different glyph once, at the output's origin.
     ///
     ///     vertices   [ mesh 0: front, back, side | mesh 1: front, back, side | ... ]      indices likewise
     ///
-    /// Further parts of the extruder follow the side. Textures span each glyph's own box or, in em mapping, begin at
-    /// its own origin. Fails as write() does.
+    /// Further parts of the extruder follow the side. Textures span each glyph's own box; in em mapping they begin at
+    /// the glyph's own origin. Fails as write() does.
     template <class Sink>
         requires mesh_sink<std::remove_reference_t<Sink>>
     result<void> write_meshes(Sink&& sink) const noexcept
@@ -355,9 +357,9 @@ public:
         return end_of(sink);
     }
 
-    /// The other half: put(const glyph_instance&) for every glyph, those of mesh 0 first (glyph_mesh::glyph_count of
-    /// them, style by style), then those of mesh 1, and so on. A mesh moved by the translation is the placed glyph,
-    /// except for the rounding of the sum and for where its textures begin.
+    /// The counterpart of write_meshes(): put(const glyph_instance&) for every glyph, first the glyphs of mesh 0
+    /// (glyph_mesh::glyph_count of them, style by style), then the glyphs of mesh 1, and so on. A mesh moved by the
+    /// translation equals the placed glyph, except for the rounding of the sum and the origin of its textures.
     template <class Put>
     void write_instances(Put&& put) const noexcept
     {
@@ -371,8 +373,8 @@ public:
         }
     }
 
-    /// Which of these instances are of one mesh and one style: what is drawn at once with one material.
-    /// mesh < meshes().size(). Cost: O(instances of the mesh)
+    /// The instances with one mesh and one style, which are drawn at once with one material. mesh < meshes().size().
+    /// Cost: O(instances of the mesh)
     [[nodiscard]] instance_range instances(std::size_t mesh, style_id style) const noexcept
     {
         const text_glyphs& all = fresh();
@@ -406,7 +408,7 @@ private:
 
     [[nodiscard]] glyph_span all_glyphs() const noexcept { return {0, fresh().records.size()}; }
 
-    /// The first consecutive glyphs of a cluster among some.
+    /// The first consecutive glyphs of a cluster within `among`.
     [[nodiscard]] glyph_span glyphs_of(cluster_id cluster, glyph_span among) const noexcept
     {
         const auto records = glyphs();
@@ -419,7 +421,7 @@ private:
 
     [[nodiscard]] mesh_layout whole() const noexcept { return {fresh(), 0, fresh().records.size()}; }
 
-    /// Enough shares that no worker waits long for another, none too small to be worth handing out.
+    /// So many shares that no worker waits long for another, but none too small to be worth distributing.
     [[nodiscard]] std::size_t shares_for(std::size_t workers) const noexcept
     {
         if (workers <= 1) return 1;

@@ -16,11 +16,12 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// Writes whole vertices and indices into two arrays of the caller's, mapped GPU memory included: each element once, in
-/// ascending order, never read back. Both arrays must stay in place until end(). base_vertex is added to every index.
+/// Writes whole vertices and indices into two arrays of the caller, which may be mapped GPU memory. Each element is
+/// written once, in ascending order, and never read back. Both arrays must stay in place until end(). base_vertex is
+/// added to every index.
 ///
 /// Fails in begin(), before anything is written:
-///        error::buffer_too_small  a span is too short; count = how many elements it needs
+///        error::buffer_too_small  a span is too short; count = the number of elements that it needs
 ///        error::index_overflow    Index cannot number base_vertex + vertices; count = that sum
 template <class Vertex, class Index, vertex_writer Writer>
 class array_sink {
@@ -34,7 +35,7 @@ public:
     }
 
     error begin(mesh_size exact) noexcept { return begin_numbering(exact, exact.vertices); }
-    /// See chunked_sink: Index need only be wide enough for the vertices of one chunk.
+    /// See chunked_sink: Index must only be wide enough for the vertices of one chunk.
     error begin_chunks(mesh_size exact, std::uint32_t most) noexcept { return begin_numbering(exact, most); }
     /// See ranged_sink.
     [[nodiscard]] array_sink subrange(mesh_range range) const noexcept

@@ -7,7 +7,7 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// The attributes of a surface point; a set, joined by |. Only what is requested is computed.
+/// The attributes of a surface point; a set, joined by |. Only requested attributes are computed.
 enum class attribute : std::uint32_t {
     none = 0,
     position = 1u << 0,
@@ -25,7 +25,7 @@ enum class attribute : std::uint32_t {
     return static_cast<attribute>(static_cast<std::uint32_t>(a) | static_cast<std::uint32_t>(b));
 }
 
-/// Whether a set contains an attribute; of several, any.
+/// Whether a set contains an attribute, or any of several.
 [[nodiscard]] constexpr bool has(attribute set, attribute one) noexcept
 {
     return (static_cast<std::uint32_t>(set) & static_cast<std::uint32_t>(one)) != 0;

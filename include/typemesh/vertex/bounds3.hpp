@@ -10,7 +10,7 @@ struct bounds3 {
     vec3 low;
     vec3 high;
 
-    /// Makes the box hold p.
+    /// Extends the box to contain p.
     constexpr void add(vec3 p) noexcept
     {
         low = {p.x < low.x ? p.x : low.x, p.y < low.y ? p.y : low.y, p.z < low.z ? p.z : low.z};

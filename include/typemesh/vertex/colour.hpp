@@ -30,8 +30,8 @@ struct bgra8 {
     friend constexpr bool operator==(const bgra8&, const bgra8&) noexcept = default;
 };
 
-/// One colour (or any other T) per part, for a writer that wants attribute::part: call it with s.part. A single colour
-/// for all parts is simply a member of the writer. Bevels are coloured as the side, unless told otherwise.
+/// One colour (or any other T) per part, for a writer that wants attribute::part: call it with s.part. For a single
+/// colour, use a plain member of the writer. Bevels have the colour of the side unless they get their own.
 template <class T = rgba8>
 struct part_colours {
     T front;

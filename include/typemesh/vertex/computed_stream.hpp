@@ -10,7 +10,8 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// An array of anything computed from surface points: element i is what `make` returns for vertex i. For stream_sink.
+/// An array of any values computed from surface points: element i is the result of `make` for vertex i. For
+/// stream_sink.
 ///
 ///     make(surface_point<Wants>) noexcept -> element
 ///
@@ -44,7 +45,7 @@ template <attribute Wants, class T, std::size_t N, class Make>
     return computed_elements<Wants, T, Make>{elements.data(), elements.size(), sizeof(T), std::move(make)};
 }
 
-/// A stream of Ts in a block of bytes: the first `offset` bytes from its start, then one every `bytes_apart` bytes.
+/// A stream of Ts in a block of bytes: the first one `offset` bytes from its start, then one every `bytes_apart` bytes.
 template <attribute Wants, class T, class Make>
 [[nodiscard]] auto computed_stream(std::span<std::byte> bytes, std::size_t offset, std::size_t bytes_apart,
                                    Make make) noexcept

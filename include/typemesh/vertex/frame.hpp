@@ -8,10 +8,10 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// Where texture coordinate v = 0 lies: at the top (Direct3D, Vulkan, glTF, Unreal) or at the bottom (OpenGL, Unity).
+/// The place of texture coordinate v = 0: at the top (Direct3D, Vulkan, glTF, Unreal) or at the bottom (OpenGL, Unity).
 enum class uv_origin : std::uint8_t { top_left, bottom_left };
 
-/// The caller's coordinate system: where the text's own directions point in it, and the winding of its triangles.
+/// The caller's coordinate system: the directions of the text's own axes in it, and the winding of its triangles.
 ///
 ///        up                       Text runs along `right`, stands along `up` and faces `toward` (the front cap's
 ///         |   the text's front    normal). The three are unit vectors at right angles; they may be left-handed.

@@ -15,7 +15,7 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// A contiguous container that can be resized: std::vector, and those of most engines.
+/// A contiguous container that can be resized: std::vector, and the containers of most engines.
 template <class C>
 concept sizable_array = requires(C& c, std::size_t n) {
     typename C::value_type;
@@ -23,13 +23,13 @@ concept sizable_array = requires(C& c, std::size_t n) {
     { c.data() } -> std::same_as<typename C::value_type*>;
 };
 
-/// Resizes two containers of the caller's to fit, then writes as array_sink does. Their old elements are replaced. It
-/// refers to them until end(). base_vertex is added to every index.
+/// Resizes two containers of the caller to fit, then writes like array_sink. Their old elements are replaced. It refers
+/// to them until end(). base_vertex is added to every index.
 ///
-/// resize() of a std::vector sets new elements to zero first: where that is too slow see uninitialised_allocator.hpp.
+/// resize() of a std::vector first sets new elements to zero; if that is too slow, see uninitialised_allocator.hpp.
 ///
-/// A container that throws when memory runs out gives error::out_of_memory (where exceptions are on); both are then
-/// unchanged if they have reserve().
+/// If a container throws because it is out of memory, the result is error::out_of_memory (if exceptions are enabled).
+/// Both containers are then unchanged if they have reserve().
 template <sizable_array Vertices, sizable_array Indices, vertex_writer Writer>
 class growing_sink {
     using vertex_type = typename Vertices::value_type;
@@ -44,7 +44,7 @@ public:
     }
 
     error begin(mesh_size exact) noexcept { return begin_numbering(exact, exact.vertices); }
-    /// See chunked_sink: the index type need only be wide enough for the vertices of one chunk.
+    /// See chunked_sink: the index type must only be wide enough for the vertices of one chunk.
     error begin_chunks(mesh_size exact, std::uint32_t most) noexcept { return begin_numbering(exact, most); }
     /// See ranged_sink.
     [[nodiscard]] growing_sink subrange(mesh_range range) const noexcept
@@ -79,7 +79,7 @@ private:
         return {};
     }
 
-    /// A machine of 32 bits has no room for what its std::size_t cannot count.
+    /// On a 32-bit machine, counts that std::size_t cannot hold do not fit into memory.
     template <std::unsigned_integral Count>
     bool resize_both(Count vertices, Count indices) noexcept
     {

@@ -8,13 +8,13 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// A 16-bit number, IEEE 754 binary16: 1 sign bit, 5 exponent bits, 11 significant bits. 65,504 is the largest and
-/// 2^-24 the smallest above 0. Graphics interfaces call it half or float16.
+/// A 16-bit number, IEEE 754 binary16: 1 sign bit, 5 exponent bits, 11 significant bits. The largest value is 65,504,
+/// the smallest above 0 is 2^-24. Graphics interfaces call it half or float16.
 ///
 ///     struct my_vertex { float position[3]; half uv[2]; };    // {..., {s.uv.x, s.uv.y}} converts implicitly
 ///
 /// A float is rounded to nearest, ties to even; 65,520 and more become infinity, NaN stays NaN. Conversion back to
-/// float is exact. Done on the bits, so compiler switches for fast arithmetic change nothing.
+/// float is exact. Both work on the bits, so compiler switches for fast arithmetic change nothing.
 struct half {
     std::uint16_t bits;
 
@@ -34,7 +34,7 @@ struct half {
         if (exponent == 0x1F) return as_float(sign | 0x7F80'0000u | fraction << 13);
         if (exponent != 0) return as_float(sign | (exponent + 112) << 23 | fraction << 13);
         const float tiny = static_cast<float>(fraction) * 0x1p-24f;
-        std::uint32_t size;  // the sign is added as a bit: -ffast-math drops that of a zero
+        std::uint32_t size;  // the sign is added as a bit: -ffast-math drops the sign of a zero
         std::memcpy(&size, &tiny, sizeof size);
         return as_float(sign | size);
     }

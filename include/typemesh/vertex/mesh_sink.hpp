@@ -33,13 +33,13 @@ template <class T>
 concept nothing_or_error = std::same_as<T, void> || std::same_as<T, error>;
 }  // namespace detail
 
-/// Where finished geometry goes: two arrays, a mapped GPU buffer, a file.
+/// A destination for finished geometry: two arrays, a mapped GPU buffer, a file.
 ///
-///     S::wants             the attributes it takes
+///     S::wants             the attributes that it wants
 ///     s.begin(exact)       comes first, with the exact sizes; if it fails, nothing else is called
 ///     s.vertex(p)          exactly exact.vertices times: vertex 0, 1, 2, ...; p is a surface_point<S::wants>
 ///     s.triangle(a, b, c)  exactly exact.triangles times, after all vertices: numbers below exact.vertices
-///     s.end()              comes last; returns nothing, or an error: error::not_written, say
+///     s.end()              comes last; returns nothing, or an error, for example error::not_written
 template <class S>
 concept mesh_sink = requires(S& s, mesh_size exact, const surface_point<S::wants>& p, std::uint32_t v) {
     { S::wants } -> std::convertible_to<attribute>;
@@ -59,7 +59,7 @@ error end_of(S& s) noexcept
         return s.end(), error{};
 }
 
-/// An array or a container of the caller's, passed where a sink is needed.
+/// An array or a container of the caller, passed where a sink is needed.
 template <class A>
 concept array_without_sink =
     !mesh_sink<std::remove_reference_t<A>> && (std::is_array_v<std::remove_reference_t<A>> || requires(A& a) {
@@ -67,7 +67,7 @@ concept array_without_sink =
         a.size();
     });
 
-/// For overloads beside those that take a sink, so that a forgotten into() is reported in one sentence.
+/// For overloads beside the ones that take a sink, so that a forgotten into() is reported in one sentence.
 template <class A>
 constexpr error refuse_arrays() noexcept
 {

@@ -10,13 +10,13 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// A number from -1 to 1 (signed Integer) or 0 to 1 (unsigned) stored as an integer: what graphics interfaces call
-/// snorm and unorm.
+/// A number from -1 to 1 (signed Integer) or 0 to 1 (unsigned) stored as an integer. Graphics interfaces call it snorm
+/// and unorm.
 ///
-///     value = bits / most        most = 127, 255, 32,767 or 65,535; for snorm, bits = -most - 1 means -1 as well
+///     value = bits / most        most = 127, 255, 32,767 or 65,535; for snorm, bits = -most - 1 also means -1
 ///
-/// A float out of range is clamped (NaN becomes one of the ends); all others are rounded to the nearest step, ties away
-/// from 0, as Direct3D says. The rounding is exact: the product with `most` is computed in double precision.
+/// A float out of range is clamped (NaN becomes one of the ends). All others are rounded to the nearest step, ties away
+/// from 0, as Direct3D specifies. The rounding is exact: the product with `most` is computed in double precision.
 ///
 ///     struct my_vertex { float position[3]; snorm8 normal[4]; };  // {..., {s.normal.x, s.normal.y, s.normal.z, 0.0f}}
 template <std::integral Integer>

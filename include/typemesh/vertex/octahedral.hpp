@@ -16,8 +16,8 @@ namespace typemesh::inline TYPEMESH_ABI {
 ///       +---+---+        (x, y) = (nx, ny) / (|nx| + |ny| + |nz|); where nz < 0, the corner triangles are folded over:
 ///       | / | \ |        (1 - |y|, 1 - |x|) with the signs of x and y. The middle is +z, the corners are -z.
 ///       +---+---+
-///       | \ | / |        Of the four steps around (x, y), the one whose vector is closest is taken: the "precise"
-///       +---+---+        encoding, which halves the error of plain rounding at some 4 times its cost.
+///       | \ | / |        The result is the closest of the four steps around (x, y): the "precise" encoding, which
+///       +---+---+        halves the error of plain rounding at about 4 times its cost.
 ///
 ///     octahedral<snorm8>    2 bytes, within 0.64 degrees of the given vector
 ///     octahedral<snorm16>   4 bytes, within 0.0025 degrees
@@ -34,7 +34,7 @@ struct octahedral {
 
     octahedral() = default;
 
-    /// Encodes any vector but zero; its length does not matter.
+    /// Encodes any vector except zero; its length does not matter.
     octahedral(float nx, float ny, float nz) noexcept : octahedral{nx, ny, nz, every<1>{}, 0} {}
 
     /// The unit vector that it encodes.
@@ -51,7 +51,7 @@ protected:
     template <int Apart>
     using every = std::integral_constant<int, Apart>;
 
-    /// The same with only some steps of y: those whose bits are y_first, y_first + y_apart and so on.
+    /// The same, restricted to some steps of y: their bits are y_first, y_first + y_apart and so on.
     template <int Apart>
     octahedral(float nx, float ny, float nz, every<Apart> y_apart, int y_first) noexcept
     {
@@ -63,12 +63,13 @@ protected:
             v = std::copysign(1.0 - std::fabs(u), v);
             u = folded;
         }
-        // Rounded down without a call: an offset makes the numbers positive, for which truncation is that.
+        // Rounds down without a call: an offset makes the numbers positive, and truncation rounds positive numbers
+        // down.
         constexpr double step = 1.0 / Step::most;
         const int low_u = static_cast<int>(u * Step::most + Step::most) - Step::most,
                   low_v = (static_cast<int>(v * Step::most + 2 * Step::most + y_apart - y_first) / y_apart) * y_apart -
                           2 * Step::most - y_apart + y_first;
-        // The squared cosine is along^2 / length^2; two are compared by cross-multiplication.
+        // The squared cosine is along^2 / length^2. Two of them are compared by cross-multiplication.
         double best_along = 0.0, best_length = 1.0;
         int best_x = 0, best_y = 0;
         for (int i = 0; i < 4; ++i) {

@@ -9,14 +9,14 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// A sink that can be written in subranges, in any order and by several threads at once: possible in memory, not where
-/// output must come in order (a file).
+/// A sink that can be written in subranges, in any order and by several threads at once. This is possible in memory,
+/// but not where output must be sequential (a file).
 ///
 ///     s.begin(exact)       first, as for every mesh_sink, by one thread
-///     s.subrange(range)    a sink for that subrange alone, usable while s stays where it is. Its vertex() is called
+///     s.subrange(range)    a sink for only that subrange, usable while s stays in place. Its vertex() is called
 ///                          range.vertex_count times and its triangle() range.index_count / 3 times, each ascending;
-///                          its begin() and end() never. triangle() gets the same numbers, and writes the same indices,
-///                          as that of s would: those of the whole mesh, not of the subrange
+///                          its begin() and end() are never called. triangle() gets the same numbers, and writes the
+///                          same indices, as s.triangle() would: numbers of the whole mesh, not of the subrange
 ///     s.end()              last, by one thread, when all subranges are written
 ///
 /// The subranges of one mesh are disjoint and cover it. subrange() is const and may be called by several threads; the
@@ -29,9 +29,9 @@ concept ranged_sink = mesh_sink<S> && requires(const S& s, mesh_range range) {
 
 /// A ranged_sink for several consecutive meshes, each with indices from 0 (see text/text_chunks.hpp).
 ///
-///     s.begin_chunks(exact, most)    instead of begin(): the sizes of all meshes together, and how many vertices the
-///                                    largest of them has
-///     s.subrange(range)              one mesh; the numbers that triangle() gets are its own
+///     s.begin_chunks(exact, most)    instead of begin(): the total size of all meshes, and the number of vertices of
+///                                    the largest one
+///     s.subrange(range)              one mesh; triangle() gets this mesh's own numbers
 template <class S>
 concept chunked_sink = ranged_sink<S> && requires(S& s, mesh_size exact, std::uint32_t most) {
     { s.begin_chunks(exact, most) } noexcept -> std::same_as<error>;

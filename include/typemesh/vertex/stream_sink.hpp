@@ -17,18 +17,18 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// How many elements of a size fit into `bytes`, `stride` bytes apart; the last needs no padding after it.
+/// The number of elements that fit into `bytes`, `stride` bytes apart; the last one needs no padding after it.
 [[nodiscard]] constexpr std::size_t elements_in(std::size_t bytes, std::size_t element, std::size_t stride) noexcept
 {
     return bytes < element ? 0 : (bytes - element) / (stride != 0 ? stride : 1) + 1;
 }
 
-/// One attribute in an array of its own: element i of type T lies `stride` bytes after element i - 1.
+/// One attribute in an array of its own: element i of type T is `stride` bytes after element i - 1.
 ///
-/// T is made from what the attribute holds: T{x, y, z} for positions and normals, T{u, v} for texture coordinates, T{x,
-/// y, z, sign} for tangents, T(number) for glyph, cluster, style and part (0 front, 1 back, 2 side, 3 and more: further
-/// parts). Packed formats are such types: snorm10, octahedral32, or structures of half, snorm16 and so on. Elements are
-/// written whole, once, in ascending order, and never read: the memory may be mapped.
+/// T is constructed from the attribute: T{x, y, z} for positions and normals, T{u, v} for texture coordinates, T{x, y,
+/// z, sign} for tangents, T(number) for glyph, cluster, style and part (0 front, 1 back, 2 side, 3 and more: further
+/// parts). Packed formats are also possible: snorm10, octahedral32, or structures of half, snorm16 and so on. Elements
+/// are written whole, once, in ascending order, and never read: the memory may be mapped.
 template <attribute A, class T>
 struct stream {
     static constexpr attribute wants = A;
@@ -46,7 +46,7 @@ struct stream {
     }
     constexpr stream(std::span<T> elements) noexcept : data{elements.data()}, capacity{elements.size()} {}
 
-    /// As many elements as fit into a block of bytes, the first `offset` bytes from its start: one attribute of an
+    /// As many elements as fit into a block of bytes, the first one `offset` bytes from its start: one attribute of an
     /// interleaved vertex of `bytes_apart` bytes.
     [[nodiscard]] static stream in(std::span<std::byte> bytes, std::size_t offset,
                                    std::size_t bytes_apart = sizeof(T)) noexcept
@@ -78,8 +78,8 @@ struct stream {
     }
 };
 
-/// What stream_sink requires of a stream: `wants`, `capacity` in elements, and put(i, point), called once for each i,
-/// ascending. computed_stream (computed_stream.hpp) makes one from any function.
+/// The requirements of stream_sink on a stream: `wants`, `capacity` in elements, and put(i, point), called once for
+/// each i, ascending. computed_stream (computed_stream.hpp) makes one from any function.
 template <class S>
 concept vertex_stream = requires(const S& s, std::size_t i, const surface_point<S::wants>& p) {
     { S::wants } -> std::convertible_to<attribute>;
@@ -110,7 +110,7 @@ public:
     }
 
     error begin(mesh_size exact) noexcept { return begin_numbering(exact, exact.vertices); }
-    /// See chunked_sink: Index need only be wide enough for the vertices of one chunk.
+    /// See chunked_sink: Index must only be wide enough for the vertices of one chunk.
     error begin_chunks(mesh_size exact, std::uint32_t most) noexcept { return begin_numbering(exact, most); }
     /// See ranged_sink.
     [[nodiscard]] stream_sink subrange(mesh_range range) const noexcept

@@ -8,7 +8,7 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// Stands in for an attribute that was not requested: using it is a compile error that names this type.
+/// Replaces an attribute that was not requested: using it is a compile error that names this type.
 template <attribute A>
 struct not_in_wants {
     template <class T, attribute Asked = A>
@@ -22,9 +22,9 @@ struct not_in_wants {
 
 namespace detail {
 
-// One layer per attribute, each derived from the one before: a member where it is wanted, else a static one, which
-// takes no space. A chain, not a list of bases: every ABI lays out an empty base without padding when it is the only
-// one.
+// One layer per attribute, each derived from the previous one. A wanted attribute is a member; any other is a static
+// member, which takes no space. The layers are a chain, not a list of bases, because every ABI lays out an empty base
+// without padding when it is the only one.
 
 template <attribute Wants, bool = has(Wants, attribute::position)>
 struct with_position {
@@ -100,7 +100,7 @@ struct with_part<Wants, false> : with_style<Wants> {
 
 }  // namespace detail
 
-/// One point of the mesh's surface, with the attributes in `Wants` and no others.
+/// One point of the mesh's surface, with only the attributes in `Wants`.
 ///
 ///     position   vec3   in the output's unit and frame (text_options)
 ///     normal     vec3   unit length, outward, in the same frame
@@ -108,11 +108,11 @@ struct with_part<Wants, false> : with_style<Wants> {
 ///     tangent    vec4   x, y, z: unit length, perpendicular to the normal, the direction in which u grows; w: +1 or
 ///                       -1, so that v grows along w * cross(normal, tangent) (see extrude/texture_tangent.hpp)
 ///     glyph      glyph_id     the glyph it belongs to, in its font; no_glyph if unknown
-///     cluster    cluster_id   the position in the caller's text that it comes from; no_cluster if unknown
+///     cluster    cluster_id   its position in the caller's text; no_cluster if unknown
 ///     part       part         front, back, side, or a further part of the extruder
 ///     style      style_id     its look's (layout/look.hpp); no_style if unknown
 ///
-/// What is not in `Wants` takes no space and is never computed.
+/// Other attributes take no space and are never computed.
 template <attribute Wants>
 struct surface_point : detail::with_part<Wants> {};
 

@@ -16,8 +16,8 @@ namespace typemesh::inline TYPEMESH_ABI {
 /// snorm10: from -1 to 1 in steps of 1/511; w is -1, 0 or 1, enough for the sign of a tangent.
 /// unorm10: from 0 to 1 in steps of 1/1023; w in steps of 1/3.
 ///
-/// Rounded as `normalised` is (normalised.hpp): exactly to the nearest step; values out of range are clamped. Made from
-/// three numbers or four: normals, tangents.
+/// Numbers are rounded like `normalised` (normalised.hpp): exactly to the nearest step; values out of range are
+/// clamped. They are made from three or four numbers: normals, tangents.
 struct snorm10 {
     std::uint32_t bits;
 

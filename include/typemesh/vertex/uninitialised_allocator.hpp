@@ -10,14 +10,14 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// For a std::vector that growing_sink fills: resize() leaves new elements as they happen to be in memory, where
-/// std::allocator sets them to zero. Each element is then written once.
+/// For a std::vector that growing_sink fills: resize() leaves new elements uninitialised, while std::allocator sets
+/// them to zero. Each element is then written only once.
 ///
 ///     std::vector<my_vertex, typemesh::uninitialised_allocator<my_vertex>> vertices;
 ///     std::vector<std::uint32_t, typemesh::uninitialised_allocator<std::uint32_t>> indices;
 ///
-/// Worth it for large meshes in fresh vectors: these then take as long as fresh memory does. Used again, both kinds of
-/// vector are several times as fast as any fresh memory, whose pages the system provides one by one.
+/// Useful for large meshes in fresh vectors: they then cost only the fresh memory. Reused vectors of both kinds are
+/// several times as fast as any fresh memory, whose pages the system provides one by one.
 template <class T>
 class uninitialised_allocator {
 public:
@@ -32,7 +32,7 @@ public:
     [[nodiscard]] T* allocate(std::size_t count) { return std::allocator<T>{}.allocate(count); }
     void deallocate(T* elements, std::size_t count) noexcept { std::allocator<T>{}.deallocate(elements, count); }
 
-    /// What resize() calls for each new element.
+    /// Called by resize() for each new element.
     template <class Element>
     void construct(Element*) noexcept
     {

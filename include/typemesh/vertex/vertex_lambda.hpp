@@ -10,8 +10,8 @@ namespace typemesh::inline TYPEMESH_ABI {
 
 namespace detail {
 
-/// What a call operator takes and whether it promises not to throw; of one that is a template, or takes anything else,
-/// is_known is false.
+/// The parameter type of a call operator, and whether it is noexcept. If the operator is a template or takes any other
+/// parameter, is_known is false.
 template <class Call>
 struct lambda_call {
     static constexpr bool is_known = false;
@@ -32,7 +32,7 @@ template <class F, class V, attribute Wants>
 struct lambda_call<V (F::*)(surface_point<Wants>) const noexcept>
     : lambda_call<V (F::*)(const surface_point<Wants>&) const noexcept> {};
 
-/// Stands in for what was refused.
+/// Replaces a refused lambda.
 template <class Vertex>
 struct no_writer {
     static constexpr attribute wants = attribute::position;
@@ -47,12 +47,12 @@ struct call_of<F> : lambda_call<decltype(&F::operator())> {};
 
 }  // namespace detail
 
-/// A function object that makes vertices, and no vertex_writer: a lambda. Whether it is written as it must be is said
-/// when it is used.
+/// A function object that makes vertices but is no vertex_writer: a lambda. Errors in its form are reported when it is
+/// used.
 template <class F>
 concept vertex_lambda = std::is_class_v<F> && !vertex_writer<F>;
 
-/// The vertex_writer that a lambda is: its attributes are those of its parameter.
+/// A lambda as a vertex_writer: it wants the attributes of its parameter.
 ///
 ///     constexpr auto wants = attribute::position | attribute::normal;
 ///     into(vertices, indices, [&](const surface_point<wants>& s) noexcept { return vertex{s.position, s.normal}; })
@@ -69,7 +69,7 @@ private:
     F make_;
 };
 
-/// Makes it, or says in one sentence why this is no lambda of that kind.
+/// Makes the writer, or says in one sentence why the lambda is not suitable.
 template <class Vertex, class F>
 [[nodiscard]] auto writer_of(F make) noexcept
 {

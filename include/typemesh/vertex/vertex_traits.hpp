@@ -10,7 +10,7 @@ namespace typemesh::inline TYPEMESH_ABI {
 
 /// Makes one of your vertices from a surface point.
 ///
-///     W::wants    the attributes it takes, known at compile time; no other is computed
+///     W::wants    the attributes that it wants, known at compile time; no other is computed
 ///     w(s)        your vertex, from a surface_point<W::wants>; noexcept
 ///
 /// A writer may have state (a colour, a box to quantise to): pass it to the sink.
@@ -35,7 +35,7 @@ concept vertex_writer = requires(const W& w, const surface_point<W::wants>& s) {
 template <class Vertex>
 struct vertex_traits;
 
-/// A type whose own vertex_traits makes it.
+/// A type with its own vertex_traits.
 template <class V>
 concept mesh_vertex = vertex_writer<vertex_traits<V>> &&
                       requires(const vertex_traits<V>& w, const surface_point<vertex_traits<V>::wants>& s) {

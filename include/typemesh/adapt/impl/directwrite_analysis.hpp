@@ -10,7 +10,7 @@
 
 namespace typemesh::inline TYPEMESH_ABI::detail {
 
-/// The source that DirectWrite's analyser reads a text from: one language, one direction.
+/// The source from which DirectWrite's analyser reads a text: one language, one direction.
 class directwrite_source final : public stack_object<IDWriteTextAnalysisSource> {
 public:
     directwrite_source(std::span<const wchar_t> text, const wchar_t* language, bool to_the_left) noexcept
@@ -55,7 +55,7 @@ private:
     bool to_the_left_;
 };
 
-/// The sink that it writes its results to. This one drops them; others derive from it and keep what they need.
+/// The sink for the analyser's results. This class discards them; derived classes keep the ones that they need.
 class directwrite_sink : public stack_object<IDWriteTextAnalysisSink> {
 public:
     HRESULT STDMETHODCALLTYPE SetScriptAnalysis(UINT32, UINT32, const DWRITE_SCRIPT_ANALYSIS*) noexcept override
@@ -75,7 +75,7 @@ public:
 protected:
     ~directwrite_sink() = default;
 
-    /// Of the text's units those that DirectWrite speaks of; none beyond the text.
+    /// The subspan of the text's units that DirectWrite refers to, clipped to the text.
     template <class Unit>
     [[nodiscard]] static std::span<Unit> clipped(std::span<Unit> units, UINT32 at, UINT32 count) noexcept
     {

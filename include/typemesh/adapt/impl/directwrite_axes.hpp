@@ -16,12 +16,12 @@
 
 namespace typemesh::inline TYPEMESH_ABI::detail {
 
-/// The axes of a variable font. DirectWrite has them from Windows 10 1709 on. Microsoft's headers leave them out where
-/// _WIN32_WINNT or NTDDI_VERSION names an older Windows; so what is called of them is declared here, as it lies in
-/// memory. A program for older systems may use them where it finds them, and units that differ in those macros see the
-/// same code.
+/// The axes of a variable font. DirectWrite has them from Windows 10 1709 on. Microsoft's headers omit them if
+/// _WIN32_WINNT or NTDDI_VERSION names an older Windows, so the functions used are declared here with the same memory
+/// layout. A program for older systems may use them if they exist, and units that differ in those macros see the same
+/// code.
 
-/// An interface of COM, and `count` functions after its own that are not called here.
+/// A COM interface, followed by `count` functions that are not called here.
 template <class Interface, int count>
 struct followed_by : followed_by<Interface, count - 1> {
     using followed_by<Interface, count - 1>::unused;
@@ -74,7 +74,7 @@ struct directwrite_resource : IUnknown {
                                                      directwrite_varied_face** face) noexcept = 0;
 };
 
-/// The face as one with axes; empty where it has none, or Windows knows none.
+/// The face with its axes; empty if it has none, or Windows does not support axes.
 [[nodiscard]] inline com_ptr<directwrite_varied_face> varied(IDWriteFontFace* face) noexcept
 {
     auto found = com_ptr<IDWriteFontFace>::share(face).as<directwrite_varied_face>(directwrite_varied_face::id);
@@ -83,7 +83,7 @@ struct directwrite_resource : IUnknown {
 
 /// Replaces a face by one with these values on its axes, clamped to their ranges; the other axes keep their defaults.
 ///
-/// Fails  error::bad_option (a value is NaN or infinite), unknown_variation (also where Windows knows no axes),
+/// Fails  error::bad_option (a value is NaN or infinite), unknown_variation (also if Windows does not support axes),
 ///        out_of_memory, font_library_failed
 inline error vary(com_ptr<IDWriteFontFace>& face, std::span<const variation> wanted) noexcept
 {
@@ -106,7 +106,7 @@ inline error vary(com_ptr<IDWriteFontFace>& face, std::span<const variation> wan
         UINT32 i = 0;
         const std::uint32_t tag = directwrite_tag(v.tag);
         while (i < axes && ranges[i].tag != tag) ++i;
-        // The other axes are added by DirectWrite for the family's sake.
+        // DirectWrite adds the other axes only to describe the family.
         if (i == axes || (resource->GetFontAxisAttributes(i) & is_variable) == 0) return error::no_axis(v.tag);
         const float low = ranges[i].low, high = ranges[i].high;
         const float inside = v.value < low ? low : v.value > high ? high : v.value;

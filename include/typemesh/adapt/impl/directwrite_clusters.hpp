@@ -10,7 +10,7 @@
 namespace typemesh::inline TYPEMESH_ABI::detail {
 
 /// Inverts DirectWrite's map, which gives the first glyph of each unit's cluster (never decreasing, in both
-/// directions): finds the first unit of each glyph's cluster.
+/// directions). The result is the first unit of each glyph's cluster.
 inline void invert_cluster_map(std::span<const std::uint16_t> map, std::span<std::uint32_t> units) noexcept
 {
     std::size_t glyph = 0, unit = 0;

@@ -9,14 +9,14 @@
 #include <cstdint>
 #include <utility>
 
-#if defined(_MSC_VER)  // for who copies the headers
+#if defined(_MSC_VER)  // for users who copy the headers
 #pragma comment(lib, "dwrite")
 #endif
 
 namespace typemesh::inline TYPEMESH_ABI {
 
 /// The error for an HRESULT of DirectWrite: none for success, error::out_of_memory, unreadable_file, not_a_font,
-/// no_such_family, else font_library_failed with the HRESULT as an unsigned number in `count`.
+/// no_such_family, otherwise font_library_failed with the HRESULT as an unsigned number in `count`.
 [[nodiscard]] inline error directwrite_error(HRESULT code) noexcept
 {
     if (SUCCEEDED(code)) return {};
@@ -52,7 +52,7 @@ public:
         if (object_ != nullptr) object_->Release();
     }
 
-    /// Holds a reference of its own besides the caller's.
+    /// Holds its own reference in addition to the caller's.
     [[nodiscard]] static com_ptr share(T* object) noexcept
     {
         com_ptr made;
@@ -65,14 +65,14 @@ public:
     [[nodiscard]] T* operator->() const noexcept { return object_; }
     [[nodiscard]] explicit operator bool() const noexcept { return object_ != nullptr; }
 
-    /// Where a function stores a reference that it hands over. Only while this holds none.
+    /// The address where a function stores a reference for this object. Only while it holds none.
     [[nodiscard]] T** put() noexcept
     {
         TYPEMESH_ASSERT(object_ == nullptr, "a com_ptr was filled while it held an object");
         return &object_;
     }
 
-    /// Another interface of the object; empty if it has none of that type.
+    /// Another interface of the object; empty if it does not have this interface.
     template <class U>
     [[nodiscard]] com_ptr<U> as(REFIID id = __uuidof(U)) const noexcept
     {
@@ -86,10 +86,10 @@ private:
     T* object_ = nullptr;
 };
 
-/// The base of all our COM objects: they live on the stack during one call of DirectWrite's, and references are counted
-/// only to check that nobody keeps them longer. None of DirectWrite's calls does, Microsoft's or Wine's; where one did,
-/// an assertion says so, and with NDEBUG its Release() would come to memory that is something else by then. Whoever
-/// replaces DirectWrite's objects by their own must let go of ours before they return.
+/// The base of all our COM objects: they live on the stack during one call of DirectWrite. References are counted only
+/// to check that nothing keeps them longer. No call of DirectWrite does, Microsoft's or Wine's. If one did, an
+/// assertion would report it; with NDEBUG, its Release() would access memory that is then used otherwise. Replacements
+/// of DirectWrite's objects must release ours before they return.
 template <class Interface>
 class stack_object : public Interface {
 public:
@@ -113,7 +113,7 @@ public:
 protected:
     ~stack_object() { TYPEMESH_ASSERT(references_ == 1, "a COM object was kept beyond the call that lent it"); }
 
-    /// Whether `wanted` is another interface that Interface derives from.
+    /// Whether `wanted` is another base interface of Interface.
     [[nodiscard]] virtual bool is_also(REFIID) const noexcept { return false; }
 
 private:

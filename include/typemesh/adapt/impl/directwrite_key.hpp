@@ -13,15 +13,15 @@
 
 namespace typemesh::inline TYPEMESH_ABI::detail {
 
-/// What a face of DirectWrite draws, in 64 bits for a variation_key(). Where DirectWrite does not say, the key is
+/// The drawing of a DirectWrite face, in 64 bits for a variation_key(). If DirectWrite does not report it, the key is
 /// unique.
 class directwrite_key {
 public:
     void mix(std::uint64_t number) noexcept { key_ = mixed_key(key_, number); }
     void mix(double number) noexcept { mix(option_bits{number}.words[0]); }
 
-    /// Adds the font, by the checksum in its 'head' table, its number of glyphs and its face index, and how the face
-    /// draws it: its simulations and its axes.
+    /// Adds the font (by the checksum in its 'head' table, its number of glyphs and its face index) and the state of
+    /// the face: its simulations and its axes.
     void mix_state(IDWriteFontFace* face) noexcept
     {
         mix(checksum(face));
@@ -43,8 +43,8 @@ public:
         }
     }
 
-    /// Adds the files that the face comes from, by path and time of writing. Files that are not the system's (in
-    /// memory, or from a caller's own loader) are unknown: a loader's keys mean nothing once it is gone.
+    /// Adds the files of the face, by path and time of writing. Files outside the system (in memory, or from a caller's
+    /// loader) count as unknown: a loader's keys mean nothing after the loader is gone.
     void mix_files(IDWriteFontFace* face) noexcept
     {
         IDWriteFontFile* files[max_files] = {};
@@ -80,7 +80,7 @@ public:
 private:
     static constexpr UINT32 max_axes = 64, max_files = 8, longest_path = 1024;
 
-    /// checkSumAdjustment, over the whole file; 0 where there is none.
+    /// checkSumAdjustment, over the whole file; 0 if there is none.
     static std::uint64_t checksum(IDWriteFontFace* face) noexcept
     {
         constexpr UINT32 head = 0x6461'6568;  // as DirectWrite writes tags: the first letter lowest

@@ -16,11 +16,11 @@ namespace typemesh::inline TYPEMESH_ABI {
 
 namespace detail {
 
-/// Finds the quadratic of the font's own outline from the cubic that DirectWrite made of it: with control point q, c1 =
-/// p0 + 2/3 (q - p0) and c2 = p3 + 2/3 (q - p3). DirectWrite gives c1 and c2 in single precision; Wine rounds them down
-/// to 1/64 unit, twice. So q explains both if it misses neither by more than 2.5/64 along an axis. A TrueType control
-/// point is nearly always an integer point: the nearest one is taken if it explains both, else the mean of what c1 and
-/// c2 say, if that does.
+/// Finds the quadratic of the font's own outline from DirectWrite's cubic: with control point q, c1 = p0 + 2/3 (q - p0)
+/// and c2 = p3 + 2/3 (q - p3). DirectWrite returns c1 and c2 in single precision; Wine rounds them down to 1/64 unit,
+/// twice. So q explains both if its error is at most 2.5/64 along each axis for both. A TrueType control point is
+/// nearly always an integer point: the nearest one is used if it explains both, otherwise the mean of the estimates
+/// from c1 and c2 if it does.
 ///
 ///     q   the control point; unchanged if there is none
 [[nodiscard]] inline bool lower(point p0, point c1, point c2, point p3, point& q) noexcept
@@ -41,8 +41,8 @@ namespace detail {
     return true;
 }
 
-/// Passes the figures of a geometry on to an outline_sink: y up, scaled, elevated quadratics lowered again, every
-/// figure closed, hollow figures (which Direct2D does not fill) left out. After the first error all calls are ignored.
+/// Passes the figures of a geometry to an outline_sink: y up, scaled, elevated quadratics lowered again, every figure
+/// closed, hollow figures (which Direct2D does not fill) omitted. After the first error, all calls are ignored.
 template <outline_sink Sink>
 class geometry_pen final : public stack_object<ID2D1SimplifiedGeometrySink> {
 public:
@@ -127,7 +127,7 @@ private:
     return size != 0;
 }
 
-/// Draws one glyph of a face, requested at one unit per font unit; `rule` becomes the rule by which it is filled.
+/// Draws one glyph of a face, requested at one unit per font unit; `rule` becomes its fill rule.
 template <outline_sink Sink>
 error draw_glyph(IDWriteFontFace* face, double units_per_em, double scale, bool lowers, bool sideways, glyph_id id,
                  Sink& sink, fill_rule& rule) noexcept

@@ -7,7 +7,7 @@
 
 namespace typemesh::inline TYPEMESH_ABI::detail {
 
-/// What an IDWriteTextLayout draws into, in device-independent pixels: passes on what it gets, lets inline objects draw
+/// The renderer for an IDWriteTextLayout, in device-independent pixels: forwards its input, lets inline objects draw
 /// themselves, and keeps the first error.
 ///
 ///     to.add_glyphs(x, y, run, of)    `of` is null for text drawn by an inline object: it has no position in the text
@@ -15,7 +15,7 @@ namespace typemesh::inline TYPEMESH_ABI::detail {
 ///                                     an underline or strike-through, its upper edge `offset` below the baseline
 ///     to.add_object(x, y, object)     before the object draws itself
 ///
-/// Each returns an error, after which DirectWrite is told to stop.
+/// Each returns an error, which makes DirectWrite stop.
 template <class To>
 class directwrite_renderer final : public stack_object<IDWriteTextRenderer> {
 public:
@@ -58,7 +58,7 @@ public:
     {
         if (object == nullptr) return S_OK;
         if (error e = to_.add_object(x, y, object)) return said(e);
-        if (depth_ >= deepest) return S_OK;  // an object that draws itself without end
+        if (depth_ >= deepest) return S_OK;  // an object that draws itself recursively without end
         ++depth_;
         const HRESULT code = object->Draw(context, this, x, y, sideways, to_the_left, effect);
         --depth_;
@@ -76,12 +76,12 @@ private:
     {
         if (!e) return S_OK;
         if (!first_error_) first_error_ = e;
-        return e == error::out_of_memory ? E_OUTOFMEMORY : E_FAIL;  // Wine continues all the same
+        return e == error::out_of_memory ? E_OUTOFMEMORY : E_FAIL;  // Wine continues anyway
     }
 
     To& to_;
     error first_error_;
-    int depth_ = 0;  // of inline objects that draw
+    int depth_ = 0;  // of nested inline objects
 };
 
 }  // namespace typemesh::inline TYPEMESH_ABI::detail

@@ -71,7 +71,7 @@ private:
         UINT8 level;
     };
 
-    /// The sink that it writes its results to.
+    /// The sink for the analyser's results.
     class analysis_sink final : public directwrite_sink {
     public:
         explicit analysis_sink(std::span<unit_analysis> units) noexcept : units_{units} {}
@@ -91,7 +91,7 @@ private:
         std::span<unit_analysis> units_;
     };
 
-    /// Stores the line in UTF-16, and for each of its units the position in the caller's text.
+    /// Stores the line in UTF-16 and, for each of its units, the position in the caller's text.
     error take_text(text_view text, std::size_t first, std::size_t last, glyph_run& run) noexcept
     {
         text_.clear();
@@ -195,8 +195,8 @@ private:
         return error::bad("script");
     }
 
-    /// Cuts the line where script or level change, and sorts the pieces into drawing order: from the highest level down
-    /// to the lowest odd one, every run of at least that level is reversed (UAX #9, L2).
+    /// Cuts the line where script or level change, and sorts the pieces into drawing order: for each level from the
+    /// highest down to the lowest odd one, every run of at least that level is reversed (UAX #9, L2).
     error cut_into_pieces(bool vertical) noexcept
     {
         constexpr std::uint32_t longest = 0x4000;  // units; DirectWrite counts glyphs of a piece in 16 bits
@@ -227,7 +227,7 @@ private:
         return {};
     }
 
-    /// Shapes a piece and appends its glyphs from `at` on, which advances.
+    /// Shapes a piece and appends its glyphs, starting at `at`, which advances.
     error shape_piece(IDWriteFontFace* face, double units_per_em, const piece& p, bool vertical, point& at,
                       glyph_run& run) noexcept
     {

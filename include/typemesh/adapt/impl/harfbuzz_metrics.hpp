@@ -11,15 +11,15 @@
 
 namespace typemesh::inline TYPEMESH_ABI::detail {
 
-/// A number of a font's in em, or `otherwise` where it has none. `em`: HarfBuzz's units per em, up or to the right.
+/// A number of a font in em, or `otherwise` if the font lacks it. `em`: HarfBuzz's units per em, up or to the right.
 [[nodiscard]] inline double metric_of(hb_font_t* font, hb_ot_metrics_tag_t tag, double em, double otherwise) noexcept
 {
     hb_position_t found = 0;
     return hb_ot_metrics_get_position(font, tag, &found) != 0 ? found / em : otherwise;
 }
 
-/// What a font says of bars and small letters, by its tables 'post' and OS/2; without a thickness or a size that can be
-/// drawn, what suits most fonts.
+/// A font's metrics of bars and small letters, from its tables 'post' and OS/2. If a thickness or size cannot be drawn,
+/// values that suit most fonts replace it.
 [[nodiscard]] inline face_metrics read_face_metrics(hb_font_t* font) noexcept
 {
     int x = 0, y = 0;
@@ -43,8 +43,8 @@ namespace typemesh::inline TYPEMESH_ABI::detail {
     return found;
 }
 
-/// Appends the carets within a ligature, by the table GDEF: see ligature_carets.hpp. `unit`: font units per unit of
-/// HarfBuzz's, x and y.
+/// Appends the carets within a ligature, from the table GDEF: see ligature_carets.hpp. `unit`: font units per HarfBuzz
+/// unit, x and y.
 ///
 /// Fails  error::out_of_memory
 inline error append_ligature_carets(hb_font_t* font, point unit, hb_codepoint_t glyph, bool down,

@@ -28,8 +28,8 @@
 
 namespace typemesh::inline TYPEMESH_ABI::detail {
 
-/// Shapes one line with one font through HarfBuzz, piece by piece: see harfbuzz_font::shape(). Move-only; nothing may
-/// be called before open().
+/// Shapes one line with one font through HarfBuzz, piece by piece: see harfbuzz_font::shape(). Move-only. Call open()
+/// before anything else.
 class harfbuzz_shaping {
 public:
     harfbuzz_shaping() noexcept = default;
@@ -55,7 +55,7 @@ public:
         return hb_buffer_allocation_successful(buffer_) ? error{} : error{error::out_of_memory};
     }
 
-    /// `unit`: font units per unit of the font's own, x and y.
+    /// `unit`: font units per unit of the HarfBuzz font, x and y.
     result<point> shape(hb_font_t* font, point unit, text_view text, std::size_t first, std::size_t last,
                         const shape_options& options, glyph_run& run) noexcept
     {
@@ -74,7 +74,7 @@ public:
         const bool back = way == HB_DIRECTION_RTL;
         if (way == HB_DIRECTION_INVALID || (back && find_number(text, first, last) != line_reading::nowhere)) {
             shape_options base = options;
-            if (back) base.direction = direction::right_to_left;  // the script's, say, of a line of digits
+            if (back) base.direction = direction::right_to_left;  // the script's, for example in a line of digits
             if (error e = mixed_.split(text, first, last, base, items_)) return e;
             if (found.invalid.count != 0) run.note_invalid_units(found.invalid.first, found.invalid.count);
             return shape_items(font, unit, text, options, run);
@@ -108,7 +108,7 @@ public:
         return append_item(font, unit, text, item, {script, language_of(options), item_flags}, glyphs);
     }
 
-    /// Whether the font has another glyph of a character for columns.
+    /// Whether the font has a different glyph for a character in columns.
     bool has_vertical_form(hb_font_t* font, char32_t c) noexcept
     {
         hb_codepoint_t plain = 0;
@@ -144,14 +144,14 @@ private:
         hb_script_t script;
     };
 
-    /// How an item is shaped.
+    /// The way to shape an item.
     struct item_way {
         hb_script_t script;
         hb_language_t language;
         int flags;
     };
 
-    /// The direction of a line that has only one; HB_DIRECTION_INVALID of others.
+    /// The direction of a line that has only one; otherwise HB_DIRECTION_INVALID.
     static hb_direction_t direction_of(const line_reading& found, direction wanted, hb_script_t script) noexcept
     {
         if (wanted == direction::top_to_bottom) return HB_DIRECTION_TTB;
@@ -171,7 +171,7 @@ private:
         return item.to_the_left() ? HB_DIRECTION_RTL : HB_DIRECTION_LTR;
     }
 
-    /// Whether all of text[first, last) stands upright in a column, so that nothing needs to be found out.
+    /// Whether all of text[first, last) stands upright in a column, so that no analysis is needed.
     static bool stands_upright(text_view text, std::size_t first, std::size_t last, const column_options& how) noexcept
     {
         if (how.latin == column_latin::upright && how.combined_digits == 0) return true;
@@ -209,7 +209,7 @@ private:
         return at;
     }
 
-    /// Appends an item of a column, which has been shaped, from `at` on, which advances.
+    /// Appends a shaped item of a column, starting at `at`, which advances.
     error place_column(hb_font_t* font, point unit, const text_item& item, const column_options& how, point& at,
                        glyph_run& run) noexcept
     {
@@ -229,7 +229,7 @@ private:
         return {};
     }
 
-    /// Cuts an item into what is shaped at once: all of it, nearly always.
+    /// Cuts an item into pieces that are shaped at once; nearly always one piece.
     error cut_item(text_view text, const text_item& item, hb_script_t script) noexcept
     {
         pieces_.clear();
@@ -242,7 +242,7 @@ private:
         });
     }
 
-    /// Has HarfBuzz shape the k-th piece of an item in drawing order.
+    /// Shapes the k-th piece of an item in drawing order with HarfBuzz.
     error shape_piece(hb_font_t* font, text_view text, const text_item& item, const item_way& how,
                       std::size_t k) noexcept
     {
@@ -261,7 +261,7 @@ private:
         return true;
     }
 
-    /// Sets `script` to the one that the options name, if they do.
+    /// Sets `script` to the script that the options name, if any.
     static error take_script(const shape_options& options, hb_script_t& script) noexcept
     {
         if (options.script.empty()) return {};
@@ -280,7 +280,7 @@ private:
     error take_features(const shape_options& wanted) noexcept
     {
         features_.clear();
-        // What is requested by name comes later and wins.
+        // Features requested by name come later and win.
         for (const feature& f :
              wanted.ligatures ? array_view<const feature>{} : array_view<const feature>{no_ligatures})
             if (error e = take_feature(f)) return e;
@@ -304,8 +304,8 @@ private:
         return hb_unicode_script(unicode, c);
     }
 
-    /// Cuts where the script changes. Characters without a script of their own (spaces, digits, marks) stay with what
-    /// precedes them.
+    /// Cuts where the script changes. Characters without a script of their own (spaces, digits, marks) stay with the
+    /// preceding text.
     error cut_into_pieces(text_view text, std::size_t first, std::size_t last, hb_script_t given) noexcept
     {
         pieces_.clear();
@@ -331,7 +331,7 @@ private:
         return add_pieces(text, open.first, last, open.script);
     }
 
-    /// Passes a piece and its context to HarfBuzz. Valid text is passed as it is, other text code point by code point,
+    /// Passes a piece and its context to HarfBuzz. Valid text is passed unchanged, other text code point by code point,
     /// because HarfBuzz would read a different number of U+FFFD from broken UTF-8 than decode() does.
     void fill_buffer(text_view text, const piece& p, bool decoded, int flags) noexcept
     {
@@ -373,7 +373,7 @@ private:
 
     static bool breaks_line(std::uint32_t unit) noexcept { return unit >= 0x0A && unit <= 0x0D; }
 
-    /// Has HarfBuzz shape what its buffer holds.
+    /// Shapes the contents of HarfBuzz's buffer.
     error shape_buffer(hb_font_t* font, hb_direction_t way, hb_script_t script, hb_language_t language) noexcept
     {
         hb_buffer_set_direction(buffer_, way);
@@ -398,7 +398,7 @@ private:
     }
 
     /// Whether the glyph before i is the first of several that draw an emoji of several code points in parts. HarfBuzz
-    /// makes a cluster of a grapheme.
+    /// makes each grapheme one cluster.
     [[nodiscard]] bool begins_parted(array_view<const hb_glyph_info_t> all, std::size_t i) const noexcept
     {
         const unsigned cluster = all[i].cluster;
@@ -432,7 +432,7 @@ private:
         return static_cast<cluster_id>(part_.cluster(first_unit_ + info.cluster));
     }
 
-    /// Appends what HarfBuzz has shaped, with advances along the line.
+    /// Appends HarfBuzz's glyphs, with advances along the line.
     error append_glyphs(point unit, bool down, buffer<shaped_glyph>& glyphs) const noexcept
     {
         unsigned count = 0;
@@ -452,7 +452,7 @@ private:
         return {};
     }
 
-    /// Appends what HarfBuzz has shaped, from `at` on, which advances.
+    /// Appends HarfBuzz's glyphs, starting at `at`, which advances.
     error take_glyphs(point unit, point& at, glyph_run& run) const noexcept
     {
         unsigned count = 0;
@@ -475,16 +475,16 @@ private:
     }
 
     hb_buffer_t* buffer_ = nullptr;
-    std::size_t first_unit_ = 0;  // which HarfBuzz's clusters are relative to
-    std::size_t last_unit_ = 0;   // of what the buffer holds
-    text_view text_ = {};         // likewise, until the next call
-    hb_font_t* font_ = nullptr;   // that has shaped it
-    shaping_part part_;           // what the buffer holds
+    std::size_t first_unit_ = 0;  // the origin of HarfBuzz's clusters
+    std::size_t last_unit_ = 0;   // end of the buffer's text
+    text_view text_ = {};         // the buffer's text, until the next call
+    hb_font_t* font_ = nullptr;   // the font that shaped it
+    shaping_part part_;           // the contents of the buffer
     buffer<hb_feature_t> features_;
     buffer<piece> pieces_;
-    buffer<text_item> items_;  // of a line of both directions
+    buffer<text_item> items_;  // the items of a line with both directions
     mixed_line mixed_;
-    buffer<shaped_glyph> shaped_;  // of an item of a column
+    buffer<shaped_glyph> shaped_;  // the glyphs of a column's item
 };
 
 }  // namespace typemesh::inline TYPEMESH_ABI::detail

@@ -13,7 +13,7 @@ class free_axes {
 public:
     explicit free_axes(const placement& at) noexcept : at_{at} {}
 
-    /// What a point's positions at all heights have in common.
+    /// The common part of a point's positions at all heights.
     [[nodiscard]] placement::footprint foot(grid_point p) const noexcept { return at_.foot(p); }
     [[nodiscard]] placement::footprint foot(point p) const noexcept { return at_.foot(p); }
     [[nodiscard]] vec3 position(placement::footprint f, float z) const noexcept { return at_.position(f, z); }
@@ -24,7 +24,7 @@ private:
 };
 
 /// The same, in less than half the time, for frames whose first two axes are the text's own and whose third is parallel
-/// to z: most of them. The terms left out are products with 0 and 1, so the results are equal.
+/// to z, which most frames are. The omitted terms are products with 0 and 1, so the results are equal.
 class upright_axes {
 public:
     explicit upright_axes(const placement& at) noexcept
@@ -32,7 +32,7 @@ public:
     {
     }
 
-    /// Compares bits, because this runs for each part of each glyph; a frame with a -0 goes the slower way.
+    /// Compares bits, because this runs for each part of each glyph; a frame with a -0 uses free_axes.
     [[nodiscard]] static bool fit(const frame& f) noexcept
     {
         const auto differ = [](float a, float b) noexcept {
@@ -61,7 +61,7 @@ private:
     float toward_;
 };
 
-/// Calls f with the one of the two that suits the placement's frame.
+/// Calls f with the class that suits the placement's frame.
 template <class F>
 void with_axes(const placement& at, F&& f) noexcept
 {

@@ -14,23 +14,23 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// What a bevel is swept over: a region with its triangles.
+/// The input of a bevel's sweep: a region with its triangles.
 struct region_to_carve {
     const region& filled;
     array_view<const triangle> triangles;
 };
 
-/// Sweeps a region for a bevel, and narrows the bevel where it cannot be as wide as it should.
+/// Sweeps a region for a bevel, and narrows the bevel if its full width is impossible.
 struct bevel_carver {
     bevel_sweep sweep;
-    bool fits = false;  ///< wanted: at most 0.9 times as wide as where a part of the region would lose its cap
+    bool fits = false;  ///< wanted: at most 0.9 times the width at which a part of the region would lose its cap
 
-    bool touches = false;  ///< set by make(): it refuses because corners touch, which a hundredth less may prevent
+    bool touches = false;  ///< set by make(): it refuses because corners touch; a hundredth less may prevent this
 
-    bool narrowed = false;  ///< afterwards: the bevel is narrower than wanted; what it would have left was refused
+    bool narrowed = false;  ///< afterwards: the bevel is narrower than wanted because the remaining region was refused
 
-    /// `points_of(scale)` gives the profile, `make(swept)` makes a cap of what is left, `scale.width` becomes the width
-    /// of the bevel. It is halved where the sweep or the cap is refused with error::crossing_contours.
+    /// `points_of(scale)` returns the profile, `make(swept)` makes a cap of the remaining region, `scale.width` becomes
+    /// the width of the bevel. It is halved if the sweep or the cap is refused with error::crossing_contours.
     ///
     /// Fails  with any other error of the two
     template <class Points, class Make>
@@ -38,9 +38,9 @@ struct bevel_carver {
                      swept_region& out, const Make& make) noexcept
     {
         bool is_wanted = !fits;
-        // What was measured at one width holds at a narrower one if corners move alike.
+        // The result measured at one width holds at a narrower one if corners move alike.
         if (fits && sweep.joins_at < scale.width) sweep.joins_at = scale.width;
-        int slight = 0;  // how often a hundredth was taken off
+        int slight = 0;  // how often the width was reduced by a hundredth
         narrowed = false;
         for (;;) {
             error e = sweep(given.filled, given.triangles, {points_of(scale), scale}, space, out);

@@ -13,12 +13,12 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// A vertex of a bevel, of the front's and of the back's, which is its mirror image.
+/// A vertex of a bevel: of the front's, and of the back's, which is its mirror image.
 struct bevel_vertex {
     grid_point at;
     vec2 outward;        ///< unit vector in the plane: its normal before the profile tilts it
     float along = 0.0f;  ///< along the contour, as side_point::along
-    float share = 0.0f;  ///< how far across its strip: 0 at the strip's outer end, 1 at its inner
+    float share = 0.0f;  ///< its place across the strip: 0 at the strip's outer end, 1 at its inner
     std::uint32_t strip = 0;
 };
 
@@ -27,27 +27,27 @@ struct bevel_triangle {
     triangle corners;
 };
 
-/// What a bevel has between two levels, or a riser at one; from the wall inwards.
+/// The part of a bevel between two levels, or a riser at one level; from the wall inwards.
 struct bevel_strip {
     float run = 0.0f;   ///< its width in the plane, in cells; 0: a riser
     float from = 0.0f;  ///< its height at both ends, as a share of the bevel's depth
     float to = 0.0f;
-    bool smooth_before = false;  ///< its normals at this end are those of its neighbour (the wall, the cap), too
+    bool smooth_before = false;  ///< the neighbour (the wall, the cap) has the same normals at this end
     bool smooth_after = false;
 };
 
-/// What a bevel's neighbours need to know of it.
+/// The data of a bevel for its neighbours.
 struct bevel_rims {
-    float wall = 0.0f;            ///< where the wall ends, as a share of the bevel's depth
-    float cap = 0.0f;             ///< where the cap lies
-    float top = 0.0f;             ///< how high anything reaches
+    float wall = 0.0f;            ///< the end of the wall, as a share of the bevel's depth
+    float cap = 0.0f;             ///< the height of the cap
+    float top = 0.0f;             ///< the greatest height of anything
     float width = 0.0f;           ///< of the bevel, in em
     bool own_cap = false;         ///< the cap is the region's own: the bevel has no width, or lies outside of it
     bool outward = false;         ///< the walls do not stand on the region's own edges
-    std::uint32_t vertices = 0;   ///< of the bevel, and of its triangles; what comes after them are the walls of an
-    std::uint32_t triangles = 0;  ///< outward one, whose vertices come in pairs, at the back and at the front
+    std::uint32_t vertices = 0;   ///< the bevel's own; an outward bevel's walls follow, whose
+    std::uint32_t triangles = 0;  ///< vertices come in pairs, at the back and at the front
 
-    /// Whether the cap on a side that is bevelled, or is not, is the region's own.
+    /// Whether the cap on a side (bevelled or not) is the region's own.
     [[nodiscard]] bool has_own_cap(bool is_bevelled) const noexcept { return own_cap || is_bevelled == outward; }
 };
 
@@ -57,21 +57,22 @@ struct bevel_rims {
 ///     bevel_vertex, bevel_triangle, bevel_strip       of one bevel
 ///     bevel_rims      one
 ///     grid_point, triangle        of the cap within the bevel
-///     grid_point, std::uint32_t   of an outward one the points and starts of its walls' loops, which bound that cap
+///     grid_point, std::uint32_t   for an outward bevel: points and starts of its walls' loops, which bound that cap
 ///
-/// And what plan() needs on the way, kept for the next glyph.
+/// Also the working memory of plan(), kept for the next glyph.
 struct bevel_data : plan_arrays<side_point, bevel_vertex, bevel_triangle, bevel_strip, bevel_rims, grid_point, triangle,
                                 std::uint32_t> {
-    /// One edge's face at a node, and the vertex that it has there.
+    /// One edge's face at a node, and its vertex there.
     struct corner {
         std::uint32_t edge;
         std::uint32_t vertex;
-        std::uint32_t next;  ///< of the same node
+        std::uint32_t next;  ///< the next corner of the same node
     };
     /// The normals of the corners that share a vertex.
     struct corner_normals {
         point first, sum;
-        point right, left;  ///< the outermost of them and of the flat faces', less than 180 degrees apart
+        point right, left;  ///< the outermost of these normals and of the flat faces' normals, less than 180 degrees
+                            ///< apart
 
         corner_normals(point n, point face) noexcept : first{n}, sum{n}, right{n}, left{n} { widen(face); }
 
@@ -81,7 +82,7 @@ struct bevel_data : plan_arrays<side_point, bevel_vertex, bevel_triangle, bevel_
             widen(n);
             widen(face);
         }
-        /// Whether all differ by less than 90 degrees from their sum when one more is added.
+        /// Whether, with one more normal, all differ by less than 90 degrees from their sum.
         [[nodiscard]] bool stays_near(point n, point face) const noexcept
         {
             corner_normals more = *this;
@@ -92,7 +93,7 @@ struct bevel_data : plan_arrays<side_point, bevel_vertex, bevel_triangle, bevel_
         }
 
     private:
-        /// False where it would go all round the vertex.
+        /// False if the range would go all the way around the vertex.
         bool widen(point n) noexcept
         {
             const bool to_right = cross(right, n) < 0.0, to_left = cross(left, n) > 0.0;
@@ -104,8 +105,8 @@ struct bevel_data : plan_arrays<side_point, bevel_vertex, bevel_triangle, bevel_
     };
 
     swept_region swept;
-    contours around;          ///< what lies around the region, for outward bevels
-    triangle_list triangles;  ///< and its triangles
+    contours around;          ///< the surroundings of the region, for outward bevels
+    triangle_list triangles;  ///< their triangles
     buffer<corner> corners;
     buffer<corner_normals> normals;  ///< of each bevel vertex
 

@@ -17,16 +17,16 @@ namespace typemesh::inline TYPEMESH_ABI {
 /// Turns the normals of a bevel out of the triangles that they light.
 ///
 ///         n            A curve may turn by nearly 90 degrees more than its chord does, and nodes are rounded to the
-///     n'  ^  / face    grid. So a normal that is just less than 90 degrees off an edge may be more off a triangle of
-///      \  | /          its face. There that triangle takes a vertex of its own, whose normal n' is turned as far as it
-///       \ |/           has to be, to 89 degrees off.
+///     n'  ^  / face    grid. So the angle of a normal to its edge's normal may be just less than 90 degrees, but
+///      \  | /          larger for a triangle of the edge's face. That triangle gets its own vertex, whose normal n'
+///       \ |/           is turned as far as necessary, to an angle of 89 degrees.
 ///     ____o____
 ///
-/// The triangle counts as it is written, by its own slope; of risers the edge that they stand on. Triangles up to three
-/// cells high in the plane, and risers on edges up to three cells long, are left as they are, since rounding lets them
-/// lean anywhere.
+/// A triangle's direction is its own slope as written; a riser's direction is the normal of its edge. Triangles up to
+/// three cells high in the plane, and risers on edges up to three cells long, are unchanged, because rounding may turn
+/// them in any direction.
 ///
-/// Cost   O(n); scratch memory, four bytes a vertex, only where a normal is turned
+/// Cost   O(n); scratch memory, four bytes per vertex, only if a normal is turned
 class bevel_facing {
 public:
     bevel_facing(bevel_data& data, workspace::scope& scratch) noexcept
@@ -38,7 +38,7 @@ public:
     {
     }
 
-    /// Of the triangles from `first` on, whose vertices no others have. False when memory runs out.
+    /// For the triangles from `first` on, which share no vertices with others. False if out of memory.
     [[nodiscard]] bool turn_out(std::size_t first) noexcept
     {
         const std::size_t count = triangles_.size();
@@ -57,13 +57,13 @@ public:
 
 private:
     static constexpr double narrow = 3.0;     ///< cells
-    static constexpr double least = 0x1p-8;   ///< the cosine up to which a normal is turned,
-    static constexpr double turned = 0x1p-6;  ///< and to about which it is
+    static constexpr double least = 0x1p-8;   ///< a normal with a smaller cosine is turned
+    static constexpr double turned = 0x1p-6;  ///< the approximate cosine after turning
 
-    /// Where a triangle faces in the plane.
+    /// The direction that a triangle faces in the plane.
     struct facing {
         point away;    ///< of any length
-        double least;  ///< the square of the least product with a unit normal
+        double least;  ///< the square of the least permitted product with a unit normal
     };
 
     [[nodiscard]] facing facing_of(const triangle& t) const noexcept
@@ -71,7 +71,7 @@ private:
         const bevel_vertex &a = vertices_[t.a], &b = vertices_[t.b], &c = vertices_[t.c];
         const point ab = delta(a.at, b.at);
         point away = outward(ab);
-        if (!is_riser(a)) {  // against the gradient of the way across the profile
+        if (!is_riser(a)) {  // against the gradient across the profile
             const double to_b = station(b) - station(a), to_c = station(c) - station(a);
             away = -1.0 * outward(to_b * delta(a.at, c.at) - to_c * ab);
         }
@@ -85,7 +85,7 @@ private:
         return across > 0.0 && across * across > f.least;
     }
 
-    /// Whether rounding may have turned it anywhere; or it is level, and no direction in the plane is its own.
+    /// Whether rounding may have turned it to any direction, or it is level and has no direction in the plane.
     [[nodiscard]] bool is_narrow(const triangle& t) const noexcept
     {
         const bevel_vertex &a = vertices_[t.a], &b = vertices_[t.b], &c = vertices_[t.c];
@@ -100,11 +100,11 @@ private:
 
     [[nodiscard]] bool is_riser(const bevel_vertex& v) const noexcept { return is_zero(strips_[v.strip].run); }
 
-    /// How far across the profile, in strips: a vertex that two of them share is at the end of one and the start of the
-    /// other.
+    /// The position across the profile, in strips. A vertex that two strips share is at the end of one and the start of
+    /// the next.
     [[nodiscard]] static double station(const bevel_vertex& v) noexcept { return v.strip + as_double(v.share); }
 
-    /// How many corners of triangles each vertex is.
+    /// Counts, for each vertex, the corners of triangles that use it.
     [[nodiscard]] bool count_uses(std::size_t first) noexcept
     {
         const std::size_t n = vertices_.size();
@@ -117,15 +117,15 @@ private:
         return true;
     }
 
-    /// Gives a corner a vertex that lights its triangle: one that a triangle before has got instead of the same one,
-    /// or its own; risers a pair. A vertex that nothing else needs is turned itself.
+    /// Gives a corner a vertex that lights its triangle: the replacement that a previous triangle got for the same
+    /// vertex, or a new one; a pair for risers. A vertex with no other user is turned itself.
     [[nodiscard]] bool take_own(std::uint32_t& corner, const facing& f) noexcept
     {
         const bool riser = is_riser(vertices_[corner]);
         const std::uint32_t first = riser && vertices_[corner].share > 0.0f ? corner - 1 : corner;
         const std::uint32_t pair = riser ? 1 : 0;
         const std::uint32_t upper = corner - first;
-        constexpr std::uint32_t of_quad = 3;  // corners that two triangles of a riser have at one of its ends
+        constexpr std::uint32_t of_quad = 3;  // corners of a riser's two triangles at one of its ends
         const bool alone = riser ? uses_[first] + uses_[first + 1] == of_quad : uses_[first] == 1;
         if (!alone && first == last_.from && lights(last_.to, f)) {
             --uses_[corner];
@@ -155,7 +155,7 @@ private:
         return rounded(unit(n + (turned - dot(n, away)) * away));
     }
 
-    /// A vertex that was replaced last.
+    /// The vertex that was replaced last.
     struct replaced {
         std::uint32_t from = ~std::uint32_t{0}, to = 0;
     };

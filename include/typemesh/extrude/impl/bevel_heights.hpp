@@ -7,10 +7,10 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// Which edges are bevelled.
+/// The edges that are bevelled.
 enum class bevel_sides : std::uint8_t { both, front, back };
 
-/// The heights of a bevelled solid, in the unit of its depth. `in_front` says which of its two sides is meant.
+/// The heights of a bevelled solid, in the unit of its depth. `in_front` selects one of its two sides.
 ///
 ///     high     front ____                  share 1 of the bevel's depth
 ///                  /      \                share 0
@@ -29,15 +29,15 @@ struct bevel_heights {
         return sides != (in_front ? bevel_sides::back : bevel_sides::front);
     }
 
-    /// Where a share of a bevel's depth lies. What is subtracted is rounded to a float first, so that no compiler can
-    /// fuse the two.
+    /// The height of a share of a bevel's depth. The subtrahend is first rounded to a float, so that no compiler can
+    /// fuse the two operations.
     [[nodiscard]] double at_share(bool in_front, float share) const noexcept
     {
         const auto down = static_cast<float>(as_double(bevel_depth) * (1.0 - as_double(share)));
         return in_front ? high() - as_double(down) : low() + as_double(down);
     }
 
-    /// Where walls end that reach up to a share of the bevels' depth.
+    /// The height at which walls end that reach up to a share of the bevels' depth.
     [[nodiscard]] double rim(bool in_front, float wall) const noexcept
     {
         return is_bevelled(in_front) ? at_share(in_front, wall) : in_front ? high() : low();

@@ -14,16 +14,17 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// How the faces that edges sweep are lit in the plane, and textured: what a wall has at its two ends, carried inwards.
+/// The light of the faces that edges sweep, in the plane, and their texture: the values at a wall's two ends, carried
+/// inwards.
 ///
-///      a(t)______b(t)     At distance t the face of an edge reaches from a(t) to b(t), the ways of its own corners.
-///         /      \        Between them normal and `along` run evenly from those of a to those of b. Beyond them, where
-///        /        \       neighbours have vanished and others have come, they stay.
+///      a(t)______b(t)     At distance t, the face of an edge reaches from a(t) to b(t), the paths of its own corners.
+///         /      \        Between them, normal and `along` change linearly from a's values to b's. Beyond them, where
+///        /        \       neighbours have vanished and others have come, the values are constant.
 ///     __a__________b__
 ///
-/// A join's face begins as a point. Its normals run from those of the wall before it, or the mean with the join before
-/// it, to those after it, so that a corner of several joins shades round; where they would be more than 45 degrees off
-/// its own, it keeps that. `along` is the corner's.
+/// A join's face begins as a point. Its first normal is the normal of the wall before it, or the mean with the join
+/// before it; its last normal likewise for the next. So a corner with several joins is shaded round. A normal more than
+/// 45 degrees from the join's own normal is replaced by the own one. `along` is the corner's.
 class bevel_light {
 public:
     struct lit {
@@ -32,10 +33,10 @@ public:
         point face;     ///< the outward unit vector of the flat face that the edge sweeps
     };
 
-    /// `after_seam` is that of the texture's mapping.
+    /// `after_seam` belongs to the texture's mapping.
     explicit bevel_light(float (*after_seam)(float along) noexcept) noexcept : after_seam_{after_seam} {}
 
-    /// One face for each edge and then for each join of `swept`, taken from `scratch`; false when memory runs out.
+    /// One face for each edge and then for each join of `swept`, taken from `scratch`; false if out of memory.
     [[nodiscard]] bool prepare(const region& filled, array_view<const side_point> sides, const swept_region& swept,
                                workspace::scope& scratch) noexcept
     {
@@ -51,7 +52,7 @@ public:
         return true;
     }
 
-    /// Makes `along` run the other way, and normals point into the region: for what lies around another region.
+    /// Reverses `along`, and makes normals point into the region: for the surroundings of another region.
     void turn_round(const region& filled, array_view<const side_point> sides, const swept_region& swept) noexcept
     {
         const auto n = static_cast<std::uint32_t>(filled.points().size());
@@ -66,10 +67,10 @@ public:
         }
     }
 
-    /// Whether some normal is more than 45 degrees off its flat face: where one chord has a curve that turns a lot.
+    /// Whether some normal is more than 45 degrees from its flat face: the curve of one chord turns a lot there.
     [[nodiscard]] bool strays() const noexcept { return strays_; }
 
-    /// At a node of that edge's face.
+    /// The light at a node of that edge's face.
     [[nodiscard]] lit at(std::uint32_t edge, const swept_node& node) const noexcept
     {
         const face& f = faces_[edge];
@@ -88,7 +89,7 @@ private:
     struct face {
         point start, direction;  // the unit direction of the edge, interior on the left
         double length;           // at distance 0,
-        double start_speed;      // and how its ends move along the direction
+        double start_speed;      // and the speed of its ends along the direction
         double end_speed;
         point start_normal, end_normal;
         double start_along, end_along;
@@ -135,8 +136,7 @@ private:
             placed(filled.points()[j.point]), {inward.y, -inward.x}, 0.0, 0.0, 0.0, out, out, along, along, out};
     }
 
-    /// Turns every corner from its edge before to its edge after, by way of its joins: those come by their points, in
-    /// that order.
+    /// Turns every corner from its previous edge to its next edge, through its joins, which are sorted by their points.
     void turn_corners(const region& filled, const swept_region& swept, std::uint32_t n) noexcept
     {
         const auto joins = static_cast<std::uint32_t>(swept.joins.size());
@@ -150,7 +150,7 @@ private:
         }
     }
 
-    /// Sets the speed of the corner between two faces, and the normal there of those that are joins; edges keep theirs.
+    /// Sets the speed of the corner between two faces, and the normals of joins there; edges keep their normals.
     void turn(std::uint32_t before, std::uint32_t after, std::uint32_t n) noexcept
     {
         face &f = faces_[before], &g = faces_[after];
@@ -163,13 +163,13 @@ private:
         if (joins_g) g.start_normal = turned(own_g, shared);
     }
 
-    /// A join's normal at one end: the one that it shares there, unless that is more than 45 degrees off its own.
+    /// A join's normal at one end: the shared one, or its own if the two differ by more than 45 degrees.
     static point turned(point own, point shared) noexcept
     {
         return dot(own, shared) >= std::fabs(cross(own, shared)) && dot(shared, shared) > 0.0 ? unit(shared) : own;
     }
 
-    /// How fast the corner between two edges moves along each of them, as the point at the same distance from both.
+    /// The speed of the corner between two edges along each of them; the corner has the same distance from both.
     static void set_speeds(face& f, face& g) noexcept
     {
         const double cosine = dot(f.direction, g.direction);

@@ -13,7 +13,7 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// How a bevel is lit across its profile.
+/// The shading of a bevel across its profile.
 enum class bevel_shading : std::uint8_t {
     by_slope,  ///< each strip by its own slope; neighbours that differ by less than the crease angle share the mean of
                ///< their normals
@@ -39,13 +39,13 @@ struct bevel_tilt {
     return unit(bevel_tilt{(as_double(s.to) - as_double(s.from)) * depth, as_double(s.run)});
 }
 
-/// Makes the strips of a profile's levels: a riser where a level has one, then what lies between it and the next.
+/// Makes the strips of a profile's levels: a riser if a level has one, then the strip between this level and the next.
 ///
-///     crease_degrees    up to which neighbours are smooth, with the profile drawn as wide as it is deep; risers never
-///                       are. To the wall and to the cap half of it, as a round profile differs from these by half a
-///                       step
+///     crease_degrees    the limit of smooth neighbours, with the profile drawn as wide as it is deep; risers are
+///                       never smooth. Half of it towards the wall and the cap, because a round profile differs from
+///                       them by half a step
 ///
-/// False when memory runs out.
+/// False if out of memory.
 [[nodiscard]] inline bool add_strips(const profile_levels& profile, float crease_degrees, bevel_shading shading,
                                      buffer<bevel_strip>& out) noexcept
 {
@@ -61,7 +61,7 @@ struct bevel_tilt {
     const auto smooth = [&](bevel_tilt a, bevel_tilt b, double crease) noexcept {
         return shading == bevel_shading::rounded || a.out * b.out + a.up * b.up >= crease;
     };
-    // A profile's floats turn by an angle of their own, give or take 2^-24: one equal to the crease angle is smooth.
+    // A profile's floats change the angle by about 2^-24: an angle equal to the crease angle is smooth.
     constexpr double slack = 0x1p-20;
     const double between = crease_cosine(crease_degrees) - slack,
                  at_ends = crease_cosine(0.5f * crease_degrees) - slack;
@@ -78,7 +78,7 @@ struct bevel_tilt {
     return true;
 }
 
-/// A vertex's height as a share of the bevel's depth; that of its strip's end to the bit.
+/// A vertex's height as a share of the bevel's depth; at a strip's end, the end's height to the bit.
 [[nodiscard]] inline float height_of(const bevel_vertex& v, array_view<const bevel_strip> strips) noexcept
 {
     const bevel_strip& s = strips[v.strip];
@@ -88,7 +88,7 @@ struct bevel_tilt {
     return static_cast<float>(as_double(s.from) + as_double(risen));
 }
 
-/// The strips of a bevel where it is written: heights, lengths and normals across its profile.
+/// The strips of a bevel for writing: heights, lengths and normals across its profile.
 class bevel_slopes {
 public:
     /// `depth` in cells.
@@ -152,7 +152,7 @@ private:
     {
         return unit(bevel_tilt{a.out + b.out, a.up + b.up});
     }
-    /// Turns a normal that is upright to its strip's own, as a wall's is to a level strip's, a little towards it.
+    /// Turns a normal that is perpendicular to its strip's own (like a wall's and a level strip's) slightly towards it.
     static bevel_tilt off_level(bevel_tilt n, bevel_tilt own) noexcept
     {
         constexpr double least = 0x1p-6;

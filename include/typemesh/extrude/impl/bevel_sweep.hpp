@@ -14,8 +14,8 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// What a sweep of width 0 gives: the region's own points and edges at level 0, no cell and no cap. False when
-/// memory runs out.
+/// The result of a sweep of width 0: the region's own points and edges at level 0, without cells or a cap. False if out
+/// of memory.
 [[nodiscard]] inline bool sweep_nowhere(const region& filled, swept_region& out) noexcept
 {
     const auto n = static_cast<std::uint32_t>(filled.points().size());
@@ -27,15 +27,15 @@ namespace typemesh::inline TYPEMESH_ABI {
     return out.levels.push_back(0.0) && out.at_level.push_back(0) && out.at_level.push_back(n);
 }
 
-/// How a region is swept for a bevel.
+/// The sweep of a region for a bevel.
 struct bevel_sweep {
     double mitre_limit = 2.0;  ///< as in sweep_options
     double tolerance = 0.0;
     bool round = true;
-    bool outward = false;   ///< the region lies around another one, at which the profile ends
+    bool outward = false;   ///< the region surrounds another one, at which the profile ends
     double joins_at = 0.0;  ///< as in sweep_options
 
-    /// Sweeps it to the levels of a profile; `out` is emptied first.
+    /// Sweeps the region to the levels of a profile; `out` is emptied first.
     ///
     /// Fails  as sweep_inwards() does
     [[nodiscard]] error operator()(const region& filled, array_view<const triangle> triangles,

@@ -18,10 +18,10 @@ namespace typemesh::inline TYPEMESH_ABI {
 
 /// Makes the vertices and triangles of a bevel from a swept region.
 ///
-/// At each node the faces that meet there share a vertex as long as their normals differ by less than the crease angle
-/// from those of the first of them, by less than 90 degrees, as the flat faces do, from the normalised sum, which is
-/// the vertex's, and they agree on `along`. Faces of two bands share one if the strips do. A riser has vertices of its
-/// own: pairs, below and above in the profile's order.
+/// The faces that meet at a node share a vertex under three conditions. Their normals differ by less than the crease
+/// angle from the first one's normal. Their normals and flat faces differ by less than 90 degrees from the normalised
+/// sum, which is the vertex's normal. They agree on `along`. Faces of two bands share a vertex if the strips are smooth
+/// there. A riser has its own vertices: pairs, below and above in the profile's order.
 class bevel_vertices {
 public:
     struct sharing {
@@ -38,11 +38,11 @@ public:
     {
     }
 
-    /// For a sweep outwards, of what lies around a region: the levels then come in the opposite order, and the edges of
-    /// the frame, from this one on, are left out.
+    /// For an outward sweep of a region's surroundings: the levels are in reverse order, and the frame's edges,
+    /// starting with this one, are left out.
     void outwards(std::uint32_t frame) noexcept { frame_ = frame; }
 
-    /// `data` holds the strips of `profile`, whose levels are those of data.swept.
+    /// `data` holds the strips of `profile`, whose levels are equal to data.swept's.
     ///
     /// Fails  error::out_of_memory
     [[nodiscard]] error make(const profile_levels& profile, workspace::scope& scratch) noexcept
@@ -73,7 +73,7 @@ public:
         return finish(0, scratch) ? error{} : error{error::out_of_memory};
     }
 
-    /// Walls on the edges that stand at the last level: pairs of vertices, from the back to the front.
+    /// Makes walls on the edges at the last level: pairs of vertices, from the back to the front.
     ///
     /// Fails  error::out_of_memory
     [[nodiscard]] error add_walls(workspace::scope& scratch) noexcept
@@ -87,28 +87,28 @@ public:
 private:
     static constexpr std::uint32_t none = ~std::uint32_t{0};
 
-    /// How many corners at a node are tried: thousands may meet where a round shape closes, each with its own vertex.
+    /// The number of corners tried at a node: thousands may meet where a round shape closes, each with its own vertex.
     static constexpr std::uint32_t max_tried = 64;
 
-    /// The cosine of 30 degrees, rounded up: normals that differ by less from one are near to the sum of all, and so
-    /// are the faces that they stand for, if those are near their own normals.
+    /// The cosine of 30 degrees, rounded up. If normals differ by less from one of them, they are near the sum of all.
+    /// Their faces are too, if they are near their own normals.
     static constexpr double always_near = 0.8661;
 
-    /// The corners at a node so far, of strips that share vertices: those of the current age.
+    /// The corners at a node so far, of strips that share vertices: the ones of the current age.
     struct node {
         std::uint32_t corners;
         std::uint32_t age;
-        std::uint32_t level;  ///< that it lies on; none: it lies between two
+        std::uint32_t level;  ///< its level; none: it lies between two levels
     };
 
-    /// Nodes of an edge at a level lie on that, and nodes of two bands on the level between them.
+    /// A node of an edge at a level lies on this level; a node of two bands lies on the level between them.
     void find_levels() noexcept
     {
         for (std::size_t i = 0; i + 1 < swept_.cells.size(); ++i) {
             const swept_cell* c = &swept_.cells[i];
             for (std::uint32_t t = c[0].first_triangle; t < c[1].first_triangle; ++t)
                 for (const std::uint32_t at : {swept_.triangles[t].a, swept_.triangles[t].b, swept_.triangles[t].c}) {
-                    std::uint32_t& last = nodes_[at].corners;  // the last band that it was seen in
+                    std::uint32_t& last = nodes_[at].corners;  // the last band that contained it
                     if (last != none && last != c->band) nodes_[at].level = c->band;
                     last = c->band;
                 }
@@ -118,14 +118,15 @@ private:
                 nodes_[swept_.edges_at[i].a].level = nodes_[swept_.edges_at[i].b].level = k;
     }
 
-    /// The cells of a band; `cell` is the first of them, and then of the next band's.
+    /// The cells of a band. `cell` is the first of them, and then the next band's first.
     bool add_band(std::uint32_t band, std::uint32_t strip, std::size_t& cell) noexcept
     {
         auto& triangles = data_.of<bevel_triangle>();
         for (; cell + 1 < swept_.cells.size() && swept_.cells[cell].band == band; ++cell) {
             const swept_cell& c = swept_.cells[cell];
             if (is_frame(c.edge)) continue;
-            triangle last{none, none, none}, made;  // of neighbours in a cell, which mostly follow each other
+            triangle last{none, none, none}, made;  // reuses vertices of the previous triangle in a cell, which is
+                                                    // mostly a neighbour
             const auto add = [&](std::uint32_t at, std::uint32_t& vertex, const triangle& known) noexcept {
                 const bool is_known = at == last.a || at == last.b || at == last.c;
                 if (is_known) vertex = at == last.a ? known.a : at == last.b ? known.b : known.c;
@@ -143,7 +144,7 @@ private:
         return true;
     }
 
-    /// The upright rectangles on the edges that stand at a level.
+    /// The upright rectangles on the edges at a level.
     bool add_riser(std::uint32_t level, std::uint32_t strip) noexcept
     {
         auto& triangles = data_.of<bevel_triangle>();
@@ -159,7 +160,7 @@ private:
         return true;
     }
 
-    /// The vertex of an edge's face at a node, in a band or (none) on a riser. False when memory runs out.
+    /// The vertex of an edge's face at a node, in a band or (none) on a riser. False if out of memory.
     bool add_corner(std::uint32_t edge, std::uint32_t at, std::uint32_t band, std::uint32_t strip,
                     std::uint32_t& vertex) noexcept
     {
@@ -190,7 +191,7 @@ private:
         return true;
     }
 
-    /// One vertex, or two of a riser.
+    /// One vertex, or two for a riser.
     bool add_vertices(std::uint32_t at, std::uint32_t band, std::uint32_t strip, const bevel_light::lit& lit,
                       std::uint32_t& vertex) noexcept
     {
@@ -205,7 +206,7 @@ private:
         return vertices.push_back(made) && data_.normals.push_back(bevel_data::corner_normals{lit.outward, lit.face});
     }
 
-    /// How far across a band a node lies: 0 on its outer level and 1 on its inner.
+    /// The position of a node across a band: 0 on its outer level and 1 on its inner.
     [[nodiscard]] float share_of(std::uint32_t at, std::uint32_t band) const noexcept
     {
         const float swept = swept_share(at, band);
@@ -237,7 +238,7 @@ private:
         return is_outward() && edge >= frame_ && edge - frame_ < 4;
     }
 
-    /// Sets the normals of all vertices that have none yet: those of the triangles from this one on.
+    /// Sets the normals of all new vertices, which belong to the triangles from this one on.
     [[nodiscard]] bool finish(std::size_t first_triangle, workspace::scope& scratch) noexcept
     {
         auto& vertices = data_.of<bevel_vertex>();

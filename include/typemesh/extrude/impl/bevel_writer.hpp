@@ -16,14 +16,14 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// How a bevelled solid is written.
+/// The style in which a bevelled solid is written.
 struct bevel_style {
     bevel_heights heights;
     texture_mapping texture = texture_mapping::em;
     bevel_shading shading = bevel_shading::by_slope;
 };
 
-/// Writes the caps, walls and bevels of a planned solid. `in_front` says on which of its two sides.
+/// Writes the caps, walls and bevels of a planned solid. `in_front` selects one of its two sides.
 class bevel_writer {
 public:
     bevel_writer(const solid_with<bevel_data>& s, const bevel_style& style) noexcept
@@ -70,7 +70,7 @@ public:
                 upright_walls::triangles(solid_.starts, solid_.data.of<side_point>(), first, put);
             return;
         }
-        const std::uint32_t own = first - rims_.vertices;  // may wrap; sums do so back
+        const std::uint32_t own = first - rims_.vertices;  // may wrap; the sums wrap back
         for (const auto& [t] : solid_.data.of<bevel_triangle>().subspan(rims_.triangles))
             put(own + t.a, own + t.b, own + t.c);
     }
@@ -96,10 +96,10 @@ public:
     }
 
 private:
-    /// What all of a bevel's vertices at one place of the profile have in common.
+    /// The common data of all vertices of a bevel at one place of the profile.
     struct across {
         float z;        ///< in output units
-        float v;        ///< as it is written
+        float v;        ///< as written
         float out, up;  ///< the normal: along `outward`, and towards the reader
     };
 
@@ -117,14 +117,14 @@ private:
             const bevel_tilt tilt = slopes.tilt(b);
             return {z, walls.v(down), static_cast<float>(tilt.out), static_cast<float>(tilt.up) * facing};
         };
-        across ends[4 * profile_points::most];  // of all strips: nearly all vertices lie there
+        across ends[4 * profile_points::most];  // at the ends of all strips, where nearly all vertices lie
         for (std::uint32_t i = 0; i < strips.size(); ++i) {
             ends[2 * i] = place({{}, {}, 0.0f, 0.0f, i});
             ends[2 * i + 1] = place({{}, {}, 0.0f, 1.0f, i});
         }
         const bevel_surface<Wants, Mapping, Axes> surface{axes, at, slopes, facing};
         const auto vertices = solid_.data.of<bevel_vertex>().first(rims_.vertices);
-        // Those within a strip have a loop of their own, so that the other one calls nothing and stays in registers.
+        // Vertices within a strip have their own loop, so that the other loop makes no calls and stays in registers.
         for (const bevel_vertex *b = vertices.data(), *const end = b + vertices.size(); b != end; ++b) {
             for (; b != end; ++b) {
                 const bool inner = b->share >= 1.0f;
@@ -136,7 +136,8 @@ private:
         }
     }
 
-    /// Makes surface points of a bevel's vertices. The mapping is a parameter, so that their loop does not ask for it.
+    /// Makes surface points of a bevel's vertices. The mapping is a parameter, so that their loop does not branch on
+    /// it.
     template <attribute Wants, class Mapping, class Axes>
     class bevel_surface {
     public:

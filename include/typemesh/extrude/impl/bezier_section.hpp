@@ -13,11 +13,11 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// A cubic Bezier curve from (0, 0) by two control points to (1, end), in steps of equal parameter. Its t may not
+/// A cubic Bezier curve from (0, 0) to (1, end) with two control points, in steps of equal parameter. Its t must not
 /// decrease.
 struct bezier_section {
     profile_point first = {0.0f, 0.5f};   ///< the control point near the wall
-    profile_point second = {0.5f, 1.0f};  ///< the one near the cap
+    profile_point second = {0.5f, 1.0f};  ///< the control point near the cap
     float end = 1.0f;                     ///< its height at t = 1
 
     /// See option_bits.
@@ -28,7 +28,7 @@ struct bezier_section {
         return bits;
     }
 
-    /// How many steps the tolerance asks for, by Wang's bound; 8 if that is unknown; at most 63.
+    /// The number of steps for the tolerance, by Wang's bound; 8 if the tolerance is unknown; at most 63.
     ///
     /// From  R. Goldman, Pyramid Algorithms (2003), 5.6.3: n = sqrt(d(d-1)/8 * max|second difference| / tolerance)
     [[nodiscard]] std::uint32_t steps_for(const profile_scale& scale) const noexcept
@@ -44,7 +44,7 @@ struct bezier_section {
         return n >= 1.0 && n < 63.0 ? static_cast<std::uint32_t>(n) : n < 1.0 ? 1u : 63u;
     }
 
-    /// Whether it stays between heights 0 and 1 and its t does not decrease, up to roundings that add() takes away.
+    /// Whether it stays between heights 0 and 1 and its t does not decrease, except for roundings that add() corrects.
     [[nodiscard]] bool is_valid() const noexcept
     {
         const cubic c = curve();
@@ -62,7 +62,7 @@ struct bezier_section {
         };
         look(0.0);
         look(1.0);
-        const double bend = first_leg.x - 2.0 * middle.x + last.x;  // where t grows least
+        const double bend = first_leg.x - 2.0 * middle.x + last.x;  // where t grows most slowly
         if (!is_zero(bend)) look((first_leg.x - middle.x) / bend);
         const double a = first_leg.y - 2.0 * middle.y + last.y, b = first_leg.y - middle.y, d = b * b - a * first_leg.y;
         if (d >= 0.0)  // where h turns
@@ -73,11 +73,12 @@ struct bezier_section {
         return valid;
     }
 
-    /// Adds the points of that many steps; beyond 63 they are not valid.
+    /// Adds the points of `steps` steps; points beyond 63 steps are not valid.
     void add(std::uint32_t steps, profile_points& out) const noexcept
     {
         const cubic c = curve();
-        const auto within = [](double v) noexcept {  // a curve that is_valid() leaves by roundings alone
+        const auto within = [](double v) noexcept {  // clamps roundings, the only way in which a curve with is_valid()
+                                                     // leaves the range
             return static_cast<float>(v < 0.0 && v >= -slack ? 0.0 : v > 1.0 && v <= 1.0 + slack ? 1.0 : v);
         };
         out.add({0.0f, 0.0f});

@@ -24,22 +24,21 @@ namespace typemesh::inline TYPEMESH_ABI {
 
 /// Moves the boundary of a region, outwards or inwards: letters grow or become thinner.
 ///
-/// Each edge of the new loops names the curve that it comes from (name_cap_edges), so that walls on it are lit like
-/// those on the region's own edges. Keeps its storage for the next region.
+/// Each edge of the new loops names the curve that it comes from (name_cap_edges), so that its walls are lit like
+/// the walls on the region's own edges. Keeps its storage for the next region.
 class boundary_mover {
 public:
     static constexpr double finest = finest_band;  ///< in cells: a smaller distance moves nothing
 
     explicit boundary_mover(memory source = heap()) noexcept : swept_{source}, around_{source}, triangles_{source} {}
 
-    /// Replaces `out` by the loops of the region that caps.triangles() belong to, moved by `distance` cells: outwards,
-    /// or inwards where it is negative. Nothing is proven about them (fill_exactly); none are left of what is thinner
-    /// than twice that.
+    /// Replaces `out` by the loops of caps.triangles()' region, moved by `distance` cells: outwards, or inwards if it
+    /// is negative. The loops are not proven (see fill_exactly). Parts thinner than twice the distance vanish.
     ///
-    ///     curves      the region's, to which those of joins are appended; `out` is to refer to them at the end
+    ///     curves      the region's curves; the curves of joins are appended. `out` must refer to them at the end
     ///
-    /// Fails  as sweep_inwards() and caps.fill() do; error::crossing_contours: corners have met that grew a spike,
-    ///        and did so again with a mitre limit of 1.5
+    /// Fails  as sweep_inwards() and caps.fill() do; error::crossing_contours: corners have met and grown a spike, and
+    ///        again with a mitre limit of 1.5
     template <cap_maker Caps>
     [[nodiscard]] error operator()(const region& r, double distance, const corner_rule& how, Caps& caps,
                                    buffer<curve>& curves, contours& out) noexcept
@@ -59,8 +58,8 @@ public:
             triangles_.clear();
             const auto around = caps.fill(triangles_);
             if (!around) return around.error();
-            around_ = std::move(caps.loops());  // which exchanges their storage: `around` refers to it still
-            constexpr double slack = 4.0;       // of rounding
+            around_ = std::move(caps.loops());  // move exchanges the storage: `around` still refers to it
+            constexpr double slack = 4.0;       // for rounding
             const moving what{*around, triangles_.view(), distance};
             const std::size_t own = curves.size();
             if (error e = sweep(what, how, caps.space(), curves)) return e;
@@ -97,8 +96,8 @@ private:
     }
 
     swept_region swept_;
-    contours around_;          // what lies around the region, for ways outwards
-    triangle_list triangles_;  // and its triangles
+    contours around_;          // the surroundings of the region, for outward moves
+    triangle_list triangles_;  // their triangles
 };
 
 }  // namespace typemesh::inline TYPEMESH_ABI

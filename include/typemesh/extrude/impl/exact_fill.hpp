@@ -15,8 +15,8 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// A number that tells sets of edges apart, in whatever order they come: the sum of a hash of each, modulo 2^64. Were
-/// the hash random, two sets that differ would share one once in 2^64 times: next to certain, but no proof.
+/// A number that identifies a set of edges, in any order: the sum of a hash of each edge, modulo 2^64. If the hash were
+/// random, two different sets would collide with a probability of 2^-64: nearly certain, but no proof.
 [[nodiscard]] inline std::uint64_t edges_of(const contours& loops) noexcept
 {
     std::uint64_t sum = 0;
@@ -33,19 +33,19 @@ namespace typemesh::inline TYPEMESH_ABI {
     return sum;
 }
 
-/// Makes a region of loops that bound one already, edge by edge, and appends its triangles to `out`; without points a
-/// region without points. It refers to `loops`, in which only their order may have changed. The region is proven by
-/// `caps`; that its edges are those of `loops` is told by edges_of().
+/// Makes a region of loops that already bound one, edge by edge, and appends its triangles to `out`. Without points,
+/// the result is a region without points. The region refers to `loops`; only their order may have changed. `caps`
+/// proves the region; edges_of() checks that its edges are the edges of `loops`.
 ///
-/// Fails  error::crossing_contours: they do not bound one as they are; and as caps.fill() does. `out` is then what it
-///        was, and `loops` are void
+/// Fails  error::crossing_contours: the loops do not yet bound a region; and as caps.fill() does. `out` is then
+///        unchanged, and `loops` are void
 template <cap_maker Caps>
 [[nodiscard]] result<region> fill_exactly(contours& loops, Caps& caps, triangle_list& out) noexcept
 {
     if (loops.points.empty()) return region{};
     const std::uint64_t edges = edges_of(loops);
     const std::size_t before = out.size();
-    caps.loops() = std::move(loops);  // which exchanges their storage
+    caps.loops() = std::move(loops);  // move exchanges their storage
     const result<region> made = caps.fill(out);
     const bool crossing = made && edges_of(caps.loops()) != edges;
     if (!made || crossing) out.truncate(before);

@@ -21,7 +21,7 @@ namespace typemesh::inline TYPEMESH_ABI {
 
 namespace detail {
 
-/// Passes a cap_maker on, for another region.
+/// Forwards to a cap_maker, for another region.
 template <cap_maker Caps>
 class caps_of_region {
 public:
@@ -40,11 +40,11 @@ private:
 
 }  // namespace detail
 
-/// A solid that an extruder has another extruder make, over a region of its own: its plan data, or some of it.
+/// A solid that an extruder has another extruder make, over its own region: all or part of its plan data.
 ///
-///     inner.loops = ...                          in plan(): loops that bound a region as they are
+///     inner.loops = ...                          in plan(): loops that already bound a region
 ///     inner.plan(other_extruder, caps)
-///     other_extruder.vertices<Wants>(p, s.data, at, put)     when it writes: the view is what the other one reads
+///     other_extruder.vertices<Wants>(p, s.data, at, put)     when it writes: the other extruder reads this view
 template <class E>
 struct inner_solid : inner_region {
     using view = solid_of<E>;
@@ -59,7 +59,7 @@ struct inner_solid : inner_region {
         data.clear();
     }
 
-    /// What the other extruder plans for that region; its box is never left out.
+    /// The other extruder's plan for that region; its box is never omitted.
     template <cap_maker Caps>
     [[nodiscard]] result<solid_plan> plan(const E& how, const region& filled, Caps& caps) noexcept
     {

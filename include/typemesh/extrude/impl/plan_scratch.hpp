@@ -10,8 +10,8 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// The plan data of one glyph after another, of whichever extruder plans it, or the scratch of a region_step. Its
-/// storage is kept for the next glyph; if that is planned with data of another type, the old data goes.
+/// The plan data of one glyph after another, for any extruder, or the scratch of a region_step. Its storage is kept for
+/// the next glyph; if this is planned with data of another type, the old data is destroyed.
 class plan_scratch {
 public:
     explicit plan_scratch(memory source = heap()) noexcept : source_{source} {}
@@ -29,7 +29,7 @@ public:
     }
     ~plan_scratch() { release(); }
 
-    /// Data of this type, empty; null when memory runs out.
+    /// Data of this type, empty; null if out of memory.
     template <class Data>
     [[nodiscard]] Data* fresh() noexcept
     {
@@ -46,14 +46,14 @@ public:
         return data;
     }
 
-    /// For what stores a glyph: how many bytes its data takes, and the data there, for Data::read_from().
+    /// For the storage of a glyph: the number of bytes of its data, and the data itself, for Data::read_from().
     [[nodiscard]] std::size_t bytes() const noexcept { return data_ == nullptr ? 0 : how_->bytes(data_); }
     void copy_to(std::byte* block) const noexcept
     {
         if (data_ != nullptr) how_->copy(data_, block);
     }
 
-    /// Gives all memory back to its source.
+    /// Returns all memory to its source.
     void release() noexcept
     {
         if (data_ != nullptr) how_->end(data_, source_);

@@ -10,9 +10,9 @@
 
 namespace typemesh::inline TYPEMESH_ABI::detail {
 
-/// Stands between an extruder and the sink, for the vertices of one part of a solid: counts them, passes on no more
-/// than were planned, so that no sink is written past its end, and checks whether they lie where they must. Without
-/// asserts it only passes them on.
+/// A sink between an extruder and the real sink, for the vertices of one part of a solid. It counts them, discards more
+/// than were planned, so that no sink is written past its end, and checks their positions. Without asserts it only
+/// forwards them.
 template <mesh_sink Sink>
 struct planned_vertices {
     static constexpr attribute wants = Sink::wants;

@@ -11,34 +11,34 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// A distance from the wall at which a profile bends, and the heights at which it arrives there and leaves; they differ
-/// at a riser.
+/// A distance from the wall at which a profile bends, and the heights at which it arrives and leaves there. The two
+/// differ at a riser.
 struct profile_level {
     double distance = 0.0;  ///< in cells
-    float arrives = 0.0f;   ///< as a share of the bevel's depth; on the first level the wall ends there
-    float leaves = 0.0f;    ///< on the last level the cap lies there
+    float arrives = 0.0f;   ///< as a share of the bevel's depth; at the first level, the end of the wall
+    float leaves = 0.0f;    ///< at the last level, the height of the cap
 
-    /// Whether it has one.
+    /// Whether the level has a riser.
     [[nodiscard]] bool has_riser() const noexcept { return !same(arrives, leaves); }
 };
 
 /// The levels of a profile on one glyph: distances rising from 0 to the width, at least four cells apart.
 ///
 ///     leaves 2 .  ____           Points of the profile closer together become one level: a riser if their heights
-///                |               differ by four cells or more, else a bend at the middle of their heights. The first
-///     arrives 2 _|               and the last height are kept. A profile narrower than four cells is one riser at the
-///            .'                  wall; one less deep than that does not rise at all: the wall reaches up to the cap.
-///          .'    level 2
+///                |               differ by four cells or more, otherwise a bend at the middle of their heights. The
+///     arrives 2 _|               first and the last height are kept. A profile narrower than four cells is one riser
+///            .'                  at the wall. A profile shallower than four cells does not rise at all: the wall
+///          .'    level 2         reaches up to the cap.
 ///     level 0, 1 ...
 ///
-/// Where edges are to have two faces each (profile_scale::leans) a riser away from the wall becomes a steep slope, four
-/// cells wide, or has none. Upright, it would have edges with four where the boundary touches itself as it stands
-/// there.
+/// If edges must have two faces each (profile_scale::leans), a riser away from the wall becomes a steep slope, four
+/// cells wide, or vanishes. An upright riser would have edges with four faces where the boundary touches itself at its
+/// distance.
 class profile_levels {
 public:
     static constexpr double finest = finest_band;
 
-    /// `points` are valid; of the scale the tolerance does not matter.
+    /// `points` are valid; the tolerance of the scale does not matter.
     profile_levels(const profile_points& points, const profile_scale& scale) noexcept
     {
         const auto all = points.view();
@@ -49,7 +49,7 @@ public:
             return;
         }
         const auto distance = [&](std::size_t i) noexcept { return as_double(all[i].t) * scale.width; };
-        std::size_t last = all.size() - 1;  // where the points of the last level begin
+        std::size_t last = all.size() - 1;  // the first point of the last level
         while (last > 0 && scale.width - distance(last - 1) < finest) --last;
         for (std::size_t i = 0, end = 0; i < all.size(); i = end) {
             end = i + 1;
@@ -67,7 +67,7 @@ public:
     [[nodiscard]] array_view<const profile_level> view() const noexcept { return {levels_, count_}; }
 
 private:
-    /// Parts the levels that have a riser; each was made of two points at least, so there is room for them.
+    /// Splits the levels that have a riser. Each was made of at least two points, so there is room for them.
     void lean() noexcept
     {
         profile_level upright[profile_points::most];

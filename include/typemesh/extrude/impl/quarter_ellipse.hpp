@@ -11,15 +11,15 @@ namespace typemesh::inline TYPEMESH_ABI {
 /// A quarter ellipse in steps of equal angles. Convex, it leaves the wall upright and meets the cap level; concave, it
 /// leaves the wall level and meets the cap upright.
 ///
-/// As many as the text's tolerance asks for, if it is to choose: no chord is then farther from the ellipse. At least 4,
-/// so that neighbours differ by less than 30 degrees if it is about as wide as it is deep; 8 if the tolerance is
+/// The text's tolerance can set the number of steps: no chord is then farther from the ellipse. It is at least 4, so
+/// that neighbours differ by less than 30 degrees if the ellipse is about as wide as it is deep; 8 if the tolerance is
 /// unknown; at most 63.
 ///
-/// A chord of n is off by 1 - cos(a) <= a^2 / 2 of the unit circle, a = pi / (4 n); an ellipse stretches that by its
-/// longer radius at most.
+/// One of n chords deviates from the unit circle by 1 - cos(a) <= a^2 / 2, with a = pi / (4 n). An ellipse stretches
+/// this by at most its longer radius.
 class quarter_ellipse {
 public:
-    /// How many steps the tolerance asks for.
+    /// The number of steps for the tolerance.
     [[nodiscard]] static std::uint32_t steps_for(const profile_scale& scale) noexcept
     {
         if (!(scale.tolerance > 0.0)) return 8;
@@ -28,7 +28,8 @@ public:
         return steps < 4.0 ? 4u : steps > max_steps ? max_steps : static_cast<std::uint32_t>(steps);
     }
 
-    /// Adds the points; a convex one's t is 1 - cos, its h sin of the angle, and a concave one's sin and 1 - cos.
+    /// Adds the points. For the angle, a convex point has t = 1 - cos and h = sin, a concave one t = sin and h = 1 -
+    /// cos.
     static void add(std::uint32_t steps, bool convex, profile_points& out) noexcept
     {
         out.add({0.0f, 0.0f});

@@ -30,7 +30,7 @@ struct loop_arrays {
 
 }  // namespace detail
 
-/// Appends loops, of a region or of contours. False when memory runs out.
+/// Appends the loops of a region or of contours. False if out of memory.
 template <class Loops>
 [[nodiscard]] bool append_loops(const Loops& loops, contours& out) noexcept
 {
@@ -44,7 +44,7 @@ template <class Loops>
     return true;
 }
 
-/// Makes a loop run the other way, each edge against its curve.
+/// Reverses a loop, so that each edge runs against its curve.
 inline void turn_loop(contours& loops, std::uint32_t k) noexcept
 {
     const std::uint32_t begin = loops.starts[k], end = loops.starts[k + 1];
@@ -55,8 +55,8 @@ inline void turn_loop(contours& loops, std::uint32_t k) noexcept
     loops.forget_order();
 }
 
-/// How far corners of a region may move while its edges move outwards by `distance`, rounded up to a multiple of that:
-/// those that are sharper than the mitre limit (0: none) get joins.
+/// The distance that corners of a region may move while its edges move outwards by `distance`, rounded up to a multiple
+/// of it. Corners sharper than the mitre limit (0: none) get joins.
 [[nodiscard]] inline double farthest_way(const region& filled, double distance, double mitre_limit) noexcept
 {
     const double most = mitre_limit > 0.0 ? mitre_limit : 0x1p18;
@@ -78,12 +78,12 @@ inline void turn_loop(contours& loops, std::uint32_t k) noexcept
     return std::ceil(longest < most ? longest : std::fmax(most, 2.0)) * distance;
 }
 
-/// What lies around a region: a frame far outside, and the region's own loops, reversed. Filled by non_zero, it is the
-/// region that a sweep outwards sweeps.
+/// The surroundings of a region: a frame far outside, and the region's own loops, reversed. Filled by non_zero, they
+/// are the region of an outward sweep.
 ///
-///     +------------------+      The frame's corners come first. It stands so far outside that it meets nothing while
-///     |   .-->--.        |      edges move, none farther than `reach`, and corners, as far as that at most
-///     |   |     |        |      (farthest_way).
+///     +------------------+      The frame's corners come first. It is so far outside that it meets nothing while
+///     |   .-->--.        |      edges and corners move, by at most `reach` (farthest_way).
+///     |   |     |        |
 ///     |   '--<--'        |
 ///     +------------------+
 ///
@@ -125,7 +125,7 @@ inline void turn_loop(contours& loops, std::uint32_t k) noexcept
     return {};
 }
 
-/// The first of the four points of the frame in the region that surround() has filled: it alone has points so low.
+/// The first of the frame's four points in the region that surround() has filled: only the frame has points so low.
 [[nodiscard]] inline std::uint32_t frame_of(const region& around) noexcept
 {
     std::uint32_t lowest = 0;
@@ -139,8 +139,8 @@ inline void turn_loop(contours& loops, std::uint32_t k) noexcept
     return 0;
 }
 
-/// Whether a sweep outwards has left a frame of four corners, and no other point farther from the region's box than
-/// `reach`. If not, corners have met that grew a spike.
+/// Whether an outward sweep has left a frame of four corners, and no other point farther from the region's box than
+/// `reach`. Otherwise corners have met and grown a spike.
 [[nodiscard]] inline bool is_in_reach(const contours& left, const region& filled, double reach) noexcept
 {
     box around;
@@ -154,7 +154,7 @@ inline void turn_loop(contours& loops, std::uint32_t k) noexcept
     return left.starts.empty() || beyond == 4;
 }
 
-/// Makes what is left around a region the larger region: takes the frame away and reverses all other loops.
+/// Turns the remaining surroundings of a region into the larger region: removes the frame and reverses all other loops.
 inline void leave_frame(contours& loops) noexcept
 {
     if (loops.starts.empty()) return;  // nothing has been swept

@@ -18,7 +18,7 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// The upright walls over a region's edges, between two heights, with vertices of their own.
+/// The upright walls over a region's edges, between two heights, with their own vertices.
 ///
 ///     vertices    a pair (upper, lower) for each point, along each contour; a doubled point has one for the wall
 ///                 before it and one for the wall after
@@ -30,7 +30,7 @@ namespace typemesh::inline TYPEMESH_ABI {
 struct upright_walls {
     double top = 0.0;  ///< heights, in the extruder's unit
     double bottom = 0.0;
-    double front = 0.0;  ///< where v is 1, except in box mapping
+    double front = 0.0;  ///< the height where v is 1, except in box mapping
     texture_mapping texture = texture_mapping::em;
 
     template <attribute Wants, class Axes, class Put>
@@ -73,7 +73,7 @@ struct upright_walls {
     }
 
 private:
-    /// For who wants no texture: em_mapping made for each letter was 2 % of positions alone.
+    /// For output without texture: an em_mapping for each letter cost 2 % when only positions were written.
     struct no_mapping {
         explicit no_mapping(const placement&) noexcept {}
     };
@@ -132,7 +132,7 @@ private:
 
 namespace detail {
 
-/// n times side_point{}, whose bytes are zero: in pieces, because memset is slow to start on large ones.
+/// Fills with n times side_point{}, whose bytes are zero; in pieces, because memset is slow to start on large blocks.
 inline void clear_sides(side_point* sides, std::size_t n) noexcept
 {
     static_assert(std::is_trivially_copyable_v<side_point>);
@@ -143,7 +143,7 @@ inline void clear_sides(side_point* sides, std::size_t n) noexcept
 
 }  // namespace detail
 
-/// The points whose walls meet hard: they have two pairs of vertices; seams are not counted.
+/// The number of points whose walls meet hard: each has two pairs of vertices. Seams are not counted.
 [[nodiscard]] inline std::uint64_t count_hard(array_view<const side_point> sides) noexcept
 {
     std::uint64_t hard = 0;
@@ -151,9 +151,9 @@ inline void clear_sides(side_point* sides, std::size_t n) noexcept
     return hard;
 }
 
-/// Fills `out`, which is empty, with a side_point for each point of the region, lit by `normals`, and returns how many
-/// are doubled (with styles that share the caps' vertices: 0). Where the mapping has seams, a contour without a doubled
-/// point gets one for it.
+/// Fills `out`, which is empty, with a side_point for each point of the region, lit by `normals`, and returns the
+/// number of doubled points (0 for styles that share the caps' vertices). If the mapping has seams, a contour without a
+/// doubled point gets one for its seam.
 ///
 /// Fails  error::out_of_memory, and as `normals` does
 template <side_normals Normals>

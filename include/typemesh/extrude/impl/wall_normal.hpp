@@ -9,7 +9,7 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// A direction rotated to the right: out of the interior, which lies on the left of every edge. Not of unit length.
+/// A direction rotated to the right: out of the interior, which is on the left of every edge. Not of unit length.
 [[nodiscard]] constexpr point outward(point direction) noexcept { return {direction.y, -direction.x}; }
 
 /// The vector from one grid point to another, in cells; exact.
@@ -28,9 +28,9 @@ namespace typemesh::inline TYPEMESH_ABI {
 
 /// The normalised sum of the unit normals of two walls that meet in b, over a-b and b-c. It points out of both walls.
 ///
-///      ^ normal       At the tip of a needle the two normals nearly cancel. The difference of the edges' directions
-///      b              then lies on the same line and is long, and which direction along it is outward is known exactly
-///     / \             from the orientation.
+///      ^ normal       At the tip of a needle, the two normals nearly cancel. The difference of the edges' directions
+///      b              is then on the same line and is long. The orientation shows exactly which direction along the
+///     / \             line is outward.
 ///    c   a
 [[nodiscard]] inline point joint_normal(grid_point a, grid_point b, grid_point c, point before, point after) noexcept
 {
@@ -39,10 +39,11 @@ namespace typemesh::inline TYPEMESH_ABI {
     return orientation(a, b, c) >= 0 ? unit(along) : unit(-1.0 * along);
 }
 
-/// An angle, as the dot product of two unit normals that make this angle.
+/// An angle, as the dot product of two unit normals with this angle.
 ///
-/// Smaller than its cosine by 2^-30: an angle equal to it is soft, whatever the compiler's rounding (0 means above
-/// 0.0025 degrees). Normals that cancel (within 0.08 degrees of opposite) exceed every angle, as they have no sum.
+/// It is smaller than the cosine by 2^-30, so that an equal angle is soft, whatever the compiler's rounding (0 means
+/// above 0.0025 degrees). Normals that cancel (within 0.08 degrees of opposite) exceed every angle, because they have
+/// no sum.
 [[nodiscard]] inline double crease_cosine(float degrees) noexcept
 {
     const double cosine = std::cos(as_double(degrees) * (3.14159265358979323846 / 180.0)) - 0x1p-30;
@@ -50,7 +51,7 @@ namespace typemesh::inline TYPEMESH_ABI {
     return cosine > opposite ? cosine : opposite;
 }
 
-/// Whether a crease angle lies in 0 to 180 degrees; NaN does not.
+/// Whether a crease angle is in 0 to 180 degrees; NaN is not.
 [[nodiscard]] inline bool is_crease_angle(float degrees) noexcept
 {
     return is_finite(as_double(degrees)) && degrees >= 0.0f && degrees <= 180.0f;

@@ -15,16 +15,16 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// What a crossing_refinement did for one glyph.
+/// The work of a crossing_refinement for one glyph.
 struct refinement_effort {
     std::uint32_t rounds = 0;     ///< how often curves were discretised more finely
-    std::uint32_t curves = 0;     ///< how many of them
+    std::uint32_t curves = 0;     ///< the number of these curves
     std::uint32_t unsettled = 0;  ///< intersections accepted only because their curves cannot be made finer
-    std::uint64_t pieces = 0;     ///< that the contours were cut into, all rounds together: see cap_builder
+    std::uint64_t pieces = 0;     ///< into which the contours were cut, all rounds together: see cap_builder
 };
 
-/// Distinguishes the intersections of chords that their curves have as well from those that only discretising made, and
-/// finds which curves to discretise more finely for the latter.
+/// Distinguishes intersections of chords that their curves share from intersections that only discretising created, and
+/// finds the curves to discretise more finely because of the latter.
 ///
 ///     curves      ``---..__        ``---..__       Two curves that pass each other, or cross at a small angle: their
 ///                 ___...---```     ___......___    chords may cross where the curves do not, or far from there.
@@ -34,8 +34,8 @@ struct refinement_effort {
 ///
 /// An intersection x is accepted if
 ///
-///   1. both edges are lines, or the curves have the same control points (in either direction); or x is a point of the
-///      one curve and the other is a line: it is there as drawn
+///   1. both edges are lines, or the curves have the same control points (in either direction); or x is a point of one
+///      curve and the other is a line: the drawing already has this intersection
 ///   2. the chords cross at so large an angle, so far from their ends, that the curves must cross nearby. A curve stays
 ///      in a strip around its chord, of half its width d <= tolerance. Two strips that cross at the angle w share
 ///      a parallelogram, whose corners are within (da + db) / sin w of x:
@@ -49,8 +49,8 @@ struct refinement_effort {
 ///      the curves come within half a cell of each other beside x (they touch, or run together)
 ///   4. both curves have been made finer six times, or the grid allows no more
 ///
-/// Otherwise both curves are made finer: until their strips fit into the gap between them, or the crossing comes near
-/// enough, at least once.
+/// Otherwise both curves are made finer at least once: until their strips fit into the gap between them, or the
+/// crossing is near enough.
 ///
 /// Cost  a square root per steep intersection; up to a microsecond for any other. Decided in double precision from grid
 ///       points and control points: results can differ between compilers only where a distance equals its bound to 15
@@ -58,9 +58,10 @@ struct refinement_effort {
 class crossing_refinement {
 public:
     static constexpr std::uint8_t max_halvings = 6;
-    static constexpr double farthest = 4.0;  ///< how far an intersection may be from the curves' own, in tolerances
+    static constexpr double farthest = 4.0;  ///< the largest distance of an intersection from the curves' own, in
+                                             ///< tolerances
 
-    /// False when memory runs out. `curves` must outlive this.
+    /// False if out of memory. `curves` must outlive this.
     ///
     ///     tolerance   that `curves` are discretised with, in font units
     [[nodiscard]] bool open(workspace::scope& scratch, const outline& curves, double tolerance, const grid& g) noexcept
@@ -86,7 +87,7 @@ public:
     }
     [[nodiscard]] const refinement_effort& effort() const noexcept { return effort_; }
 
-    /// True if no intersection since the last call was rejected; else makes the curves concerned finer.
+    /// True if no intersection since the last call was rejected; otherwise refines the curves of rejected ones.
     [[nodiscard]] bool is_content() noexcept
     {
         if (doubts_ == 0) return true;
@@ -123,7 +124,7 @@ public:
 
 private:
     static constexpr double snap = 0.70710678118654757;  // half a cell's diagonal
-    static constexpr double slack = 2.0;  // cells: what rounding of the intersection and bending of edges may add
+    static constexpr double slack = 2.0;                 // cells: the error of rounding and of edges that bend
 
     struct place {
         std::uint32_t curve;
@@ -170,7 +171,7 @@ private:
         return along || against;
     }
 
-    /// True when this makes the curve finer.
+    /// True if this makes the curve finer.
     [[nodiscard]] bool want(std::uint32_t i, std::uint32_t levels) noexcept
     {
         if (outline_->curves[i].degree == 1 || halvings_[i] == max_halvings) return false;
@@ -188,7 +189,7 @@ private:
         return levels;
     }
 
-    /// How many halvings an intersection needs; 0: it is accepted.
+    /// The number of halvings that an intersection needs; 0: it is accepted.
     [[nodiscard]] std::uint32_t missing_levels(const intersection& m, double strips) const noexcept
     {
         const point x{static_cast<double>(m.at.x), static_cast<double>(m.at.y)};
@@ -241,7 +242,7 @@ private:
         return {cells_ * lerp(a, b, p.t), static_cast<double>(c.degree) * cells_ * (b - a)};
     }
 
-    /// Along the contour, half a curve at most; the end of a curve is a stop.
+    /// Moves along the contour, by at most half a curve; the end of a curve is a stop.
     [[nodiscard]] place advance(place p, double by) const noexcept
     {
         by = by < -0.5 ? -0.5 : by > 0.5 ? 0.5 : by;
@@ -267,7 +268,7 @@ private:
         return p;
     }
 
-    /// The curve after or before one, on its contour.
+    /// The next or previous curve on the contour.
     [[nodiscard]] std::uint32_t neighbour(std::uint32_t i, bool behind) const noexcept
     {
         const std::size_t contour = range_of(outline_->starts.view(), i);
@@ -276,7 +277,7 @@ private:
         return i == first ? last : i - 1;
     }
 
-    /// Whether two places are one because they are the same on the contour, not because it passes there again.
+    /// Whether two places are the same place on the contour, not two passes of the contour.
     [[nodiscard]] bool is_one_place(place p, place q) const noexcept
     {
         constexpr double little = 0x1p-10;

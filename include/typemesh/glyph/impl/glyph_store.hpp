@@ -10,13 +10,13 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// The built glyphs of one text that no cache keeps: in blocks that never move, freed all at once and used again for
-/// the next text. If several blocks were needed, one of their total size replaces them: after warm-up nothing is
-/// allocated.
+/// The built glyphs of one text that no cache keeps. They are in blocks that never move, are freed all at once and are
+/// reused for the next text. If several blocks were needed, one of their total size replaces them: after warm-up
+/// nothing is allocated.
 class glyph_store {
     struct block {
         block* next;
-        std::size_t bytes;  // after the header
+        std::size_t bytes;  // excluding the header
         [[nodiscard]] std::byte* data() noexcept { return reinterpret_cast<std::byte*>(this) + header; }
     };
     static constexpr std::size_t alignment = alignof(built_glyph) > alignof(block) ? alignof(built_glyph)
@@ -39,12 +39,12 @@ public:
     }
     ~glyph_store() { release(); }
 
-    /// Copies a draft; null when memory runs out.
+    /// Copies a draft; null if out of memory.
     [[nodiscard]] const built_glyph* keep(const glyph_draft& draft) noexcept
     {
         const std::size_t bytes = (built_glyph::bytes_for(draft) + alignment - 1) / alignment * alignment;
         if (newest_ == nullptr || bytes > newest_->bytes - used_) {
-            const std::size_t more = total_ / 4 > 16 * 1024 ? total_ / 4 : 16 * 1024;  // never much more than is needed
+            const std::size_t more = total_ / 4 > 16 * 1024 ? total_ / 4 : 16 * 1024;  // never much more than needed
             if (!add_block(bytes > more ? bytes : more)) return nullptr;
         }
         void* place = newest_->data() + used_;
@@ -59,7 +59,7 @@ public:
         if (newest_ == nullptr || newest_->next == nullptr) return;
         const std::size_t joint = total_;
         release();
-        (void)add_block(joint);  // without success the next keep() tries again
+        (void)add_block(joint);  // if this fails, the next keep() tries again
     }
 
 private:
@@ -84,9 +84,9 @@ private:
     }
 
     memory source_;
-    block* newest_ = nullptr;  // the others are full
-    std::size_t used_ = 0;     // of the newest
-    std::size_t total_ = 0;    // of all
+    block* newest_ = nullptr;  // all other blocks are full
+    std::size_t used_ = 0;     // in the newest block
+    std::size_t total_ = 0;    // of all blocks
 };
 
 }  // namespace typemesh::inline TYPEMESH_ABI

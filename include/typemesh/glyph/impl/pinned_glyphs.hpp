@@ -11,7 +11,7 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// The built ones of a text's different glyphs, by number, and the cache, if any, in which they are pinned.
+/// The built glyphs among a text's different glyphs, by number, and the cache, if any, in which they are pinned.
 class pinned_glyphs {
 public:
     explicit pinned_glyphs(memory source = heap()) noexcept : glyphs_{source} {}
@@ -24,8 +24,8 @@ public:
     }
     ~pinned_glyphs() { release(); }
 
-    /// Reserves `count` entries, all null at first. Those that are set must be pinned in `cache`, which outlives this.
-    /// False when memory runs out.
+    /// Reserves `count` entries, all null at first. Entries that are set must be pinned in `cache`, which outlives
+    /// this. False if out of memory.
     [[nodiscard]] bool reserve(std::size_t count, cache_ref cache) noexcept
     {
         if (!reserve(count)) return false;
@@ -44,7 +44,7 @@ public:
     void set(std::size_t number, const built_glyph* built) noexcept { glyphs_[number] = built; }
     [[nodiscard]] const built_glyph* operator[](std::size_t number) const noexcept { return glyphs_[number]; }
 
-    /// Gives the pins back; the glyphs must no longer be read.
+    /// Releases the pins; the glyphs must no longer be read.
     void release() noexcept
     {
         if (cache_) taken(cache_).release(glyphs_.view());

@@ -10,7 +10,8 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// Refers to a region_step of any type, which must outlive it, or to no_step. A glyph takes the step behind one call.
+/// Refers to a region_step of any type, which must outlive it, or to no_step. One indirect call runs the step on a
+/// glyph.
 class region_step_ref {
 public:
     /// One table for each type of step.

@@ -9,8 +9,8 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// Refers to an extruder of any type, which must outlive it, for all that is done once per glyph. Writing, which is
-/// done per vertex, needs the type: see extrude.hpp.
+/// Refers to an extruder of any type, which must outlive it, for all operations per glyph. Writing works per vertex and
+/// needs the type: see extrude.hpp.
 class solid_ref {
 public:
     /// One table for each type of extruder.
@@ -20,7 +20,8 @@ public:
         error (*refused_options)(const void* how) noexcept;
         policy_key (*key)(const void* how) noexcept;
         height_range (*heights)(const void* how) noexcept;
-        height_range (*heights_of)(const void* how, const built_glyph& built) noexcept;   // null: those of all
+        height_range (*heights_of)(const void* how, const built_glyph& built) noexcept;   // null: the heights of all
+                                                                                          // solids
         solid_outline (*outline_of)(const void* how, const built_glyph& built) noexcept;  // null: the region's own
         const char* (*heights_name)(const void* how) noexcept;
     };
@@ -36,7 +37,7 @@ public:
 
     /// plan_solid() for a region that has been built with these caps; its plan data is then in `data`.
     ///
-    /// Fails  error::out_of_memory, and with what its plan() fails with
+    /// Fails  error::out_of_memory, and as the extruder's plan() does
     [[nodiscard]] result<solid_plan> plan(const region& filled, plan_scratch& data, region_caps caps) const noexcept
     {
         return does_->plan(how_, filled, data, caps);
@@ -45,15 +46,15 @@ public:
     [[nodiscard]] policy_key key() const noexcept { return does_->key(how_); }
     [[nodiscard]] height_range heights() const noexcept { return does_->heights(how_); }
 
-    /// Of a glyph that it has planned.
+    /// The heights of a glyph that it has planned.
     [[nodiscard]] height_range heights_of(const built_glyph& built) const noexcept
     {
         return does_->heights_of == nullptr ? heights() : does_->heights_of(how_, built);
     }
     [[nodiscard]] bool has_heights_of_each() const noexcept { return does_->heights_of != nullptr; }
 
-    /// The loops that tell which glyphs are merged with one that it has planned, which has points: those of all that it
-    /// covers in the plane, or those that are drawn where these are the larger ones.
+    /// The loops that decide which glyphs are merged with a glyph that it has planned, which has points. They bound the
+    /// whole area that it covers in the plane, or are the drawn loops if these are larger.
     [[nodiscard]] solid_outline outline_of(const built_glyph& built) const noexcept
     {
         const solid_outline& drawn = built.merged_as_drawn();
@@ -62,7 +63,7 @@ public:
         return drawn.points.empty() || covers(box_of(grown), box_of(drawn)) ? grown : drawn;
     }
 
-    /// The name of the option to blame for heights that cannot be written.
+    /// The name of the option that causes heights that cannot be written.
     [[nodiscard]] const char* heights_name() const noexcept { return does_->heights_name(how_); }
 
 private:

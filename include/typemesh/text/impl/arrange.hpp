@@ -14,7 +14,7 @@ namespace typemesh::inline TYPEMESH_ABI {
 
 namespace detail {
 
-/// Finds the bounds of all vertices, once the text is placed.
+/// Finds the bounds of all vertices, after the text is placed.
 inline void bound(text_glyphs& all, solid_ref how) noexcept
 {
     const text_placement& placed = all.placed;
@@ -42,8 +42,8 @@ inline void bound(text_glyphs& all, solid_ref how) noexcept
 
 }  // namespace detail
 
-/// Computes what is known of a text only when all its glyphs are: the bounding box of its ink and those of its lines,
-/// its unit, and the bounds of its vertices.
+/// Computes the data of a text that need all its glyphs: the bounding boxes of its ink and of its lines, its unit, and
+/// the bounds of its vertices.
 ///
 /// Fails  error::out_of_memory
 inline error arrange(text_glyphs& all, const glyph_run& run, const text_options& options, double units_per_em,

@@ -13,8 +13,8 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// Refers to an outline_source of any type, which must outlive it: to its faces, and to its shaper if it is one. A
-/// glyph is recorded, and a line is shaped, behind one call.
+/// Refers to an outline_source of any type, which must outlive it: to its faces, and to its shaper if it is one. One
+/// indirect call records a glyph or shapes a line.
 class font_ref {
 public:
     font_ref() noexcept = default;  ///< to none
@@ -23,12 +23,12 @@ public:
     {
     }
 
-    /// Whether it refers to one; all else needs that.
+    /// Whether it refers to a font; all other functions require this.
     [[nodiscard]] explicit operator bool() const noexcept { return does_ != nullptr; }
 
     [[nodiscard]] double units_per_em() const noexcept { return does_->units_per_em(font_, bar_face); }
 
-    /// Of one face: face < face_count(), or bar_face.
+    /// For one face: face < face_count(), or bar_face.
     [[nodiscard]] double units_per_em(std::uint32_t face) const noexcept { return does_->units_per_em(font_, face); }
     [[nodiscard]] std::uint32_t face_count() const noexcept { return does_->face_count(font_); }
 
@@ -50,7 +50,7 @@ public:
     [[nodiscard]] bool is_like(const font_ref& other) const noexcept { return does_ == other.does_; }
 
 private:
-    static constexpr std::uint32_t whole = 0xFFFF'FFFEu;  // the source, not one of its faces
+    static constexpr std::uint32_t whole = 0xFFFF'FFFEu;  // the whole source, not one of its faces
 
     struct calls {
         double (*units_per_em)(void* font, std::uint32_t face) noexcept;
@@ -97,7 +97,7 @@ constinit const font_ref::calls font_ref::table<Font>::of = {
 struct drawn_face {
     font_ref font;
     std::uint32_t face = 0;
-    const affine* map = nullptr;  ///< null: outlines stay as they are
+    const affine* map = nullptr;  ///< null: outlines are not mapped
     double units = 0.0;
 
     [[nodiscard]] double units_per_em() const noexcept { return units; }

@@ -17,23 +17,23 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// Merges the glyphs of a text whose outlines meet, group by group; where a step or the extruder makes them grow
-/// (has_outline in extruder.hpp), those that meet when they have grown:
+/// Merges the glyphs of a text whose outlines meet, group by group. If a step or the extruder makes them grow
+/// (has_outline in extruder.hpp), it merges the glyphs that meet after they have grown:
 ///
-///      .--..-.     .--.                    .-----.     .--.        A group is a chain of glyphs of which each
-///      |a ||b| ..  |d |        ->          |     | ..  |d |        shares a point with the next; all others are
-///      '--+' | ||  '--'                    '---. | ||  '--'        left unchanged. "c" here stands alone.
+///      .--..-.     .--.                    .-----.     .--.        A group is a chain of glyphs in which each one
+///      |a ||b| ..  |d |        ->          |     | ..  |d |        shares a point with the next. All others are
+///      '--+' | ||  '--'                    '---. | ||  '--'        unchanged. Here, "c" is in no group.
 ///         '--' ''c                             '-' ''
 ///
-/// Pens are rounded to the finest grid of the text's glyphs, half a cell at most (1/1024 font unit in ordinary fonts);
-/// a group that does not fit onto it takes the finest that it fits onto. A glyph so large that its own grid is coarser
-/// than others' (more than 2^19 font units in ordinary fonts) is left alone, and so is one farther than 2^48 cells from
-/// the text's origin.
+/// Pens are rounded to the finest grid of the text's glyphs, by at most half a cell (1/1024 font unit in ordinary
+/// fonts). A group that does not fit onto this grid uses the finest one that it fits onto. Two kinds of glyphs are
+/// never merged: a glyph so large that its grid is coarser than the others' (more than 2^19 font units in ordinary
+/// fonts), and a glyph farther than 2^48 cells from the text's origin.
 class glyph_merger {
 public:
     explicit glyph_merger(memory source = heap()) noexcept : caps_{source}, planner_{source}, union_{source} {}
 
-    /// Gives its scratch memory back to its source.
+    /// Returns its scratch memory to its source.
     void trim() noexcept
     {
         caps_.trim();
@@ -43,12 +43,12 @@ public:
 
     /// Fills in all.merged; needs all.pinned and all.numbers.
     ///
-    /// A group that cannot be built is refused, as a glyph is: see glyph_builder::concerns_the_glyph_alone().
+    /// A group that cannot be built is refused, like a glyph: see glyph_builder::concerns_the_glyph_alone().
     ///
     /// Fails  error::too_large, error::out_of_memory, and errors of policies' own, with the group's first glyph
-    /// Cost   as group_intersection() for n glyphs. For every group its members' outlines are flattened and filled once
-    ///        more, and resolve(), the triangulator and the extruder work on the points of all of them. Glyphs that
-    ///        meet no other cost the comparison alone
+    /// Cost   as group_intersection() for n glyphs. For every group, its members' outlines are flattened and filled
+    ///        once more, and resolve(), the triangulator and the extruder process the points of all of them. Glyphs
+    ///        that meet no other cost only the comparison
     error operator()(text_glyphs& all, const glyph_run& run, glyph_builder& builder, font_ref font,
                      const glyph_settings& how, const policies& with) noexcept
     {
@@ -56,7 +56,7 @@ public:
         const std::size_t count = run.glyphs.size();
         workspace::scope scratch{caps_.space()};
         auto* next = scratch.take<std::uint32_t>(count);  // the next glyph of the same group; at its last one: count
-        auto* last = scratch.take<std::uint32_t>(count);  // the last so far of the group that begins here
+        auto* last = scratch.take<std::uint32_t>(count);  // the last glyph so far of the group that begins here
         std::uint32_t* first_of = all.merged.first_of.append(count);
         if (count != 0 && (next == nullptr || last == nullptr || first_of == nullptr)) return error::out_of_memory;
         if (error e = find_groups(all, run, with.raise, {first_of, count})) return e;
@@ -83,7 +83,7 @@ public:
     }
 
 private:
-    /// What builds the regions of a group's members.
+    /// Builds the regions of a group's members.
     struct member_builder {
         glyph_builder& by;
         font_ref font;
@@ -102,7 +102,7 @@ private:
                 static_cast<std::int64_t>(std::nearbyint(origin.y * cells))};
     }
 
-    /// The grid of nearly all glyphs: the finest.
+    /// The finest grid, which nearly all glyphs have.
     static double finest(const text_glyphs& all) noexcept
     {
         double cells = 0.0;
@@ -130,7 +130,7 @@ private:
             if (!is_finite(origin.x) || !is_finite(origin.y) || !stands || !same(s.cells(), cells)) continue;
             const pen at = snapped(origin, cells);
             const auto kind = static_cast<std::uint32_t>(all.looks.style_of(run.glyphs[i].look));
-            // A blank or refused one has no plan data.
+            // A blank or refused glyph has no plan data.
             const solid_outline grown = s.form().points.empty() ? solid_outline{} : how.outline_of(s);
             loops[i] = {grown.points, grown.starts, at.x, at.y, kind};
         }
@@ -164,7 +164,7 @@ private:
         return g;
     }
 
-    /// try_to_join(); a group that cannot be built is refused, as a glyph is, and the text continues without it.
+    /// try_to_join(); a group that cannot be built is refused, like a glyph, and the text continues without it.
     error join(merged_group& made, text_glyphs& all, const glyph_run& run, const member_builder& members) noexcept
     {
         const error e = try_to_join(made, all, run, members);
@@ -184,7 +184,7 @@ private:
         if (!onto) return onto.error();
         union_.begin(*onto, how.corners);
         corner_parting parting;
-        std::uint32_t corners = 0;  // parted or joined, of the members and of all together
+        std::uint32_t corners = 0;  // parted or joined corners, of the members and of the whole group
         const pen first = snapped(run.glyphs[members[0]].origin, onto->cells);
         for (const std::uint32_t m : members) {
             auto face = all.looks.face_of(font, run.glyphs[m].look);

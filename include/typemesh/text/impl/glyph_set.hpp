@@ -10,8 +10,7 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// A glyph as it is built: its number in its face, and the look (run_looks::outlines_of()) that gives the face and the
-/// map.
+/// A glyph as it is built: its number in its face, and the look (run_looks::outlines_of()) with the face and the map.
 struct glyph_key {
     glyph_id id = no_glyph;
     std::uint32_t look = 0;
@@ -36,7 +35,7 @@ public:
 
     [[nodiscard]] array_view<const glyph_key> keys() const noexcept { return keys_.view(); }
 
-    /// The glyph's number, a new one if it was unknown; no_room when memory runs out.
+    /// The glyph's number, a new one if it was unknown; no_room if out of memory.
     [[nodiscard]] std::uint32_t number_of(glyph_key key) noexcept
     {
         if (2 * keys_.size() >= slots_.size() && !grow()) return no_room;
@@ -49,7 +48,7 @@ public:
         return number;
     }
 
-    /// A number of its own for a glyph that must not be found again.
+    /// A new number for a glyph that must not be found again.
     [[nodiscard]] std::uint32_t append(glyph_key key) noexcept
     {
         if (keys_.size() >= no_room - 1 || !keys_.push_back(key)) return no_room;
@@ -57,7 +56,7 @@ public:
     }
 
 private:
-    /// Neighbouring ids, as those of an alphabet, are sent to places far apart.
+    /// Neighbouring ids, for example of an alphabet, get distant places.
     static std::size_t place_of(glyph_key key) noexcept
     {
         const std::uint32_t mixed = key.id * 0x9E37'79B1u + key.look * 0x85EB'CA6Bu;

@@ -16,7 +16,7 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// What one of several workers builds glyphs with. It has cache lines of its own: no false sharing.
+/// One worker's resources for building glyphs. It has its own cache lines, so there is no false sharing.
 struct alignas(64) team_member {
     font_ref font;
     glyph_builder builder;
@@ -36,10 +36,10 @@ struct glyph_team {
     executor_ref executor;
     array_view<team_member> members;
     shared_layout shared;
-    std::uint64_t plans = 0;  ///< begun so far
+    std::uint64_t plans = 0;  ///< started so far
 
-    /// layout(), with the same result: lines are shaped by all workers if the sources are shapers of the type of
-    /// `font`, which is a shaper, else by it.
+    /// layout(), with the same result. All workers shape lines if the sources are shapers of the same type as `font`,
+    /// which is a shaper; otherwise `font` does.
     result<void> layout(font_ref font, text_view text, const shape_options& how, const layout_options& options,
                         glyph_run& run) noexcept
     {
@@ -61,7 +61,7 @@ struct glyph_team {
     }
 
     /// Calls task(k, font, builder, store) for each k < n, with the state of the worker that runs it. Returns the error
-    /// of the lowest k that has one; above it not all may have been called.
+    /// of the lowest k that fails; some tasks above it may not have been called.
     template <class Task>
     error each(std::size_t n, const Task& task) noexcept
     {

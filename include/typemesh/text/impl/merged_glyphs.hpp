@@ -11,13 +11,13 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// The owner of a triangle of merged glyphs that does not belong to one glyph alone.
+/// The owner of a triangle of merged glyphs that belongs to more than one glyph.
 inline constexpr std::uint32_t shared_glyph = 0xFFFF'FFFFu;
 
-/// Several glyphs merged to one.
+/// Several glyphs merged into one.
 struct merged_group {
     const built_glyph* built = nullptr;
-    point origin;                    ///< font units: that of its first glyph, rounded to the grid
+    point origin;                    ///< font units: the first glyph's origin, rounded to the grid
     std::uint32_t first_member = 0;  ///< into merged_glyphs::members
     std::uint32_t member_count = 0;
     std::uint32_t first_owner = 0;  ///< into merged_glyphs::owners
@@ -25,8 +25,8 @@ struct merged_group {
 
 /// The groups of a text and their members; glyphs are given by their index in the run. All empty if nothing is merged.
 struct merged_glyphs {
-    buffer<std::uint32_t> first_of;  ///< for each glyph of the run the first of its group; itself if it is alone
-    buffer<merged_group> groups;     ///< those of two glyphs and more, in the order of their first members
+    buffer<std::uint32_t> first_of;  ///< for each glyph of the run, the first of its group; itself if it is not merged
+    buffer<merged_group> groups;     ///< the groups of at least two glyphs, in the order of their first members
     buffer<std::uint32_t> members;   ///< [ first group's glyphs, ascending | second group's | ... ]
     buffer<std::uint32_t> owners;    ///< [ first group's contour points | ... ]: whose outline leads from there to the
                                      ///< next point

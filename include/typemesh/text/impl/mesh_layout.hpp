@@ -11,7 +11,7 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// Where each of several consecutive glyphs of a text lies in a mesh of these alone, and how they are written there.
+/// The layout of several consecutive glyphs of a text in a mesh of only these glyphs, and how they are written there.
 ///
 ///     vertices   [ front: first glyph ... last glyph | back: ... | side: ... ]
 ///     indices    [ front: first glyph ... last glyph | back: ... | side: ... ]
@@ -32,7 +32,7 @@ public:
     [[nodiscard]] part_sizes sizes() const noexcept { return before(last_) - before_; }
     [[nodiscard]] mesh_size size() const noexcept { return sizes().total(); }
 
-    /// The range of the glyphs [first, last) in a part; by default that of all.
+    /// The range of the glyphs [first, last) in a part; by default of all glyphs.
     [[nodiscard]] mesh_range range(part p, std::size_t first, std::size_t last) const noexcept
     {
         const part_sizes from = before(first), at = starts_ + (from - before_), own = before(last) - from;
@@ -72,8 +72,8 @@ public:
         for (const part p : parts_of<Extruder>) triangles(p, first_, last_, how, sink);
     }
 
-    /// Emits share `k` of `shares`, which cost about the same: whole glyphs of one part or of several, each part's as a
-    /// subrange of its own. All shares together are the mesh.
+    /// Emits share `k` of `shares`, which have about the same cost: whole glyphs of one or several parts, with a
+    /// separate subrange for each part. All shares together are the mesh.
     template <extruder Extruder, ranged_sink Sink>
     void share(std::size_t k, std::size_t shares, const Extruder& how, const Sink& sink) const noexcept
     {
@@ -95,7 +95,7 @@ public:
     }
 
 private:
-    /// The counts of all glyphs of the text that precede this one.
+    /// The counts of all preceding glyphs of the text.
     [[nodiscard]] part_sizes before(std::size_t glyph) const noexcept
     {
         return glyph < all_->records.size() ? all_->records[glyph].before : all_->totals;

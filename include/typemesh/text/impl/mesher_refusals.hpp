@@ -13,15 +13,15 @@ namespace typemesh::inline TYPEMESH_ABI {
 
 namespace detail {
 
-// Named by the compiler where a temporary is refused.
+// The compiler names these types where a temporary is refused.
 struct keep_the_font_in_a_variable {};
 struct keep_the_mesher_in_a_variable;
 struct keep_the_run_in_a_variable;
 
-/// The overloads of text_mesher that exist only to refuse, in one sentence, what is easily written by mistake.
+/// The overloads of text_mesher that exist only to refuse common mistakes, each in one sentence.
 template <class Mesher, class Plan>
 struct mesher_refusals {
-    // Policies are replaced on the way to a variable, and a cache is passed with the font's number.
+    // with() turns an rvalue into another mesher; a cache is passed with the font's number.
     template <class Policy>
     Mesher&& with(Policy) & noexcept
     {
@@ -39,7 +39,7 @@ struct mesher_refusals {
         return static_cast<Mesher&&>(*this);
     }
 
-    // A plan refers to its run and to its mesher: those of temporaries would dangle.
+    // A plan refers to its run and to its mesher; temporaries would leave it dangling.
     keep_the_run_in_a_variable plan(glyph_run&& run, const text_options& options = {}) & = delete;
     keep_the_mesher_in_a_variable plan(text_view text, const text_options& options = {}) && = delete;
     keep_the_mesher_in_a_variable plan(const glyph_run& run, const text_options& options = {}) && = delete;

@@ -16,7 +16,7 @@ namespace typemesh::inline TYPEMESH_ABI {
 
 namespace detail {
 
-/// Why nothing can be placed there, or none.
+/// The error if nothing can be placed there, or none.
 [[nodiscard]] inline error misplaced(point origin) noexcept
 {
     if (!is_finite(origin.x) || !is_finite(origin.y)) return error::outline_not_finite;
@@ -31,7 +31,7 @@ namespace detail {
     return {std::nearbyint(origin.x * cells) / cells, std::nearbyint(origin.y * cells) / cells};
 }
 
-/// The line of a glyph of the run (of several that begin with it, the last); 0 if there is at most one line.
+/// The line of a glyph of the run (the last one, if several begin with it); 0 if there is at most one line.
 [[nodiscard]] inline std::uint32_t line_of(const glyph_run& run, std::uint32_t glyph) noexcept
 {
     const std::size_t after =
@@ -49,7 +49,7 @@ namespace detail {
     return static_cast<std::uint32_t>(found);
 }
 
-/// Counts what a report says of glyphs, in whichever order they come, and finds the first of each kind in the run.
+/// Counts glyphs for a report, in any order, and finds the first of each kind in the run.
 class glyph_counts {
 public:
     explicit glyph_counts(text_report& report) noexcept : report_{report} {}
@@ -92,14 +92,14 @@ private:
 
 }  // namespace detail
 
-/// Places each glyph of the run, style by style, a group of merged ones where its first member stands; needs
-/// all.numbers, pinned, looks and merged. Blank glyphs and those that cannot be drawn are counted in the report.
+/// Places each glyph of the run, style by style; a merged group is placed at its first member. Needs all.numbers,
+/// pinned, looks and merged. Blank glyphs and glyphs that cannot be drawn are counted in the report.
 ///
-///     on_grid    glyphs stand on the grid, where glyph_merger has compared them: what does not touch there does not
-///                touch when it is written
+///     on_grid    glyphs are placed on the grid, where glyph_merger has compared them: glyphs that do not touch there
+///                do not touch when they are written
 ///
 /// Fails  error::too_large, error::out_of_memory
-/// Cost   O(glyphs) if there is one style and nothing is merged, else O(glyphs log glyphs)
+/// Cost   O(glyphs) if there is one style and nothing is merged, otherwise O(glyphs log glyphs)
 inline error place_glyphs(text_glyphs& all, const glyph_run& run, bool on_grid = false) noexcept
 {
     text_report& report = all.report;

@@ -12,9 +12,8 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// Whether a text so placed can be written in 32-bit floats at all: every position is finite, the cells of the grid are
-/// larger than the smallest normal float (an em has 2^25 of them at most), and so is the distance between the two
-/// heights.
+/// Whether a text with this placement can be written in 32-bit floats: every position is finite, and both the cells of
+/// the grid (at most 2^25 per em) and the distance between the two heights are larger than the smallest normal float.
 ///
 /// Fails  error::bad_option: "size", or the given name of the heights
 inline error refuse_extremes(const text_placement& placed, const bounds3& bounds, height_range heights,

@@ -22,7 +22,7 @@ struct hashed_context {
     std::uint64_t hash = 0;
 };
 
-/// What the looks of a run mean: which face and map each draws with, which of them draw alike, and in which order their
+/// The meaning of a run's looks: the face and map of each, which of them draw alike, and the order in which their
 /// styles are written. All empty for a run without a table of looks.
 class run_looks {
 public:
@@ -42,9 +42,9 @@ public:
         units_per_em_ = 0.0;
     }
 
-    /// Reads the looks of a run that is to be drawn with the faces of `font`.
+    /// Reads the looks of a run that is drawn with the faces of `font`.
     ///
-    /// Fails  error::no_such_face (count = how many faces there are); error::bad_option: a face's units per em;
+    /// Fails  error::no_such_face (count = the number of faces); error::bad_option: a face's units per em;
     ///        error::out_of_memory
     /// Cost   O(looks log looks)
     error read(const glyph_run& run, font_ref font) noexcept
@@ -66,7 +66,7 @@ public:
         return compare();
     }
 
-    /// The lowest look that draws the same outlines as this one. Looks are numbered as placed_glyph::look.
+    /// The lowest look that draws the same outlines as this one. Looks are numbered as in placed_glyph::look.
     [[nodiscard]] std::uint32_t outlines_of(std::uint32_t look) const noexcept
     {
         return drawn_.empty() ? 0 : drawn_[look].outlines;
@@ -76,10 +76,10 @@ public:
         return drawn_.empty() ? style_id{} : drawn_[look].style;
     }
 
-    /// Of the font's first face, in whose units the run is given.
+    /// The units per em of the font's first face, which are the run's units.
     [[nodiscard]] double units_per_em() const noexcept { return units_per_em_; }
 
-    /// The source that glyphs of this look are drawn from.
+    /// The source from which glyphs of this look are drawn.
     [[nodiscard]] drawn_face face_of(font_ref font, std::uint32_t look) const noexcept
     {
         if (drawn_.empty()) return {font, 0, nullptr, units_per_em_};
@@ -87,7 +87,7 @@ public:
         return {font, l.face, l.map == affine{} ? nullptr : &l.map, units_per_em_};
     }
 
-    /// Finds the context of each look's glyphs, given that of the first face as it is; at least one.
+    /// Finds the context of each look's glyphs, given the context of the first face without a look; at least one.
     ///
     /// Fails  error::out_of_memory
     error find_contexts(const glyph_context& plain, font_ref font) noexcept
@@ -127,7 +127,7 @@ public:
         return {};
     }
 
-    /// The indices of the run's glyphs, sorted by style; empty if all are of one style, hence sorted already.
+    /// The indices of the run's glyphs, sorted by style; empty if all have one style and are already sorted.
     [[nodiscard]] array_view<const std::uint32_t> order() const noexcept { return order_.view(); }
 
 private:
@@ -135,8 +135,8 @@ private:
         affine map;  // from the face's units to the run's
         style_id style;
         std::uint32_t face;
-        std::uint32_t outlines;  // the lowest look of the same face and map
-        std::uint32_t rank;      // of the style, among the run's
+        std::uint32_t outlines;  // the lowest look with the same face and map
+        std::uint32_t rank;      // of the style, among the run's styles
 
         [[nodiscard]] bool is_plain() const noexcept { return face == 0 && map == affine{}; }
     };
@@ -151,7 +151,7 @@ private:
         }
     };
 
-    /// Finds which looks draw alike, and in which order their styles come.
+    /// Finds the looks that draw alike, and the order of their styles.
     error compare() noexcept
     {
         const std::size_t count = drawn_.size();
@@ -180,7 +180,7 @@ private:
     buffer<hashed_context> contexts_;
     buffer<std::uint32_t> starts_;
     buffer<std::uint32_t> order_;
-    std::uint32_t styles_ = 0;  // how many different ones
+    std::uint32_t styles_ = 0;  // the number of different styles
     double units_per_em_ = 0.0;
 };
 

@@ -13,11 +13,11 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// Glyphs with more vertices than a mesh may have, split into pieces that fit: for each piece the numbers of the
+/// Glyphs with more vertices than a mesh may have, split into pieces that fit. Each piece has the numbers of the
 /// vertices that it uses, ascending, and its triangles over these. Vertices of several pieces are repeated.
 ///
-/// Pieces take the extruder's triangles in its own order (front, back, side), each as many as fit. Vertices that no
-/// triangle uses are left out.
+/// Pieces take the extruder's triangles in its own order (front, back, side), each as many as fit. Unused vertices are
+/// omitted.
 class split_glyphs {
 public:
     explicit split_glyphs(memory source) noexcept : used_{source}, triangles_{source}, pieces_{source}, place_{source}
@@ -31,11 +31,11 @@ public:
         pieces_.clear();
     }
 
-    /// How many pieces there are, of all glyphs; and how much of each part one of them holds.
+    /// The number of pieces of all glyphs, and the size of each part of one piece.
     [[nodiscard]] std::uint32_t size() const noexcept { return static_cast<std::uint32_t>(pieces_.size()); }
     [[nodiscard]] const part_sizes& sizes(std::size_t number) const noexcept { return pieces_[number].sizes; }
 
-    /// Splits a glyph into pieces of at most `most` vertices, most >= 3, and appends them to those that exist.
+    /// Splits a glyph into pieces of at most `most` vertices, most >= 3, and appends them to the existing ones.
     ///
     /// Fails  error::out_of_memory, error::too_large; the content is then meaningless until clear()
     /// Cost   O(n + t) for n vertices and t triangles, plus for each piece the numbers from its lowest vertex to its
@@ -97,8 +97,8 @@ private:
         std::uint32_t most;
         part now = part::front;
         piece open = {{}, 0, 0, to.used_.size(), to.triangles_.size()};
-        std::uint32_t lowest[max_parts] = {};   // of the vertices that the open piece uses, in each part of which it
-        std::uint32_t highest[max_parts] = {};  // uses any
+        std::uint32_t lowest[max_parts] = {};   // the range of vertices that the open piece uses in each part,
+        std::uint32_t highest[max_parts] = {};  // if it uses any
         error failure = {};
 
         error begin(mesh_size) noexcept { return {}; }
@@ -131,7 +131,7 @@ private:
             if (v > highest[k]) highest[k] = v;
         }
 
-        /// Numbers the vertices of the open piece, and begins another.
+        /// Numbers the vertices of the open piece, and begins another one.
         void close() noexcept
         {
             if (failure || open.triangle_count == 0) return;
@@ -158,7 +158,7 @@ private:
         }
     };
 
-    /// Passes on the vertices of one piece, out of all those of a glyph.
+    /// Forwards only the vertices of one piece from all vertices of a glyph.
     template <mesh_sink Sink>
     struct picker {
         static constexpr attribute wants = Sink::wants;

@@ -21,8 +21,8 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// One glyph of the mesh: its id and cluster, its built glyph and its position. Or several merged ones, represented by
-/// the first of them.
+/// One glyph of the mesh: its id and cluster, its built glyph and its position. Or several merged glyphs, represented
+/// by the first one.
 struct drawn_glyph {
     const built_glyph* built = nullptr;
     point origin;  ///< font units
@@ -32,14 +32,14 @@ struct drawn_glyph {
     std::uint32_t line = 0;
     std::uint32_t glyph = 0;          ///< its index in the run
     std::uint32_t merged = none;      ///< its index in text_glyphs::merged.groups, or none
-    std::uint32_t mesh = 0;           ///< which of the text's meshes it is an instance of
+    std::uint32_t mesh = 0;           ///< its index in the text's meshes
     std::uint32_t next_alike = none;  ///< the next record of that mesh, or none
     part_sizes before = {};           ///< the counts of all preceding glyphs
 
     static constexpr std::uint32_t none = 0xFFFF'FFFFu;
 };
 
-/// What the placements of all glyphs of a text have in common.
+/// The common data of the placements of all glyphs of a text.
 struct text_placement {
     double units_per_em = 1000.0;
     double em_per_font_unit = 1e-3;
@@ -47,14 +47,14 @@ struct text_placement {
     double unit_per_em = 1000.0;
     double unit_per_depth = 1000.0;  ///< output units per unit of an extruder's depths
     double em_per_depth = 1.0;
-    point centre;                 ///< what becomes the output's origin, in font units
-    point texture_per_font_unit;  ///< by how much u and v grow over the whole text's box, with texture_box::text
+    point centre;                 ///< the output's origin, in font units
+    point texture_per_font_unit;  ///< growth of u and v over the whole text's box, with texture_box::text
     texture_box texture_over = texture_box::text;
     typemesh::frame frame;
 };
 
-/// Tells a plan whether the text_glyphs that it was made from still hold the same: another number after every clear()
-/// and every move, out of them or into them.
+/// Detects whether the text_glyphs of a plan still hold the same content: every clear() and every move, out of them or
+/// into them, changes the number.
 struct plan_generation {
     std::uint64_t number = 0;
 
@@ -67,28 +67,28 @@ struct plan_generation {
     }
 };
 
-/// Tells a plan whether glyphs that lie elsewhere still exist: a number that another plan changes.
+/// Detects whether glyphs stored elsewhere still exist: another plan changes the number.
 struct lent_glyphs {
-    const std::uint64_t* now = nullptr;  ///< null: nothing lies elsewhere
+    const std::uint64_t* now = nullptr;  ///< null: nothing is stored elsewhere
     std::uint64_t then = 0;
 
     [[nodiscard]] bool are_there() const noexcept { return now == nullptr || *now == then; }
 };
 
-/// All of one text: its different glyphs, each built once, and its drawn glyphs, each at its position. What a plan has
-/// measured and write() reads.
+/// All data of one text: its different glyphs, each built once, and its drawn glyphs, each at its position. A plan
+/// measures them and write() reads them.
 struct text_glyphs {
     glyph_set different;              ///< the glyphs that the text needs
-    pinned_glyphs pinned;             ///< the built ones, blank and refused ones included
-    buffer<std::uint32_t> numbers;    ///< for each glyph of the run, which of them it is
-    glyph_store store;                ///< holds those that neither a cache nor a glyph_workers keeps
-    lent_glyphs lent;                 ///< those that a glyph_workers keeps
+    pinned_glyphs pinned;             ///< the built glyphs, blank and refused ones included
+    buffer<std::uint32_t> numbers;    ///< for each glyph of the run, its number among the different glyphs
+    glyph_store store;                ///< holds the glyphs that neither a cache nor a glyph_workers keeps
+    lent_glyphs lent;                 ///< the glyphs that a glyph_workers keeps
     merged_glyphs merged;             ///< glyphs that are drawn together
-    buffer<std::uint32_t> mesh_of;    ///< for each of the different glyphs, which mesh it is, or drawn_glyph::none
-    buffer<glyph_mesh> meshes;        ///< those of the different glyphs that are drawn
+    buffer<std::uint32_t> mesh_of;    ///< for each of the different glyphs, its mesh, or drawn_glyph::none
+    buffer<glyph_mesh> meshes;        ///< the meshes of the drawn glyphs
     run_looks looks;                  ///< how they are drawn
-    buffer<drawn_glyph> records;      ///< what is drawn, style by style
-    buffer<style_id> several_styles;  ///< those of the records, ascending; empty if there is at most one
+    buffer<drawn_glyph> records;      ///< the drawn glyphs, style by style
+    buffer<style_id> several_styles;  ///< the styles of the records, ascending; empty if there is at most one
     buffer<box> line_boxes;           ///< in font units; only for texture_box::line
     box ink;                          ///< of all records, in font units
     part_sizes totals;
@@ -133,7 +133,7 @@ struct text_glyphs {
         ++generation.number;
     }
 
-    /// Reserves space for that many glyphs of the run. False when memory runs out.
+    /// Reserves space for that many glyphs of the run. False if out of memory.
     [[nodiscard]] bool reserve_records(std::size_t count) noexcept
     {
         const std::size_t kinds = different.keys().size();
@@ -143,9 +143,9 @@ struct text_glyphs {
         return true;
     }
 
-    /// Places a glyph that is neither blank nor refused, after reserve_records(); `number` says which of the different
-    /// glyphs it is; merged ones make a mesh of their own. Finds what depends on other records (mesh, next_alike,
-    /// before). Records are placed style by style, ascending.
+    /// Places a glyph that is neither blank nor refused, after reserve_records(). `number` is its number among the
+    /// different glyphs; merged glyphs make their own mesh. Sets the members that depend on other records (mesh,
+    /// next_alike, before). Records are placed style by style, ascending.
     ///
     /// Fails with error::too_large if 32 bits do not suffice, or with error::out_of_memory
     error place_glyph(drawn_glyph s, std::uint32_t number) noexcept
@@ -174,7 +174,7 @@ struct text_glyphs {
         return {};
     }
 
-    /// Once all are placed: finds where each mesh begins, and its instances.
+    /// After all are placed: finds the start of each mesh and of its instances.
     void number_meshes() noexcept
     {
         std::uint32_t vertex = 0, index = 0, instance = 0;  // no larger than the text's own
@@ -189,7 +189,7 @@ struct text_glyphs {
         }
     }
 
-    /// The styles of what is drawn, ascending.
+    /// The styles of the drawn glyphs, ascending.
     [[nodiscard]] array_view<const style_id> styles() const noexcept
     {
         if (!several_styles.empty() || records.empty()) return several_styles.view();
@@ -237,13 +237,13 @@ struct text_glyphs {
         return at;
     }
 
-    /// By how much u and v grow per font unit if they span a box; 0 where it has no extent.
+    /// The growth of u and v per font unit if they span a box; 0 where it has no extent.
     [[nodiscard]] static point texture_over(const box& b) noexcept
     {
         return {b.width() > 0.0 ? 1.0 / b.width() : 0.0, b.height() > 0.0 ? 1.0 / b.height() : 0.0};
     }
 
-    /// The translation of a record's glyph from where its mesh stands by itself.
+    /// The translation of a record's glyph from the place of its separate mesh.
     [[nodiscard]] vec3 translation_of(const drawn_glyph& s) const noexcept
     {
         placement at;
@@ -254,8 +254,8 @@ struct text_glyphs {
     }
 
 private:
-    /// No division here: this runs for each part of each glyph. Cells are a power of two, so multiplying by them or by
-    /// their inverse is exact.
+    /// No division here, because this runs for each part of each glyph. Cells are a power of two, so multiplying by
+    /// them or by their inverse is exact.
     [[nodiscard]] placement place(const built_glyph& built, point origin, point centre, point texture_low,
                                   point texture_per_font_unit) const noexcept
     {

@@ -26,11 +26,11 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// All of a text_mesher that does not depend on the type of its solid: shapes and lays out a text, builds its glyphs
-/// and places them. Each policy is called once per glyph or outline, through a table.
+/// The part of a text_mesher that does not depend on the type of its solid: shapes and lays out a text, builds its
+/// glyphs and places them. Each policy is called once per glyph or outline, through a table.
 ///
-/// A team, where one is given, shapes and builds in parallel; null: one worker, the caller. It is a glyph_team: its
-/// type is a parameter only so that typemesh::compiled can keep the functions out of other units.
+/// A team, if given, shapes and builds in parallel; null: one worker, the caller. It is a glyph_team; its type is a
+/// parameter only so that typemesh::compiled can keep the functions out of other units.
 class text_planner {
 public:
     font_ref font;
@@ -38,7 +38,7 @@ public:
 
     explicit text_planner(memory source) noexcept : builder_{source}, merger_{source}, run_{source}, glyphs_{source} {}
 
-    /// What was planned last.
+    /// The glyphs that were planned last.
     [[nodiscard]] text_glyphs& glyphs() noexcept { return glyphs_; }
     /// The run that plan(text) has made.
     [[nodiscard]] glyph_run& run() noexcept { return run_; }
@@ -77,13 +77,13 @@ private:
     /// Plans for glyphs that are written up to `reach` em from the origin: see glyph_settings::max_cells.
     error plan_once(const call& now, double reach) noexcept;
 
-    /// Why a text can be written with none of these options, or none.
+    /// The error if no text can be written with these options, or none.
     [[nodiscard]] error refused(const call& now) const noexcept;
 
-    /// Copies what the run reports.
+    /// Copies the run's reports.
     void report(const glyph_run& run) noexcept;
 
-    /// Numbers the run's different glyphs; those that are not drawn get no_room.
+    /// Numbers the run's different glyphs; glyphs that are not drawn get no_room.
     error collect(const glyph_run& run, const text_options& options) noexcept;
 
     static glyph_settings settings_of(const text_options& options, double reach) noexcept;
@@ -141,8 +141,8 @@ error text_planner::each_glyph(const call& now, const glyph_settings& how, const
     });
 }
 
-// Where floats are to tell cells apart, letters that reach farther from their pens than was thought are built again; on
-// a coarser grid some may fit that were too large before, and reach farther still.
+// If floats must distinguish cells, letters that reach farther from their pens than expected are built again. On the
+// coarser grid, some letters may fit that were too large before, and reach still farther.
 template <class Team>
 error text_planner::plan(const glyph_run& run, const text_options& options, const policies& with, Team* team) noexcept
 {
@@ -152,7 +152,7 @@ error text_planner::plan(const glyph_run& run, const text_options& options, cons
     const double units_per_em = font.units_per_em();
     const bool along_axes = options.frame.is_along_axes();
     double expected = reach_of(run, units_per_em);
-    for (;;) {  // 14 times at most: the cells halve
+    for (;;) {  // at most 14 times: the cells halve
         if (error e = plan_once(now, expected)) return e;
         const double reach = reach_of(glyphs_.ink, units_per_em);
         if (cells_told_apart(reach, along_axes) >= cells_told_apart(expected, along_axes)) return {};

@@ -18,15 +18,15 @@ concept vertex_index =
     std::integral<T> && !std::is_const_v<T> && !std::same_as<T, bool> && !std::same_as<T, char> &&
     !std::same_as<T, wchar_t> && !std::same_as<T, char8_t> && !std::same_as<T, char16_t> && !std::same_as<T, char32_t>;
 
-/// Whether Index can number that many vertices from 0. Its greatest value (0xFFFF, 0xFFFFFFFF; 0x7FFFFFFF of an int)
-/// stays free: graphics interfaces read it as "primitive restart".
+/// Whether Index can number that many vertices from 0. Its greatest value (0xFFFF, 0xFFFFFFFF; 0x7FFFFFFF of an int) is
+/// reserved: graphics interfaces read it as "primitive restart".
 template <vertex_index Index>
 [[nodiscard]] constexpr bool index_can_number(std::uint64_t vertices) noexcept
 {
     return vertices <= static_cast<std::uint64_t>((std::numeric_limits<Index>::max)());
 }
 
-/// Writes consecutive triangles as three indices each, a base vertex added to all: each element once, in ascending
+/// Writes consecutive triangles as three indices each and adds a base vertex to all: each element once, in ascending
 /// order, never read back. Shared by all sinks over memory.
 template <class Index>
 class index_writer {
@@ -37,7 +37,7 @@ class index_writer {
 public:
     explicit constexpr index_writer(std::uint32_t base_vertex) noexcept : base_{base_vertex} {}
 
-    /// error::index_overflow if Index cannot number so many vertices after the base vertex, else none.
+    /// error::index_overflow if Index cannot number so many vertices after the base vertex, otherwise none.
     [[nodiscard]] constexpr error numbers(std::uint64_t vertices) const noexcept
     {
         return index_can_number<Index>(base_ + vertices) ? error{} : error{error::index_overflow, base_ + vertices};
@@ -62,7 +62,7 @@ public:
 
 private:
     Index* next_ = nullptr;
-    std::uint64_t base_;  // wide, so that storing a 32-bit index cannot alias it and make it be reread
+    std::uint64_t base_;  // 64 bits wide, so that storing a 32-bit index cannot alias it and force a reload
 };
 
 }  // namespace typemesh::inline TYPEMESH_ABI
