@@ -20,7 +20,7 @@ namespace typemesh::inline TYPEMESH_ABI {
 /// outline_source, it is its face 0.
 ///
 ///     s.face_count()                the number of faces; at least 1
-///     s.units_per_em(face)          as in outline_source, but for one face; face < face_count()
+///     s.units_per_em(face)          as in outline_source, for one face; face < face_count()
 ///     s.fill(face)
 ///     s.outline(face, id, sink)
 ///     s.variation_key(face)         only if the source has a variation_key(); see variation_key.hpp

@@ -112,7 +112,7 @@ struct cubic_chords {
         }
     }
 
-    /// Like fits, but for a tame curve it accepts every good piece.
+    /// Like fits, but it accepts every good piece of a tame curve.
     [[nodiscard]] bool fits_exactly(double u, double v) const noexcept
     {
         if constexpr (!tame) return fits(u, v);

@@ -30,7 +30,7 @@ public:
     curve_chords() = default;
     curve_chords(const outline& given, double cells, double error) { take(given, cells, error); }
 
-    /// Replaces all chords with those of another outline. Storage is reused.
+    /// Replaces all chords with the chords of another outline. Storage is reused.
     void take(const outline& given, double cells, double error)
     {
         chords_.clear();

@@ -108,7 +108,7 @@ struct character {
     bool wide;  ///< East_Asian_Width is wide, fullwidth or halfwidth
 };
 
-/// The properties of a code point, by three reads of a table of 21 kB. Beyond U+10FFFF, they are those of U+FFFD.
+/// The properties of a code point, by three reads of a table of 21 kB. Beyond U+10FFFF, U+FFFD stands in.
 [[nodiscard]] inline character character_of(char32_t c) noexcept
 {
     using namespace detail;
