@@ -9,9 +9,9 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// A pointer and a count: consecutive values in memory that somebody else owns. It does the job of std::span, and
-/// converts to and from it. Compilers take far less time and memory for it, because a std::span checks the concepts of
-/// iterators and ranges for each type of element.
+/// A pointer and a count: consecutive values in memory that it does not own. It does the job of std::span, and converts
+/// to and from it. Compilers take far less time and memory for it, because a std::span checks the concepts of iterators
+/// and ranges for each type of element.
 template <class T>
 class array_view {
 public:

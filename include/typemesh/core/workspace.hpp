@@ -92,7 +92,7 @@ public:
             workspace_.leave();
         }
 
-        /// `count` uninitialised values, or null when out of memory. It is never null only because count = 0.
+        /// `count` uninitialised values, or null when out of memory. count = 0 does not give null.
         template <class T>
         [[nodiscard]] T* take(std::size_t count) noexcept
         {

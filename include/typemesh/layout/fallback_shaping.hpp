@@ -63,7 +63,7 @@ public:
     ///
     /// Fails  as the faces do, except that error::needs_shaping of other faces counts as a missing script
     /// Cost   the cost of the item's own face, if that has all glyphs; otherwise one more call for each hole and face,
-    ///            and O(n) for each face that is tried
+    ///        and O(n) for each face that is tried
     template <class Faces>
     error shape_item(Faces& faces, text_view text, const text_item& item, const shape_options& how,
                      buffer<shaped_glyph>& glyphs) noexcept

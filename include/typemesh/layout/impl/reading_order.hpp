@@ -112,8 +112,7 @@ struct line_reading {
 
 /// The first place in a right-to-left line where several characters must be read together from left to right. This is a
 /// number of more than one digit, including separators between digits ("42", "3.5", "12:30"), or a digit beside a sign
-/// that belongs to it ("5%"). A single digit reads the same in both directions. If there is none:
-/// line_reading::nowhere.
+/// that belongs to it ("5%"). A single digit reads the same in both directions. Otherwise line_reading::nowhere.
 [[nodiscard]] inline std::size_t find_number(text_view text, std::size_t first, std::size_t last) noexcept
 {
     // The previous character, and the one before it.

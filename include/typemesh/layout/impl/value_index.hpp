@@ -9,8 +9,8 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// Finds values in a table that somebody else owns and may change. A value that was changed there may not be found any
-/// more, but a value that is not in the table is never found.
+/// Finds values in a table that it does not own and that may change. A value that was changed there may not be found
+/// any more, but a value that is not in the table is never found.
 ///
 ///     Value      with == and hash_of(value); equal values have equal hashes
 ///
