@@ -10,6 +10,10 @@ NR == 1 {
     print room == "main" ? " * @mainpage " $0 : " * @defgroup " room " " $0
     next
 }
+# Doxygen lists the names itself.
+/^<!-- synopsis -->/ { left_out = 1 }
+/^<!-- end of synopsis -->/ { left_out = 0; next }
+left_out { next }
 /^```/ {
     code = !code
     if (code && $0 == "```") $0 = "```{.unparsed}"  # a drawing: no word of it is a name

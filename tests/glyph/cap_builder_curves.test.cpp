@@ -404,7 +404,7 @@ TEST_CASE("ninety-six copies of a contour, each moved a little, are made finer i
             return caps.build(o, usual_tolerance, *fitting, {.max_pieces = max_pieces},
                               cap_policies{certified{}, monotone{}, nobody});
         };
-        REQUIRE(built(default_most_pieces));
+        REQUIRE(built(default_max_pieces));
         CHECK(effort.rounds >= 1);
         CHECK(effort.rounds <= 5);  // none falls into fewer pieces than the first, four times that is the bound
         CHECK(effort.pieces >= std::uint64_t{once.pieces} * (effort.rounds + 1));

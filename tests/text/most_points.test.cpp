@@ -94,6 +94,6 @@ TEST_CASE("what is refused for its points is built where more are allowed", "[te
     CHECK(plan->glyphs().size() == 2);  // the default holds glyph 2 back: 8 million curves
     CHECK(plan->report().refused == 1);
     CHECK(plan->report().first_refusal.glyph == 2);
-    CHECK(plan->report().first_refusal.count == default_most_points);
+    CHECK(plan->report().first_refusal.count == default_max_points);
     CHECK(plan->contour_points() > 404);
 }

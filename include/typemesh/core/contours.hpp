@@ -15,7 +15,7 @@
 namespace typemesh::inline TYPEMESH_ABI {
 
 /// The default limit for the number of points in a glyph's contours: see text_options::max_points.
-inline constexpr std::uint32_t default_most_points = 1'000'000;
+inline constexpr std::uint32_t default_max_points = 1'000'000;
 
 /// The origin of a straight edge: its first point lies at t0 of `curve`, its second at t1. If the contour has been
 /// reversed and runs against its curve, t0 > t1. t0 and t1 differ even for very short edges, as long as floats can

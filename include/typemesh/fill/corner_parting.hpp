@@ -47,7 +47,7 @@ public:
     /// Cost   one resolve() per round; there is nearly always one round
     template <class = void>  // see resolve()
     [[nodiscard]] result<region> operator()(contours& loops, buffer<curve>& curves, workspace& space,
-                                            std::uint32_t max_pieces = default_most_pieces) noexcept;
+                                            std::uint32_t max_pieces = default_max_pieces) noexcept;
 
     /// The reach of the smallest diamonds, in cells.
     [[nodiscard]] static double reach(const grid& g) noexcept { return smallest(g); }

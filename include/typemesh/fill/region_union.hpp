@@ -77,7 +77,7 @@ public:
         return parting(loops_, curves_, space, max_pieces);
     }
     template <class = void>
-    [[nodiscard]] result<region> join(workspace& space, std::uint32_t max_pieces = default_most_pieces) noexcept
+    [[nodiscard]] result<region> join(workspace& space, std::uint32_t max_pieces = default_max_pieces) noexcept
     {
         corner_parting unread;
         return join(space, max_pieces, unread);

@@ -32,9 +32,9 @@ namespace typemesh::inline TYPEMESH_ABI {
 /// The fill rule of a cap_builder, and its limits.
 struct cap_settings {
     fill_rule rule = fill_rule::non_zero;
-    std::uint32_t max_pieces = default_most_pieces;  ///< the limit of pieces into which crossing contours are cut; see
+    std::uint32_t max_pieces = default_max_pieces;  ///< the limit of pieces into which crossing contours are cut; see
                                                      ///< resolve()
-    std::uint32_t max_points = default_most_points;  ///< the limit of points into which curves are flattened
+    std::uint32_t max_points = default_max_points;  ///< the limit of points into which curves are flattened
     touching corners = touching::keep;               ///< the action of part()
 };
 

@@ -26,9 +26,9 @@ namespace typemesh::inline TYPEMESH_ABI {
 struct glyph_settings {
     double tolerance = 0.0;                          ///< the largest distance between curve and mesh, in em
     std::optional<fill_rule> fill = {};              ///< replaces the outline source's own rule
-    std::uint32_t max_pieces = default_most_pieces;  ///< the limit of pieces into which crossing contours are cut; see
+    std::uint32_t max_pieces = default_max_pieces;  ///< the limit of pieces into which crossing contours are cut; see
                                                      ///< resolve()
-    std::uint32_t max_points = default_most_points;  ///< the limit of points into which curves are flattened, and of
+    std::uint32_t max_points = default_max_points;  ///< the limit of points into which curves are flattened, and of
                                                      ///< curves
     touching corners = touching::keep;               ///< how touching corners are treated
 
@@ -41,7 +41,7 @@ struct glyph_settings {
 template <class F>
 concept recordable = requires(F& font, glyph_id id, outline& out) {
     { font.units_per_em() } noexcept -> std::convertible_to<double>;
-    { record(font, id, out, default_most_points) } noexcept -> std::same_as<result<void>>;
+    { record(font, id, out, default_max_points) } noexcept -> std::same_as<result<void>>;
 };
 
 /// Builds one glyph from its outline: record, discretise, fill, triangulate, and the extruder's plan. Owns the scratch

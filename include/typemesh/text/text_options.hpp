@@ -52,11 +52,11 @@ struct text_options {
 
     /// A glyph (or a group of merged glyphs) whose crossing contours cut its edges into more pieces is left out and
     /// reported: error::too_many_pieces. This bounds memory; a hostile glyph may still take ten seconds.
-    std::uint32_t max_pieces = default_most_pieces;
+    std::uint32_t max_pieces = default_max_pieces;
 
     /// A glyph with more curves, or whose curves need more points at this tolerance, is left out and reported:
     /// error::too_many_points. This bounds the memory that a font can use: 0.3 kB per point, 1.5 kB with bevels.
-    std::uint32_t max_points = default_most_points;
+    std::uint32_t max_points = default_max_points;
 
     output_unit unit = output_unit::em;
     double size = 1.0;            ///< multiplies the unit: the size of an em in your world
