@@ -33,9 +33,9 @@ namespace typemesh::inline TYPEMESH_ABI {
 struct cap_settings {
     fill_rule rule = fill_rule::non_zero;
     std::uint32_t max_pieces = default_max_pieces;  ///< the limit of pieces into which crossing contours are cut; see
-                                                     ///< resolve()
+                                                    ///< resolve()
     std::uint32_t max_points = default_max_points;  ///< the limit of points into which curves are flattened
-    touching corners = touching::keep;               ///< the action of part()
+    touching corners = touching::keep;              ///< the action of part()
 };
 
 /// Makes caps: the region that curves or contours fill, with its triangles. Owns the contours, the order of their

@@ -24,13 +24,13 @@ namespace typemesh::inline TYPEMESH_ABI {
 
 /// The settings for building a glyph, besides the policies.
 struct glyph_settings {
-    double tolerance = 0.0;                          ///< the largest distance between curve and mesh, in em
-    std::optional<fill_rule> fill = {};              ///< replaces the outline source's own rule
+    double tolerance = 0.0;                         ///< the largest distance between curve and mesh, in em
+    std::optional<fill_rule> fill = {};             ///< replaces the outline source's own rule
     std::uint32_t max_pieces = default_max_pieces;  ///< the limit of pieces into which crossing contours are cut; see
-                                                     ///< resolve()
+                                                    ///< resolve()
     std::uint32_t max_points = default_max_points;  ///< the limit of points into which curves are flattened, and of
-                                                     ///< curves
-    touching corners = touching::keep;               ///< how touching corners are treated
+                                                    ///< curves
+    touching corners = touching::keep;              ///< how touching corners are treated
 
     /// The largest number of cells per em in the grid, unless corners are kept: a power of two. It depends on the
     /// distance from the origin at which glyphs are written, so that floats distinguish neighbouring cells.
