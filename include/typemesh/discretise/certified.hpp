@@ -19,8 +19,8 @@ namespace typemesh::inline TYPEMESH_ABI {
 ///      o                     o    curve is divided again.
 ///
 /// Promise  No point of the curve is farther than `tolerance` from its own chord. This holds for every curve: loops,
-///          cusps, curves that double back beyond their ends, coincident control points, zero length. The target is
-///          2^-20 tighter, as a margin for rounding; the margin suffices for tolerances above 2^-28 of the coordinates.
+///          cusps, curves that double back beyond their ends, coincident control points, zero length. Chords
+///          keep 1 - 2^-20 of the tolerance; this margin for rounding suffices above 2^-28 of the coordinates.
 /// Count    On real fonts within 1 % of the minimum (for points on the curve); up to 2 % for hairpins and the S-curves
 ///          of handwriting. Never more than Wang's bound, except for corners.
 /// Corners  Where the curve stops and turns (core/impl/tangent.hpp: B' vanishes, t taken as float), a point is emitted
@@ -153,7 +153,7 @@ private:
         void between(double from, double to) const noexcept
         {
             const double tt = tolerance_ * tolerance_;
-            if (bend_ < four_samples_do * tt)  // not with a root: its result would come late
+            if (bend_ < four_samples_do * tt)  // without a root: its result would come late
                 between(detail::share_table<4>{chords_, from, to, tolerance_}, from, to);
             else if (bend_ < eight_samples_do * tt)
                 between(detail::share_table<8>{chords_, from, to, tolerance_}, from, to);

@@ -284,8 +284,8 @@ private:
 ///                 the tolerance, at least twice g.snap_error(), in cells; 0 if the discretiser keeps none
 ///     halvings    for every curve, how often its tolerance is halved, at most 31 times; empty: never
 ///
-/// Consecutive points at one grid point are merged. The edge before it ends at the t of the first arrival; the edge
-/// after it starts at the t (or the curve) of the last departure.
+/// Consecutive points at one grid point are merged. The edge before the merged point ends at the t of the first
+/// arrival; the edge after it starts at the t (or the curve) of the last departure.
 ///
 /// If a contour's curves enclose an area, the contour usually keeps at least 3 points that are not collinear. If its
 /// tolerance would leave fewer (a dot of two curves that is smaller than the tolerance), the tolerance is halved for

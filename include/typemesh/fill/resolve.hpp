@@ -142,13 +142,13 @@ private:
 /// boundary stay; points are added only where edges are cut. The region's points are sorted: see region::order().
 ///
 /// Crossings are rounded to the grid. The boundary stays within about 1.5 cells of the contours' edges. Every place
-/// that is farther from all edges is filled as the rule says; if all crossings are grid points, every place is.
+/// farther from all edges than that is filled as the rule says, and so are all others if all crossings are grid points.
 ///
 /// The result, as a set of cyclic sequences of points, depends only on the set of edges. It does not depend on where
 /// contours begin, on their order, or on their direction if all are reversed; under even_odd, not on the direction of
 /// any contour. It is the snap rounding of the edges (see snap_rounding.hpp). One fast sweep suffices if no point lies
-/// within about a cell of another point's edge, which is nearly always true. Crossings are rounded half up in x and y,
-/// so a mirrored or rotated figure may be rounded differently.
+/// within about a cell of an edge that does not end in it: nearly always. Crossings are rounded half up in x and y, so
+/// a mirrored or rotated figure may be rounded differently.
 ///
 /// Fails  error::too_many_pieces: more than max_pieces points, crossings or pieces; returned as soon as it is known,
 ///        after O(max_pieces log n) steps; a limit above 2^30 counts as 2^30. error::too_large: more than 2^29 points.

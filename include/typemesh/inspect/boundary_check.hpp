@@ -16,7 +16,7 @@ struct boundary_check {
     std::size_t short_loops = 0;      ///< fewer than three points
     std::size_t repeated_points = 0;  ///< a point occurs twice in a row
     std::size_t spikes = 0;           ///< a loop doubles back
-    std::size_t crossings = 0;        ///< pairs of edges that cross, or touch anywhere but in a common end
+    std::size_t crossings = 0;        ///< pairs of edges that cross, or touch outside a common end
     std::size_t overlaps = 0;         ///< pairs of edges that are equal or overlap
     std::size_t strays = 0;           ///< pairs of edges at a common point where a cycle leaves its sector
 

@@ -17,7 +17,7 @@ namespace typemesh::inline TYPEMESH_ABI::inspect {
 ///                                                                two holes
 struct euler_count {
     std::size_t places = 0;
-    std::size_t edges = 0;  ///< undirected
+    std::size_t edges = 0;  ///< undirected, each counted once
     std::size_t triangles = 0;
     std::size_t solids = 0;  ///< components connected by edges
 

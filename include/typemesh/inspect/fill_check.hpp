@@ -13,10 +13,10 @@
 
 namespace typemesh::inline TYPEMESH_ABI::inspect {
 
-/// The number of tested places, and how many of them are filled wrongly.
+/// The number of compared places, and how many of them are filled wrongly.
 struct fill_check {
-    std::size_t places = 0;   ///< on the given contours or curves, or too near to them to decide
-    std::size_t skipped = 0;  ///< that lie on the given contours or curves, or too near to them to tell
+    std::size_t places = 0;   ///< compared places
+    std::size_t skipped = 0;  ///< on the given contours or curves, or too near to them to decide
     std::size_t wrong = 0;    ///< filled by mistake, or left unfilled by mistake
 };
 

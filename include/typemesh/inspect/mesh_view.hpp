@@ -99,8 +99,8 @@ public:
         return true;
     }
 
-    /// Whether these vertices exist and their positions are finite. Structures that count other triangles say so; such
-    /// triangles have no edges, no area and no normal.
+    /// Whether these vertices exist and their positions are finite. Other triangles have no edges, no area and no
+    /// normal; structures that count them say so.
     [[nodiscard]] bool is_drawable(const std::array<std::size_t, 3>& corners) const noexcept
     {
         if (!has_vertices(corners)) return false;

@@ -29,7 +29,7 @@ struct sweep_options {
     array_view<const double> levels;
     /// Reflex corners that would move farther than this many distances get joins, at most 31; 0: only needles do.
     double mitre_limit = 2.0;
-    /// At the width, a corner may exceed a limit near 1 by this length, below 1.42; 0: unknown.
+    /// At the width, a corner may lie this far beyond a limit near 1 (below 1.42); 0: unknown.
     double tolerance = 0.0;
     /// Joins are rounded to the tolerance at the width; otherwise they have only the edges that the limit needs.
     bool round = true;

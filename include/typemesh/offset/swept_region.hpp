@@ -66,7 +66,7 @@ struct swept_region {
     contours cap;
     buffer<std::uint32_t> cap_nodes;
     /// The distance at which the first connected component that is no speck (sweep_options) was swept completely. If
-    /// all components were swept and are specks, the distance of the last one. -1: no component was swept completely.
+    /// all components were swept and are specks, the distance of the last one; otherwise -1.
     double first_loss = -1.0;
     std::uint32_t lost = 0;  ///< how many connected components were swept completely, including specks
     /// The amount of work, only for tests and benchmarks.

@@ -20,11 +20,11 @@ namespace typemesh::inline TYPEMESH_ABI {
 
 /// The triangulator for well-shaped triangles: the constrained Delaunay triangulation of the region, exact and unique.
 ///
-/// Of all triangulations over the region's own points it has the largest smallest angle. An edge that is not in the
-/// region's boundary belongs to it exactly if some circle through the edge's ends contains no point that is visible
-/// from the edge. If four or more points that see each other are cocircular, all free diagonals between them end at the
-/// lexicographically smallest point (by x, then y). So the set of triangles depends only on the region: not on the
-/// starts or the order of contours, and not on the machine.
+/// Of all triangulations over the region's own points it has the largest smallest angle. An edge that is not the
+/// region's own belongs to the triangulation exactly if some circle through the edge's ends contains no point that is
+/// visible from the edge. If four or more points that see each other are cocircular, all free diagonals between them
+/// end at the lexicographically smallest point (by x, then y). So the set of triangles depends only on the region: not
+/// on the starts or the order of contours, and not on the machine.
 ///
 /// Method: points that only smooth the outline are left out at first (coarse_loops). The remaining polygon is swept
 /// (monotone_sweep) and made Delaunay by flipping edges (delaunay_flips). Then the points left out are inserted into

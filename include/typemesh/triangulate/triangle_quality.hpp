@@ -83,7 +83,7 @@ void add_triangles(triangle_quality& q, std::span<const Point> points, std::span
     }
 }
 
-/// The quality of only these triangles.
+/// The quality of these triangles.
 [[nodiscard]] inline triangle_quality analyze_triangles(std::span<const grid_point> points,
                                                         std::span<const triangle> triangles) noexcept
 {

@@ -43,8 +43,8 @@ struct net_edge {
 }
 
 /// The edges of contours, each pair of ends once, without edges that cancel or have no length. So the result does not
-/// depend on the starts or the order of contours, nor (except `winding_delta`) on their direction if all are reversed;
-/// under even_odd, nor on the direction of any contour.
+/// depend on the starts or the order of contours, nor (except `winding_delta`) on their direction if all are reversed.
+/// Under even_odd it does not depend on the direction of any contour.
 ///
 /// `edges` has room for one edge per point. They are sorted by their start points. `count` is their number. If out of
 /// memory, the result is false and `count` 0. Precondition: the points are sorted. O(n)

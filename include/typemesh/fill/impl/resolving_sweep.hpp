@@ -52,13 +52,13 @@ namespace typemesh::inline TYPEMESH_ABI::detail {
 ///     3  no two edges that ended next to each other had begun together. All that end in a point are adjacent in the
 ///        status, so it is enough to remember the previous one.
 ///
-/// Let X be the first place where final segments meet anywhere but in common ends; left of X the status is in order. If
-/// X is not an end of a segment, two neighbours e below f cross there. (They do not begin together in one direction:
-/// until one of them ends, nothing can come between them; ending in the same place violates 3, in different places 2.)
-/// After X nothing can be inserted between them, because everything above e is above f. So the one that ends first does
-/// so on the wrong side of the other, its neighbour, contrary to 2. If X is an end p, an edge that passes through it is
-/// next to the edges that end there, or to the place where others start, contrary to 2. Where nothing meets, the
-/// winding numbers add up.
+/// Let X be the first place where final segments meet outside common ends; left of X the status is in order. If X is
+/// not an end of a segment, two neighbours e below f cross there. (They do not begin together in one direction: until
+/// one of them ends, nothing can come between them; ending in the same place violates 3, in different places 2.) After
+/// X nothing can be inserted between them, because everything above e is above f. So the one that ends first does so on
+/// the wrong side of the other, its neighbour, contrary to 2. If X is an end p, an edge that passes through it is next
+/// to the edges that end there, or to the place where others start, contrary to 2. Where nothing meets, the winding
+/// numbers add up.
 ///
 /// To check 2 without another sweep: an edge ab is bent through x only once, and only if x is within one cell of its
 /// line, that is |orientation(a, b, x)| <= |dx| + |dy|, so all of ax is. If anything is bent, every point must be
@@ -488,7 +488,7 @@ private:
     std::uint32_t last_ended_ = no_number;  // the uppermost edge in the last point where edges ended
     bool unsure_ = false, late_ = false;
     bool unfinished_ = false;  // edges that were never removed
-    bool close_ = false;       // a point lies within a cell of another point's edge
+    bool close_ = false;       // a point lies within a cell of an edge that does not end in it
     bool rough_ = false;       // see `rough`, if anything is bent
     bool bent_ = false;
 };

@@ -81,7 +81,7 @@ private:
         return false;
     }
 
-    /// When a length becomes 0. Its value now is `size`, in 2^-46 cells, and it grows by `rate`, in 2^-62.
+    /// The time at which a length becomes 0. It is `size` now, in 2^-46 cells, and grows by `rate`, in 2^-62.
     [[nodiscard]] std::int64_t zero_of(int128 size, int128 rate) const noexcept
     {
         if (rate >= 0) return limit + 1;

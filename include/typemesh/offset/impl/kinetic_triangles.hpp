@@ -14,7 +14,7 @@ namespace typemesh::inline TYPEMESH_ABI::detail {
 /// half-edge is part of the boundary, a segment.
 ///
 ///     ---- segment --->          a segment is a piece of a moving line; the triangle
-///     u-------------v            lies on its left, like all that is still to be swept
+///     u-------------v            lies on its left, like all the area still to be swept
 ///      \     t     /
 ///        \       /   <- link: a twin
 ///           \ /

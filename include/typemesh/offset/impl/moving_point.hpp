@@ -22,7 +22,8 @@ inline constexpr std::int64_t place_one = std::int64_t{1} << 16;
 inline constexpr std::int64_t time_one = std::int64_t{1} << 32;
 inline constexpr std::int64_t unit_one = std::int64_t{1} << 30;
 
-/// Rounding may separate or unite places within a sixteenth of a cell. In units of place, and of place times unit.
+/// Rounding may separate or unite places within a sixteenth of a cell: `slip` in units of place, `slip_along` in place
+/// times unit.
 inline constexpr int slip_bits = 12;
 inline constexpr std::int64_t slip = std::int64_t{1} << slip_bits;
 inline constexpr int128 slip_along = static_cast<int128>(unit_one) * slip;

@@ -18,7 +18,7 @@ struct join_rule {
     bool round = true;         ///< joins stay within the tolerance of an arc at the width; otherwise as few as possible
 
     /// The limit for corners. A limit near 1 would need more joins than anyone can see, so it is raised: a corner may
-    /// end a tolerance beyond the arc at the width, up to the limit that a single join keeps in every case.
+    /// end a tolerance beyond the arc at the width, up to the limit that a single join always keeps.
     [[nodiscard]] double kept() const noexcept
     {
         constexpr double of_one_join = 1.41421356237309504880;  // if the boundary turns back: 1 / cos 45 degrees

@@ -96,8 +96,8 @@ public:
     }
 
     [[nodiscard]] bool has_failed() const noexcept { return failed_ || outlines.failed; }
-    /// The time at which the first component that is no speck was swept completely. If all are specks, the time of the
-    /// last one; negative if there was none.
+    /// The time at which the first component that is no speck was swept completely. If all components were swept and
+    /// are specks, the time of the last one; otherwise negative.
     [[nodiscard]] std::int64_t first_loss() const noexcept
     {
         return first_loss_ < 0 && lost_ == live.size() ? last_loss_ : first_loss_;

@@ -9,8 +9,7 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// The edges that a sweep line crosses, from bottom to top: a linked list while it is short, a skip list once it is
-/// long.
+/// The items that a sweep line crosses, bottom to top: a linked list while it is short, a skip list once it is long.
 ///
 ///     lane 2   head ------------------------------> 7 -----------------> head
 ///     lane 1   head ----------> 4 ----------------> 7 ------> 1 -------> head

@@ -160,7 +160,7 @@ private:
         }
         return add(p, v, at, edge);
     }
-    /// Cuts off these corners if there is at least one, and updates `edge`. Returns the last link that remains.
+    /// The same, where at least one such corner exists. Updates `edge`. Returns the last link that remains.
     template <std::uint32_t on>
     [[nodiscard]] std::uint32_t cut_corners(std::uint32_t before, std::uint32_t at, std::uint32_t v, grid_point p,
                                             std::int64_t doubled_area, typename Output::edge& edge) noexcept

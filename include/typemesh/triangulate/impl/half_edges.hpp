@@ -141,8 +141,8 @@ public:
     ///      h2   h1               h2   |   g
     ///      v     \               v   h1|   \         next(h) runs from s to r, next(g) from r to s.
     ///     p --h-> q             p     |g1   q
-    ///      \ <-g- ^              \    |    ^       Outside are then: h, previous(h), g, previous(g).
-    ///      g1    g2               h   |   g2       Then h, previous(h), g, previous(g) are outside.
+    ///      \ <-g- ^              \    |    ^       Then h, previous(h), g, previous(g) are outside.
+    ///      g1    g2               h   |   g2
     ///        v  /                   v |  /
     ///          s                      s
     void flip(std::uint32_t h) noexcept

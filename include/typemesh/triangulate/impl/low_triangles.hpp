@@ -34,7 +34,6 @@ namespace typemesh::inline TYPEMESH_ABI {
 /// Fails with error::out_of_memory; even then the triangles are a valid triangulation.
 /// Cost    about 20 instructions per triangle if none is low, and little more if few are
 /// Space   from `space`: none, or 32 bytes per triangle if very many are low
-/// Space   from `space`: none, or 32 bytes per triangle where very many are low
 [[nodiscard]] inline error raise_low_triangles(array_view<const grid_point> points,
                                                array_view<const std::uint32_t> starts, const triangle_heights& heights,
                                                array_view<triangle> triangles, workspace& space) noexcept

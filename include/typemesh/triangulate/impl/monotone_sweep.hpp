@@ -42,16 +42,16 @@ namespace typemesh::inline TYPEMESH_ABI::detail {
 /// If `Proving` and `Touching`: first the edges around every such point are sorted by angle. They must bound sectors,
 /// no two may have one direction, and every visit must have a separate sector. Then one test is relaxed: an edge may
 /// pass through p from outside its span if it begins or ends there. The argument above still holds, with X the first
-/// place where loops meet anywhere but in common ends. If X is not a vertex, the two edges that cross there have no
-/// other point in common. So the one that ends first does so strictly on the wrong side, and a vertex inserted between
-/// them is tested against an edge that does not end in that vertex. If X is a vertex, an edge passes through it without
-/// ending there. If others end in X, this edge or another such edge is right beside one of them, and every visit tests
-/// the edges on both sides of those that it ends: passes and ends come first, and they only remove or replace edges
-/// that end in X. If none ends in X, the first visit that opens there finds no edge from X yet. Left of X, the edges
-/// that end in X are ordered by angle. After X, passes, splits and starts keep the edges that begin there in that
-/// order, because at most two visits pass, one below and one above all that start, and at most one splits or merges; so
-/// the status is right after X. Whether starts are outside and splits inside is tested against edges without an end in
-/// X, or follows from the sectors.
+/// place where loops meet outside common ends. If X is not a vertex, the two edges that cross there have no other point
+/// in common. So the one that ends first does so strictly on the wrong side, and a vertex inserted between them is
+/// tested against an edge that does not end in that vertex. If X is a vertex, an edge passes through it without ending
+/// there. If others end in X, this edge or another such edge is right beside one of them, and every visit tests the
+/// edges on both sides of those that it ends: passes and ends come first, and they only remove or replace edges that
+/// end in X. If none ends in X, the first visit that opens there finds no edge from X yet. Left of X, the edges that
+/// end in X are ordered by angle. After X, passes, splits and starts keep the edges that begin there in that order,
+/// because at most two visits pass, one below and one above all that start, and at most one splits or merges; so the
+/// status is right after X. Whether starts are outside and splits inside is tested against edges without an end in X,
+/// or follows from the sectors.
 template <bool Proving, bool Touching, class Cutter>
 class monotone_sweep {
     struct vertex {
