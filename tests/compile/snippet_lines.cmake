@@ -4,7 +4,7 @@
 #
 # Fails unless every line of C++ in README.md and docs/ (between ```cpp or ```c++ and ```) stands, but for its
 # indentation, in one of the *_snippets.cpp beside this file. Those are compiled; those of engines by
-# tests/run.sh --with engines, where they are installed.
+# tests/run.sh --with engines, where they are installed. docs/recipes.md holds whole programs, which recipes.sh compiles.
 
 cmake_minimum_required(VERSION 3.20)
 
@@ -19,6 +19,7 @@ endfunction()
 
 set(root ${CMAKE_CURRENT_LIST_DIR}/../..)
 file(GLOB pages ${root}/README.md ${root}/docs/*.md)
+list(FILTER pages EXCLUDE REGEX "/docs/recipes[.]md$")
 file(GLOB sources ${CMAKE_CURRENT_LIST_DIR}/*_snippets.cpp)
 
 set(known)
