@@ -21,7 +21,7 @@ namespace typemesh::inline TYPEMESH_ABI {
 ///
 /// Looks that differ only in style share their meshes.
 struct look {
-    std::uint32_t face = 0;  ///< of the outline source; see outline/face_source.hpp, and bar_face.hpp for bars
+    std::uint32_t face = 0;  ///< of the outline source; see outline/face_source.hpp. Bars have bar_face, 0xFFFFFFFF
     affine map = {};         ///< of the outline, around the glyph's own (0, 0), in the run's units
     style_id style = {};     ///< the caller's number
 

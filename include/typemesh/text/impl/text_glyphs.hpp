@@ -8,6 +8,7 @@
 #include <typemesh/glyph/built_glyph.hpp>
 #include <typemesh/glyph/impl/glyph_store.hpp>
 #include <typemesh/glyph/impl/pinned_glyphs.hpp>
+#include <typemesh/text/drawn_glyph.hpp>
 #include <typemesh/text/impl/glyph_set.hpp>
 #include <typemesh/text/impl/merged_glyphs.hpp>
 #include <typemesh/text/impl/run_looks.hpp>
@@ -20,24 +21,6 @@
 #include <cstdint>
 
 namespace typemesh::inline TYPEMESH_ABI {
-
-/// One glyph of the mesh: its id and cluster, its built glyph and its position. Or several merged glyphs, represented
-/// by the first one.
-struct drawn_glyph {
-    const built_glyph* built = nullptr;
-    point origin;  ///< font units
-    glyph_id id = no_glyph;
-    cluster_id cluster = no_cluster;
-    style_id style = {};
-    std::uint32_t line = 0;
-    std::uint32_t glyph = 0;          ///< its index in the run
-    std::uint32_t merged = none;      ///< its index in text_glyphs::merged.groups, or none
-    std::uint32_t mesh = 0;           ///< its index in the text's meshes
-    std::uint32_t next_alike = none;  ///< the next record of that mesh, or none
-    part_sizes before = {};           ///< the counts of all preceding glyphs
-
-    static constexpr std::uint32_t none = 0xFFFF'FFFFu;
-};
 
 /// The common data of the placements of all glyphs of a text.
 struct text_placement {
