@@ -139,8 +139,8 @@ if (!styled) return std::puts(styled.error().message()), 1;
     const typemesh::vec3 point{};
     const auto draw = [](const typemesh::box&) noexcept {};
 typemesh::caret here = words.laid().caret_at(7);                                // line, place on its baseline, direction
-typemesh::text_place there = words.laid().caret_from({3.0, -1.2});              // a place in the text, and on which side of it
-words.laid().boxes_of(3, 16, [&](const typemesh::box& b) { draw(b); });         // several a line where directions are mixed
+typemesh::text_place there = words.laid().caret_from({3.0, -1.2});              // the position in the text, and the side of it that was hit
+words.laid().boxes_of(3, 16, [&](const typemesh::box& b) { draw(b); });         // several boxes per line if directions are mixed
 typemesh::mesh_hit what = styled->hit(typemesh::part::front, triangle);         // the triangle's number within range(part::front)
 typemesh::picked_character letter = character_at(*styled, what, point, words.laid());   // point: where the ray met it
 if (!letter.where.empty()) draw(letter.where);                                  // letter.text is its place in the text

@@ -18,7 +18,7 @@ namespace typemesh::inline TYPEMESH_ABI {
 [[nodiscard]] inline glm::vec4 to_glm(vec4 v) noexcept { return {v.x, v.y, v.z, v.w}; }
 [[nodiscard]] inline glm::dvec2 to_glm(point p) noexcept { return {p.x, p.y}; }
 
-/// The reverse, for drawing outlines from GLM's types.
+/// The reverse of to_glm(), for drawing outlines from GLM's types.
 [[nodiscard]] inline vec2 from_glm(const glm::vec2& v) noexcept { return {v.x, v.y}; }
 /// The same values as the library's own types.
 [[nodiscard]] inline vec3 from_glm(const glm::vec3& v) noexcept { return {v.x, v.y, v.z}; }

@@ -12,7 +12,8 @@ struct d3dx_vertex {
 };
 static_assert(sizeof(d3dx_vertex) == 24);
 
-/// The same with texture coordinates, v = 0 at the top: D3DFVF_XYZ | D3DFVF_NORMAL | D3DFVF_TEX1, 32 bytes.
+/// The vertex of D3DXCreateText's meshes with texture coordinates, v = 0 at the top: D3DFVF_XYZ | D3DFVF_NORMAL |
+/// D3DFVF_TEX1, 32 bytes.
 struct d3dx_textured_vertex {
     vec3 position;
     vec3 normal;

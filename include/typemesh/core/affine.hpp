@@ -6,7 +6,7 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// x' = xx x + xy y + dx,  y' = yx x + yy y + dy.
+/// An affine map of the plane: x' = xx x + xy y + dx, y' = yx x + yy y + dy.
 struct affine {
     double xx = 1.0, xy = 0.0, dx = 0.0;
     double yx = 0.0, yy = 1.0, dy = 0.0;

@@ -9,7 +9,7 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// What went wrong and where. The library reports failures in no other way; nothing throws.
+/// A failure: what went wrong, and where. The library reports failures in no other way; nothing throws.
 ///
 /// Functions that you call return a result (result.hpp), which is true on success and otherwise has an error. Functions
 /// that you write for the library (in a policy, a font or a sink) return an error: `return {};` on success, and

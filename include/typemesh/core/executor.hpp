@@ -8,7 +8,7 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// The concept `executor` is checked with this task.
+/// A task that does nothing: the concept `executor` is checked with it.
 struct ignore_tasks {
     constexpr void operator()(std::size_t, std::size_t) const noexcept {}
 };

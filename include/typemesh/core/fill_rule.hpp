@@ -7,8 +7,8 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// Which points are inside closed contours. This depends on the winding number w: how often the contours wind around
-/// the point, counter-clockwise positive.
+/// The rule that decides which points are inside closed contours. It uses the winding number w: how often the contours
+/// wind around the point, counter-clockwise positive.
 enum class fill_rule : std::uint8_t {
     non_zero,  ///< inside where w != 0: the rule of TrueType, CFF and PostScript
     even_odd,  ///< inside where w is odd

@@ -17,7 +17,8 @@ namespace typemesh::inline TYPEMESH_ABI {
     return abx * acy - aby * acx;
 }
 
-/// Exact. Budget: differences <= 2^29, their squares <= 2^58, the sum <= 2^59.
+/// The squared distance between two grid points, exact. Budget: differences <= 2^29, their squares <= 2^58, the
+/// sum <= 2^59.
 [[nodiscard]] constexpr std::int64_t squared_distance(grid_point a, grid_point b) noexcept
 {
     const std::int64_t x = std::int64_t{b.x} - a.x, y = std::int64_t{b.y} - a.y;

@@ -9,7 +9,7 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// Distinguishes policies: the type of a policy, and the options that matter.
+/// A key that distinguishes policies: the type of a policy, and the options that matter.
 struct policy_key {
     const void* type = nullptr;  ///< null: the policy cannot be distinguished from others of its type
     option_bits options;

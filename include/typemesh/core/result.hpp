@@ -147,7 +147,7 @@ private:
     typemesh::error error_;
 };
 
-/// For overloads beside the ones that take a value: the compiler then reports a forgotten `*` in one sentence.
+/// Makes the compiler report a forgotten `*` in one sentence: for overloads beside the ones that take a value.
 template <class T>
 constexpr error refuse_result() noexcept
 {

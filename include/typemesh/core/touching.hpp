@@ -7,8 +7,9 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// How to treat corners in which the boundary of the filled area touches itself. In the mesh, a vertical edge with four
-/// faces stands above such a point. Slicers accept it; programs that compute with solids (OpenSCAD, CGAL) refuse it.
+/// The treatment of corners in which the boundary of the filled area touches itself. In the mesh, a vertical edge with
+/// four faces stands above such a point. Slicers accept it; programs that compute with solids (OpenSCAD, CGAL) refuse
+/// it.
 ///
 ///         |:::::          / ::::         /::::::
 ///     ----+------     ---' .------    --'  .------     keep     the region stays as it is drawn

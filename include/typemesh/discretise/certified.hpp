@@ -19,8 +19,9 @@ namespace typemesh::inline TYPEMESH_ABI {
 ///      o                     o    curve is divided again.
 ///
 /// Promise  No point of the curve is farther than `tolerance` from its own chord. This holds for every curve: loops,
-///          cusps, curves that double back beyond their ends, coincident control points, zero length. Chords
-///          keep 1 - 2^-20 of the tolerance; this margin for rounding suffices above 2^-28 of the coordinates.
+///          cusps, curves that double back beyond their ends, coincident control points, zero length. Chords are held
+///          to (1 - 2^-20) times the tolerance. This rounding margin is sufficient if the tolerance is above 2^-28 of
+///          the coordinates.
 /// Count    On real fonts within 1 % of the minimum (for points on the curve); up to 2 % for hairpins and the S-curves
 ///          of handwriting. Never more than Wang's bound, except for corners.
 /// Corners  Where the curve stops and turns (core/impl/tangent.hpp: B' vanishes, t taken as float), a point is emitted

@@ -10,7 +10,8 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// The four qualities of the thesis, exactly as published, for a font with `units_per_em` units per em:
+/// A discretiser with the four qualities of the thesis, exactly as published, for a font with `units_per_em` units per
+/// em:
 ///
 ///     low      two_lines
 ///     normal   adaptive_subdivision, 5 levels, 0.5 of 64 units per em

@@ -5,7 +5,8 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// Every curve becomes two lines that meet at t = 1/2: the lowest quality of the thesis, exactly as published.
+/// A discretiser that replaces every curve by two lines, which meet at t = 1/2: the lowest quality of the thesis,
+/// exactly as published.
 ///
 /// It keeps no tolerance and ignores the tolerance argument: real fonts are off by up to 1/20 em.
 struct two_lines {

@@ -7,9 +7,9 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// 4N vertices, and 2 for each contour's seam (extruded.hpp). Caps are flat; a wall vertex's normal is the normalised
-/// sum of the unit normals of its two walls. Everything is smooth, so corners look rounded, and flat walls beside them
-/// are shaded unevenly.
+/// Smooth normals: a wall vertex's normal is the normalised sum of the unit normals of its two walls. So corners look
+/// rounded, and flat walls beside them are shaded unevenly. Caps are flat. 4N vertices, and 2 for each contour's seam
+/// (extruded.hpp).
 struct averaged_normals {
     static constexpr bool shares_caps = false;
 

@@ -95,7 +95,7 @@ private:
     return {{0.0f, 0.0f}, {0.5f, 0.0f}, {0.5f, 0.5f}, {1.0f, 0.5f}, {1.0f, 1.0f}};
 }
 
-/// Up to full height at half the width and down again, so that a rim surrounds the cap.
+/// A profile that rises to full height at half the width and falls again, so that a rim surrounds the cap.
 [[nodiscard]] inline bevel_profile engraved_profile() noexcept { return {{0.0f, 0.0f}, {0.5f, 1.0f}, {1.0f, 0.0f}}; }
 
 /// A cubic with your own control points. At most 63 steps; 0: the text's tolerance sets their number.
@@ -106,8 +106,8 @@ private:
     return made;
 }
 
-/// Your own function: height(t) at `steps` + 1 equal distances from the wall, where it must be 0. At most 63 steps. The
-/// points are computed at once; the function is not kept.
+/// A profile from your own function: height(t) at `steps` + 1 equal distances from the wall, where it must be 0. At
+/// most 63 steps. The points are computed at once; the function is not kept.
 template <class Height>
     requires requires(const Height& height) {
         { height(0.0f) } noexcept -> std::convertible_to<float>;

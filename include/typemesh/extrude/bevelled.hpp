@@ -42,7 +42,8 @@ enum class bevel_mode : std::uint8_t {
                ///< for text_mesher; otherwise it means fit
 };
 
-/// A front, a back, walls between them, and bevels along the edges of front, back or both: five parts.
+/// An extruder that makes a front, a back, walls between them, and bevels along the edges of front, back or both: five
+/// parts.
 ///
 ///            ______         front       z = 0       the bevel is carved in: `depth` is the whole depth; front and
 ///          /        \       front_bevel             back stay where they are and become smaller
@@ -83,8 +84,9 @@ struct bevelled {
     bevel_shading shading = bevel_shading::by_slope;
     float mitre_limit = 2.0f;              ///< at least 1; 0: none
     float crease_degrees = 15.0f;          ///< 0 to 180; along the contour, see curve_normals
-    float profile_crease_degrees = 30.0f;  ///< 0 to 180; across the profile, drawn as wide as it is deep; half of it at
-                                           ///< the wall and at the cap
+    float profile_crease_degrees = 30.0f;  ///< the crease angle across the profile, 0 to 180, measured as if the bevel
+                                           ///< were as wide as it is deep; half of it where the bevel meets the wall
+                                           ///< or the cap
     bool centred = false;                  ///< front at z = depth / 2 and back at -depth / 2
     bool front = true;
     bool back = true;

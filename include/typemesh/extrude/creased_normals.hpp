@@ -7,9 +7,9 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// 4N + 2H vertices, and 2 for the seam of each contour without a hard point (extruded.hpp). Like averaged_normals,
-/// except that a point is hard if the normals of its two walls differ by more than the crease angle. A hard point is
-/// doubled, and each wall keeps its own normal.
+/// Averaged normals with hard corners: like averaged_normals, except that a point is hard if the normals of its two
+/// walls differ by more than the crease angle. A hard point is doubled, and each wall keeps its own normal. 4N + 2H
+/// vertices, and 2 for the seam of each contour without a hard point (extruded.hpp).
 ///
 /// This class sees only the polygon, whose angles on coarse curves are as large as the angles of blunt corners. At 30
 /// degrees and quality `high` it mistakes about 1 in 200 curve points for a corner, at `normal` 1 in 13. curve_normals

@@ -13,8 +13,8 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// 4N + 2H vertices, and 2 for the seam of each contour without a hard point (extruded.hpp): exact normals of the
-/// curves that the walls approximate, however coarse the polygon.
+/// The exact normals of the curves that the walls approximate, however coarse the polygon. 4N + 2H vertices, and 2 for
+/// the seam of each contour without a hard point (extruded.hpp).
 ///
 ///     inside a curve     soft: one normal, the curve's own; a cusp or a reversal of the curve is treated as a joint
 ///     at a joint         hard if the angle between the two curves' tangents exceeds the crease angle: doubled, each

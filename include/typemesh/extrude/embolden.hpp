@@ -15,7 +15,7 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// Bolder or thinner letters: a step before any solid.
+/// A step before any solid that makes letters bolder or thinner.
 ///
 ///       .-->--.       All edges move outwards by the same distance. Strokes become wider by twice this distance,
 ///      | ,-->-. |     and narrower counters close. With a negative distance, edges move inwards.

@@ -84,7 +84,7 @@ result<void> write_solid(const planned_solid_of<Extruder>& s, const Extruder& ho
     return end_of(sink);
 }
 
-/// The stage by itself: turns one region into a solid and writes it.
+/// Turns one region into a solid and writes it: the stage by itself.
 ///
 ///     cap      the region's triangles, from any triangulator
 ///     data     the extruder's plan data; its old content is replaced, its storage kept for the next call

@@ -19,7 +19,7 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// A front, a back and walls between them.
+/// An extruder that makes a front, a back and walls between them.
 ///
 ///         front  z = 0                 vertices      front N, back N, walls 2N, and 2 more for every doubled point;
 ///     +----------+                                   with shared_normals the walls have none of their own
@@ -57,7 +57,7 @@ struct extruded {
     Normals normals = {};
 
     /// See option_bits. Depth matters only for writing, but if plan() refuses a depth, it must not find a result cached
-    /// for another depth. The normals have three of the numbers.
+    /// for another depth. The Normals policy may use the first three of the four numbers in option_bits.
     [[nodiscard]] option_bits cache_key() const noexcept
         requires std::is_empty_v<Normals> || requires(const Normals& n) {
             { n.cache_key() } noexcept;

@@ -31,7 +31,7 @@ struct solid_outline {
     array_view<const std::uint32_t> starts;
 };
 
-/// Output for checking the concept `extruder`.
+/// A receiver that discards an extruder's output: the concept `extruder` is checked with it.
 struct ignore_surface {
     template <attribute Wants>
     constexpr void operator()(const surface_point<Wants>&) const noexcept
@@ -40,7 +40,7 @@ struct ignore_surface {
     constexpr void operator()(std::uint32_t, std::uint32_t, std::uint32_t) const noexcept {}
 };
 
-/// Output for checking `has_front_triangles`.
+/// A receiver that discards triangles: the concept `has_front_triangles` is checked with it.
 struct ignore_places {
     constexpr void operator()(grid_point, grid_point, grid_point) const noexcept {}
 };

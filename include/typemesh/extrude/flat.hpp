@@ -8,7 +8,7 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// Only the front, at z = 0: N vertices and n + 2h - 2c triangles (region.hpp).
+/// An extruder that makes only the front, at z = 0: N vertices and n + 2h - 2c triangles (region.hpp).
 struct flat {
     texture_mapping texture = texture_mapping::em;
 

@@ -90,8 +90,8 @@ struct outlined_data {
     }
 };
 
-/// Hollow letters: a ring along the edges, made into a solid by any other extruder. Optionally another extruder makes
-/// the letter within the ring.
+/// An extruder of hollow letters: a ring along the edges, made into a solid by any other extruder. Optionally another
+/// extruder makes the letter within the ring.
 ///
 ///      .-->--.       inner     the ring reaches from the letter's edges inwards: the letter keeps its size
 ///     | .-<-. |      centre    half of it lies within the edges, half around them
@@ -110,8 +110,8 @@ struct outlined_data {
 /// Corners, advances, letters that meet after they have grown, and distances that are not proven are treated as with
 /// `embolden`.
 ///
-/// A ring that grows, for example by outward bevels, would grow into a letter within it, and a letter that grows into
-/// its ring: error::bad_option "ring", "letter".
+/// If a letter is drawn within the ring, neither extruder may grow its solid (for example by outward bevels), because
+/// ring and letter would intersect: error::bad_option "ring" or "letter".
 ///
 /// Fails  error::bad_option: the width is not positive and finite, or on a glyph less than four cells (centre: eight)
 ///        or 2^28 and more, the mitre limit is below 1 and not 0 ("outlined::width", "outlined::mitre_limit"), or as

@@ -42,7 +42,7 @@ concept region_step = std::constructible_from<typename S::scratch, memory> &&
                           { scratch.clear() } noexcept;
                       };
 
-/// No step: the solid is made of the glyph as it is drawn.
+/// A step that changes nothing: the solid is made of the glyph as it is drawn.
 struct no_step {};
 
 }  // namespace typemesh::inline TYPEMESH_ABI

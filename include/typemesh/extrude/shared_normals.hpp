@@ -7,10 +7,10 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// 2N vertices: walls share the caps' vertices. Their normal is the normalised sum of the unit normals of the cap and
-/// the two walls that meet there; parts that are switched off do not count. The mesh is as small as with cap_normals,
-/// but caps look like cushions, and walls fade from front to back. Texture coordinates are the caps', planar, also on
-/// the walls.
+/// Normals that a cap and its walls share: the normalised sum of the unit normals of the cap and the two walls that
+/// meet there; parts that are switched off do not count. Walls share the caps' vertices, 2N in all. The mesh is as
+/// small as with cap_normals, but caps look like cushions, and walls fade from front to back. Texture coordinates are
+/// the caps', planar, also on the walls.
 struct shared_normals {
     static constexpr bool shares_caps = true;
 

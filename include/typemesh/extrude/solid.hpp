@@ -20,7 +20,7 @@ struct solid {
     array_view<const triangle> triangles;
 };
 
-/// The same with the plan data that the extruder's own plan() left: see plan_arrays.hpp.
+/// A solid with the plan data that the extruder's own plan() left: see plan_arrays.hpp.
 template <class Data>
 struct solid_with : solid {
     typename Data::view data;

@@ -15,8 +15,8 @@ namespace typemesh::inline TYPEMESH_ABI {
 /// The source of texture coordinates. v grows upwards, or downwards as 1 - v if the frame says uv_origin::top_left.
 ///
 ///     box           the text's (or line's, or glyph's) box becomes the square [0, 1], for caps and walls alike: walls
-///                   show the caps' rim, drawn out into lines. For pictures made for one text, and for formats limited
-///                   to [0, 1]
+///                   repeat the texture at the caps' edge, stretched into lines along the depth. For pictures made for
+///                   one text, and for formats limited to [0, 1]
 ///     em            the default: one texture tile is one em wide and high, everywhere, so coordinates go beyond [0, 1]
 ///                   caps    x and y from the text's origin
 ///                   walls   u = distance along the contour from its seam, in its own direction; v runs from 1 at the
@@ -156,7 +156,7 @@ inline std::uint32_t measure_sides(const region& filled, array_view<side_point> 
 
 }  // namespace detail
 
-/// texture_mapping::box
+/// The wall_mapping of texture_mapping::box.
 class box_mapping {
 public:
     [[nodiscard]] static std::uint32_t plan(const region&, array_view<const side_point> sides) noexcept
@@ -182,7 +182,7 @@ private:
     texture_tangent tangents_;
 };
 
-/// texture_mapping::em
+/// The wall_mapping of texture_mapping::em.
 class em_mapping {
 public:
     [[nodiscard]] static std::uint32_t plan(const region& filled, array_view<side_point> sides) noexcept
@@ -206,7 +206,7 @@ private:
     wall_texture walls_;
 };
 
-/// texture_mapping::cylindrical
+/// The wall_mapping of texture_mapping::cylindrical.
 class cylindrical_mapping {
 public:
     [[nodiscard]] static std::uint32_t plan(const region& filled, array_view<side_point> sides) noexcept

@@ -28,9 +28,9 @@ namespace typemesh::inline TYPEMESH_ABI {
 ///     ---+----    or    --' .--    or    --' .---        region (part) or added to it (join). The result is resolved
 ///     :::|              ::.'             :::/            like any contours, so it is proven like any region.
 ///
-/// The diamond reaches 4 cells from the point, or 2^-15 em if that is more. If a gap is so narrow that it ends between
-/// the cells, its sides meet again a little farther on. The next diamond there is twice as large, up to 128 cells or
-/// 2^-10 em. Corners that still touch are then treated the other way: a slit that cannot be opened is filled.
+/// The diamond reaches 4 cells from the point, or 2^-15 em if that is more. If a gap narrows to less than a cell, its
+/// sides meet again a little farther along; the next diamond there is twice as large, up to 128 cells or 2^-10 em.
+/// Corners that still touch are then treated the other way: a slit that cannot be opened is filled.
 ///
 ///     corner_parting parting;
 ///     auto filled = parting(loops, curves, space);     // loops bound a region whose boundary touches itself

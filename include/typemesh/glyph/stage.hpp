@@ -12,8 +12,8 @@ namespace typemesh::inline TYPEMESH_ABI {
 /// The stages of a text, in order. `idle` follows when a call of the mesher ends.
 enum class stage : std::uint8_t { shape, outline, discretise, fill, triangulate, extrude, idle };
 
-/// Called at every change of stage, for profilers and statistics: observe(stage) noexcept. It should be cheap: there
-/// are about six calls per glyph.
+/// A function object that is called at every change of stage, for profilers and statistics: observe(stage) noexcept. It
+/// should be cheap: there are about six calls per glyph.
 ///
 /// A triangulator that proves (see triangulate/triangulator.hpp) does the work of fill on most glyphs. This work counts
 /// as triangulate.
@@ -22,7 +22,7 @@ concept stage_observer = requires(O& observe, stage now) {
     { observe(now) } noexcept;
 };
 
-/// The null observer.
+/// An observer that does nothing.
 struct no_observer {
     constexpr void operator()(stage) const noexcept {}
 };

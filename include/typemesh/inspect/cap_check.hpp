@@ -47,7 +47,7 @@ struct cap_check {
     }
 };
 
-/// Exact. Cost: O(n log n) for n points and triangles
+/// Compares triangles with the region that they should cover, exactly. Cost: O(n log n) for n points and triangles
 [[nodiscard]] inline cap_check check_cap(const region& r, std::span<const triangle> triangles)
 {
     const auto points = r.points();

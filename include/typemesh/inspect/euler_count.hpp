@@ -34,7 +34,8 @@ struct euler_count {
     }
 };
 
-/// Triangles that are not drawable are ignored. Cost: O(vertices) and O(n log n) for n triangles
+/// Counts a mesh's distinct positions, edges, triangles, solids and holes, without triangles that are not drawable.
+/// Cost: O(vertices) and O(n log n) for n triangles
 template <class Vertex, class Index, class Position>
 [[nodiscard]] euler_count count_euler(const mesh_view<Vertex, Index, Position>& mesh)
 {

@@ -14,8 +14,9 @@ struct mesh_measure {
     double volume = 0.0;  ///< enclosed by a closed mesh; negative if it is inside out. Meaningless for an open mesh
 };
 
-/// In a right-handed frame with counter-clockwise triangles the volume is positive; a mirroring frame changes its sign,
-/// and so do clockwise triangles (see vertex/frame.hpp). Triangles that are not drawable have no size.
+/// Measures the area and the volume of a mesh. In a right-handed frame with counter-clockwise triangles the volume is
+/// positive; a mirroring frame changes its sign, and so do clockwise triangles (see vertex/frame.hpp). Triangles that
+/// are not drawable have no size.
 ///
 /// Cost   O(triangles); rounded like any sum in double precision
 template <class Vertex, class Index, class Position>

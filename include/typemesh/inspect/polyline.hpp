@@ -34,7 +34,8 @@ using loop = std::span<const grid_point>;
 }
 [[nodiscard]] inline std::vector<loop> loops_of(const region& r) { return loops_of(r.points(), r.starts()); }
 
-/// -1: c lies right of the line from a to b, 0: on it, 1: left of it. Exact for |coordinate| <= 2^29.
+/// The side of the line from a to b on which c lies: -1 right of it, 0 on it, 1 left of it. Exact for
+/// |coordinate| <= 2^29.
 [[nodiscard]] constexpr int side(grid_point a, grid_point b, grid_point c) noexcept
 {
     const std::int64_t left = (std::int64_t{b.x} - a.x) * (std::int64_t{c.y} - a.y);

@@ -7,7 +7,7 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// How a line is aligned to the origin: its left edge, its middle or its right edge is at x = 0. This does not depend
+/// The alignment of a line to the origin: its left edge, its middle or its right edge is at x = 0. This does not depend
 /// on the other lines, so a text can be placed by its anchor. Similarly, a column's top, middle or bottom is at y = 0.
 ///
 ///     left       centre      right

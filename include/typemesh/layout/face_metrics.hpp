@@ -66,9 +66,9 @@ template <class Shaper>
         return s.metrics(d);
 }
 
-/// How far a line of one of a shaper's faces extends to both sides, in units of the first face. This follows the face's
-/// metrics, but a column is at least wide enough for letters of the face that lie on their side in it. Vertical metrics
-/// often cover only an ideograph: half an em to each side and no gap.
+/// The distances to which a line of one of a shaper's faces extends to both sides, in units of the first face. This
+/// follows the face's metrics, but a column is at least wide enough for letters of the face that lie on their side in
+/// it. Vertical metrics often cover only an ideograph: half an em to each side and no gap.
 template <class Shaper>
 [[nodiscard]] line_metrics line_reach_of(Shaper& s, direction d, std::uint32_t face = 0) noexcept
 {

@@ -7,7 +7,7 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// How shaped lines are arranged.
+/// The options for arranging shaped lines.
 struct layout_options {
     alignment align = alignment::left;
     double line_spacing = 1.0;    ///< times the font's distance between lines; any finite number

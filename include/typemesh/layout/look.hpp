@@ -11,7 +11,7 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// How a glyph of a run is drawn: its face, its map and its style.
+/// The way a glyph of a run is drawn: its face, its map and its style.
 ///
 ///     {}                                 the source's first face, unchanged
 ///     {.face = 1}                        another face, with the same em size as the first one

@@ -27,13 +27,16 @@ namespace typemesh::inline TYPEMESH_ABI {
 struct sweep_options {
     /// The distances at which faces are cut: from 0 to the width, each at least finest_band more than the last.
     array_view<const double> levels;
-    /// Reflex corners that would move farther than this many distances get joins, at most 31; 0: only needles do.
+    /// A reflex corner that would move farther than mitre_limit times the sweep distance is cut off by join edges, at
+    /// most 31 of them. 0: only needles are cut off.
     double mitre_limit = 2.0;
-    /// At the width, a corner may lie this far beyond a limit near 1 (below 1.42); 0: unknown.
+    /// A mitre limit near 1 is raised (to 1.42 at most) so that at the full width a corner may end up to this far
+    /// beyond the round join's arc. 0: unknown.
     double tolerance = 0.0;
     /// Joins are rounded to the tolerance at the width; otherwise they have only the edges that the limit needs.
     bool round = true;
-    /// The width for which joins are counted, so that corners move as in a wider sweep; 0: the last level.
+    /// The number of joins is chosen as if the sweep went to this width, so corners move exactly as in that wider
+    /// sweep. 0: the last level.
     double joins_at = 0.0;
     /// swept_region::first_loss ignores components that are swept completely before this distance, unless all are.
     double speck = 0.0;

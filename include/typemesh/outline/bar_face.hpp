@@ -11,7 +11,7 @@ namespace typemesh::inline TYPEMESH_ABI {
 /// in units of the source's first face. The map of a look turns this square into an underline.
 inline constexpr std::uint32_t bar_face = 0xFFFF'FFFFu;
 
-/// Draws this square.
+/// Draws the square of bar_face.
 template <outline_sink Sink>
 void draw_bar(Sink& sink) noexcept
 {

@@ -74,7 +74,7 @@ error outline_of(Source& source, std::uint32_t face, glyph_id id, Sink& sink) no
         return source.outline(id, sink);
 }
 
-/// The variation_of() one face.
+/// The key of one face's variation, as variation_of() gives it for a whole source.
 template <class Source>
 [[nodiscard]] std::uint64_t variation_of(const Source& source, std::uint32_t face) noexcept
 {

@@ -28,7 +28,7 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// The smallest and the largest width that make a difference, in em.
+/// The range of widths within which changing the width changes the line breaks, in em.
 struct paragraph_widths {
     double narrowest = 0.0;  ///< of the longest word: with less room it is broken, or sticks out
     double widest = 0.0;     ///< of the longest line, if lines end only at the text's line breaks

@@ -11,7 +11,7 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// Where a line may end, in addition to the text's line breaks.
+/// The places where a line may end, in addition to the text's line breaks.
 enum class wrap_mode : std::uint8_t {
     none,
     word,              ///< where Unicode allows it; a word that is too long sticks out
@@ -29,7 +29,7 @@ enum class line_alignment : std::uint8_t {
     justify,  ///< all lines except a paragraph's last get the full width if possible; others are aligned to the start
 };
 
-/// How justified lines become wider. If this way is not possible, spaces become wider.
+/// The way in which justified lines become wider. If this way is not possible, spaces become wider.
 enum class justification : std::uint8_t {
     automatic,  ///< gaps beside ideographs and spaces equally in lines with Chinese or Japanese, otherwise spaces
     spaces,
@@ -55,7 +55,7 @@ enum class line_box : std::uint8_t {
     uniform,  ///< all the same: the first face's height for letters of size 1
 };
 
-/// How a shaped text is laid out. Lengths are in em.
+/// The options for laying out a shaped text. Lengths are in em.
 ///
 ///     x = 0          x = width       With a width the text is in a box from x = 0 to x = width. Without a width, lines
 ///       |In the       |              are at x = 0, as in layout(): to its right, around it, or to its left.

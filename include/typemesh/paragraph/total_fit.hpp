@@ -30,8 +30,8 @@ namespace typemesh::inline TYPEMESH_ABI {
 struct total_fit {
     double tolerance = 1.0;          ///< the maximum stretch of a line: 1 lets spaces double
     double hyphen_penalty = 50.0;    ///< 0: hyphens are as good as spaces; infinite: only from first_fit
-    double emergency_stretch = 0.0;  ///< if a paragraph has no such lines: each line may stretch by this part of the
-                                     ///< width in addition
+    double emergency_stretch = 0.0;  ///< if no lines are within the tolerance, try again with each line allowed to
+                                     ///< stretch further, by this fraction of the width
 
     error break_lines(std::span<const break_piece> pieces, const line_room& room,
                       buffer<std::uint32_t>& ends) const noexcept;

@@ -13,7 +13,7 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// Several fonts; each one supplies the glyphs that the fonts before it lack:
+/// Several fonts used as one, in which each font supplies the glyphs that the fonts before it lack:
 ///
 ///     font_cascade fonts{latin, arabic, cjk};              // all must outlive it
 ///     text_mesher mesher{fonts};

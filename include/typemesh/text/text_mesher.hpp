@@ -162,8 +162,8 @@ public:
     }
 
     /// The same, but `edit` may change the run between layout and meshing: it can move glyphs, remove them, or give
-    /// them another style. layout()'s report of the text stays. An invalid run is refused, like an invalid run of your
-    /// own.
+    /// them another style. What layout() reported about the text (missing glyphs and so on) is kept. An invalid run is
+    /// refused, like an invalid run of your own.
     ///
     ///     mesher.plan("wave", {}, [](glyph_run& run) noexcept {
     ///         for (placed_glyph& g : run.glyphs) g.origin.y += 50.0 * std::sin(g.origin.x / 100.0);

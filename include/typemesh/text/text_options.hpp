@@ -32,7 +32,7 @@ enum class depth_unit : std::uint8_t {
 /// The area that the square [0, 1] of the `box` texture mapping covers: the whole text, each line, or each glyph.
 enum class texture_box : std::uint8_t { text, line, glyph };
 
-/// How a text is set and written. All defaults suit a headline in a 3D scene.
+/// The options of a text: how it is set and written. All defaults suit a headline in a 3D scene.
 ///
 ///     {.size = 0.37}                               letters of 0.37 units of your world per em
 ///     {.layout = {.align = alignment::centre}}     lines centred on x = 0

@@ -133,10 +133,10 @@ public:
         return glyphs_->merged.members_of(glyphs_->merged.groups[s.merged]);
     }
 
-    /// The owner of a triangle, as an index in the run. It is the one glyph whose outline all contour edges at the
-    /// triangle's corners follow (for a wall, the glyph on whose outline it stands), or shared_glyph where merged
-    /// glyphs run together. For extruders that write caps in the order of the region's triangles and walls as two
-    /// triangles per edge, as flat and extruded do. If an extruder makes its own caps (bevelled), all triangles of
+    /// The owner of a triangle, as an index in the run. It is the glyph to whose outline all contour edges at the
+    /// triangle's corners belong (for a wall, the glyph on whose outline it stands); if they belong to several, it is
+    /// shared_glyph. This requires an extruder that writes caps in the order of the region's triangles and walls as two
+    /// triangles per edge, such as flat and extruded. If an extruder makes its own caps (bevelled), all triangles of
     /// merged glyphs are shared.
     ///
     ///     triangle    its position in range(glyph, p), below index_count / 3

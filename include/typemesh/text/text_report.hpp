@@ -7,8 +7,8 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// What happened to a text's glyphs: which are not in the mesh, and why; which are in it in another form than
-/// requested. A text is built even if glyphs were lost.
+/// A report of what happened to a text's glyphs: which are not in the mesh, and why; which are in it in another form
+/// than requested. A text is built even if glyphs were lost.
 struct text_report {
     std::uint32_t glyphs = 0;   ///< in the run, including blank and missing ones
     std::uint32_t blank = 0;    ///< without an outline, such as spaces, or with no filled area

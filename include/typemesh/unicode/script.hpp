@@ -10,7 +10,8 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// A script by its four letters in ISO 15924. The first letter is in the highest byte: script_tag("Latn").
+/// The number of a script, made from its four letters in ISO 15924. The first letter is in the highest byte:
+/// script_tag("Latn").
 [[nodiscard]] constexpr std::uint32_t script_tag(const char (&letters)[5]) noexcept
 {
     std::uint32_t tag = 0;

@@ -91,7 +91,7 @@ concept foreign_text =
     !std::is_convertible_v<const Text&, text_view> && !std::is_convertible_v<const Text&, std::string_view> &&
     (std::is_convertible_v<const Text&, std::u32string_view> || std::is_convertible_v<const Text&, std::wstring_view>);
 
-/// For overloads beside the ones that take a text. The compiler then refuses foreign text in one sentence.
+/// Makes the compiler refuse foreign text in one sentence: for overloads beside the ones that take a text.
 template <class Text>
 constexpr error refuse_text() noexcept
 {

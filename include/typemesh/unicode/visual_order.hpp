@@ -21,7 +21,7 @@ struct visual_run {
     std::uint8_t level = 0;  ///< odd: read to the left
 };
 
-/// Rule L2 of UAX #9: sorts the parts of a line, each with a `level`, from left to right. Before the call they are in
+/// Sorts the parts of a line, each with a `level`, from left to right: rule L2 of UAX #9. Before the call they are in
 /// reading order. `parts` is a std::span, or any other type with data() and size(). Cost: O(n) for each level; there
 /// are at most 126 levels.
 template <class Parts>
@@ -39,8 +39,9 @@ void order_visually(Parts&& parts) noexcept
         }
 }
 
-/// Rule L1 of UAX #9. Ask it about the parts of a line from the line's end to its start. It selects separators (tabs),
-/// and white space before a separator or at the line's end. These parts get the level of their paragraph.
+/// Finds the parts of a line that get the level of their paragraph: rule L1 of UAX #9. Ask it about the parts of a line
+/// from the line's end to its start. These parts are separators (tabs), and white space before a separator or at the
+/// line's end.
 class line_end_rule {
 public:
     /// Whether the rule selects the next part towards the start.

@@ -18,7 +18,7 @@ struct rgba8 {
     friend constexpr bool operator==(const rgba8&, const rgba8&) noexcept = default;
 };
 
-/// The same with blue first (B8G8R8A8, D3DCOLOR, FColor).
+/// A colour of four bytes, blue first in memory (B8G8R8A8, D3DCOLOR, FColor).
 struct bgra8 {
     unorm8 b;
     unorm8 g;

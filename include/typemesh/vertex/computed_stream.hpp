@@ -54,7 +54,7 @@ template <attribute Wants, class T, class Make>
     return computed_elements<Wants, T, Make>{place.data, place.capacity, bytes_apart, std::move(make)};
 }
 
-/// The same element for every vertex: a colour, a material number.
+/// A stream with the same element for every vertex: a colour, a material number.
 template <class T, std::size_t N>
 [[nodiscard]] constexpr auto constant_stream(std::span<T, N> elements, T value) noexcept
 {

@@ -67,7 +67,7 @@ struct frame {
     }
 };
 
-/// The usual frames. Right-handed, y up, front towards +z: OpenGL, glTF, three.js (and Godot with .winding = -1).
+/// Right-handed, y up, front towards +z: OpenGL, glTF, three.js (and Godot with .winding = -1).
 inline constexpr frame right_handed_y_up{};
 
 /// Left-handed, y up, front towards -z, so that a viewer who looks along +z reads it: Direct3D, Unity.

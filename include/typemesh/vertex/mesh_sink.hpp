@@ -67,7 +67,7 @@ concept array_without_sink =
         a.size();
     });
 
-/// For overloads beside the ones that take a sink, so that a forgotten into() is reported in one sentence.
+/// Makes the compiler report a forgotten into() in one sentence: for overloads beside the ones that take a sink.
 template <class A>
 constexpr error refuse_arrays() noexcept
 {

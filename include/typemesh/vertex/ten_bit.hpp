@@ -48,7 +48,7 @@ private:
     }
 };
 
-/// The unsigned variant; see snorm10.
+/// The unsigned variant of snorm10.
 struct unorm10 {
     std::uint32_t bits;
 

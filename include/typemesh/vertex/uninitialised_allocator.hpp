@@ -10,8 +10,8 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// For a std::vector that growing_sink fills: resize() leaves new elements uninitialised, while std::allocator sets
-/// them to zero. Each element is then written only once.
+/// An allocator for a std::vector that growing_sink fills: resize() leaves new elements uninitialised, while
+/// std::allocator sets them to zero. Each element is then written only once.
 ///
 ///     std::vector<my_vertex, typemesh::uninitialised_allocator<my_vertex>> vertices;
 ///     std::vector<std::uint32_t, typemesh::uninitialised_allocator<std::uint32_t>> indices;
