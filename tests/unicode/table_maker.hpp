@@ -258,7 +258,7 @@ inline std::string script_table()
 /// Compares a header with what it should be, or writes it.
 inline void check_or_make(const std::string& name, const std::string& wanted)
 {
-    const std::string path = TYPEMESH_TEST_DATA "/../include/typemesh/unicode/" + name;
+    const std::string path = TYPEMESH_TEST_DATA "/../include/typemesh/unicode/impl/" + name;
     if (std::getenv("TYPEMESH_MAKE_TABLES") != nullptr) {
         std::ofstream{path, std::ios::binary} << wanted;
         WARN("written: " << path);
