@@ -12,7 +12,7 @@
 #include <utility>
 #include <vector>
 
-// Makes the headers include/typemesh/unicode/*_table.hpp. The tests "[tables]" compare them with what stands there;
+// Makes the headers include/typemesh/unicode/impl/*_table.hpp. The tests "[tables]" compare them with what stands there;
 // where TYPEMESH_MAKE_TABLES is set in the environment, they write them.
 namespace ucd {
 
