@@ -30,7 +30,7 @@ struct glyph_draft {
 /// All data of one glyph that do not depend on its place, in one block of memory that never changes once made.
 ///
 ///     block   [ built_glyph | plan data | points | starts | triangles | drawn points | drawn starts ]
-///                                                     form() and merged_as_drawn() refer to the rest of it
+///             [ built_glyph | error ]                 form() and merged_as_drawn() refer to the rest of it
 ///
 /// A blank glyph has no points; a refused glyph carries its error, so requesting it again costs no more than any other
 /// glyph. Any number of threads may read built glyphs.
@@ -39,6 +39,7 @@ public:
     /// The size of the block that a draft needs; its alignment is alignof(built_glyph).
     [[nodiscard]] static std::size_t bytes_for(const glyph_draft& draft) noexcept
     {
+        if (draft.refusal) return sizeof(built_glyph) + sizeof(error);
         const solid& s = draft.form;
         const solid_outline drawn = draft.merged_as_drawn ? draft.drawn : solid_outline{};
         const std::size_t data = draft.data == nullptr ? 0 : draft.data->bytes();
@@ -57,7 +58,13 @@ public:
 
     [[nodiscard]] const solid& form() const noexcept { return form_; }
     /// The loops of the glyph as drawn, if these decide which glyphs are merged with it; otherwise empty.
-    [[nodiscard]] const solid_outline& merged_as_drawn() const noexcept { return drawn_; }
+    [[nodiscard]] solid_outline merged_as_drawn() const noexcept
+    {
+        if (drawn_points_ == 0) return {};
+        const auto* points = reinterpret_cast<const grid_point*>(drawn_);
+        const auto* starts = reinterpret_cast<const std::uint32_t*>(points + drawn_points_);
+        return {{points, drawn_points_}, {starts, drawn_starts_}};
+    }
     [[nodiscard]] const part_sizes& sizes() const noexcept { return plan_.sizes; }
 
     /// The solid as it is passed back to the extruder that planned it.
@@ -82,21 +89,31 @@ public:
     /// points.
     [[nodiscard]] const box& around() const noexcept { return plan_.around; }
     /// The same in font units.
-    [[nodiscard]] const box& ink() const noexcept { return ink_; }
+    [[nodiscard]] box ink() const noexcept
+    {
+        return {font_units_per_cell_ * plan_.around.low, font_units_per_cell_ * plan_.around.high};
+    }
     /// The bounding box of its points as drawn, in cells.
     [[nodiscard]] grid_point low() const noexcept { return low_; }
     [[nodiscard]] grid_point high() const noexcept { return high_; }
 
     /// The reason why it cannot be built, or none.
-    [[nodiscard]] const error& refusal() const noexcept { return refusal_; }
+    [[nodiscard]] error refusal() const noexcept
+    {
+        return refused_ ? *reinterpret_cast<const error*>(this + 1) : error{};
+    }
     /// Nothing to draw, and not refused.
-    [[nodiscard]] bool is_blank() const noexcept { return form_.points.empty() && !refusal_; }
+    [[nodiscard]] bool is_blank() const noexcept { return form_.points.empty() && !refused_; }
 
 private:
     explicit built_glyph(const glyph_draft& draft) noexcept
-        : plan_{draft.plan}, cells_{draft.cells}, font_units_per_cell_{1.0 / draft.cells}, refusal_{draft.refusal}
+        : plan_{draft.plan}, cells_{draft.cells}, font_units_per_cell_{1.0 / draft.cells}, refused_{draft.refusal}
     {
         std::byte* free = reinterpret_cast<std::byte*>(this + 1);
+        if (refused_) {
+            new (free) error{draft.refusal};
+            return;
+        }
         if (draft.data != nullptr) {
             draft.data->copy_to(free);
             free += draft.data->bytes();
@@ -104,12 +121,15 @@ private:
         form_.points = copied(draft.form.points, free);
         form_.starts = copied(draft.form.starts, free);
         form_.triangles = copied(draft.form.triangles, free);
-        if (draft.merged_as_drawn) drawn_ = {copied(draft.drawn.points, free), copied(draft.drawn.starts, free)};
+        if (draft.merged_as_drawn) {
+            drawn_ = free;
+            drawn_points_ = static_cast<std::uint32_t>(copied(draft.drawn.points, free).size());
+            drawn_starts_ = static_cast<std::uint32_t>(copied(draft.drawn.starts, free).size());
+        }
         if (form_.points.empty()) return;
         set_box_of(form_.points);
         if (plan_.around.empty()) plan_.around = {placement::exact(low_), placement::exact(high_)};
         if (!draft.drawn.points.empty()) set_box_of(draft.drawn.points);
-        ink_ = {font_units_per_cell_ * plan_.around.low, font_units_per_cell_ * plan_.around.high};
     }
 
     void set_box_of(array_view<const grid_point> points) noexcept
@@ -137,13 +157,13 @@ private:
     }
 
     solid form_;
-    solid_outline drawn_;
+    const std::byte* drawn_ = nullptr;
+    std::uint32_t drawn_points_ = 0, drawn_starts_ = 0;
     solid_plan plan_;
     double cells_;
     double font_units_per_cell_;
     grid_point low_, high_;
-    box ink_;
-    error refusal_;
+    bool refused_;
 };
 
 }  // namespace typemesh::inline TYPEMESH_ABI

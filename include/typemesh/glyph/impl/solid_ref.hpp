@@ -57,7 +57,7 @@ public:
     /// whole area that it covers in the plane, or are the drawn loops if these are larger.
     [[nodiscard]] solid_outline outline_of(const built_glyph& built) const noexcept
     {
-        const solid_outline& drawn = built.merged_as_drawn();
+        const solid_outline drawn = built.merged_as_drawn();
         const solid_outline own{built.form().points, built.form().starts};
         const solid_outline grown = does_->outline_of == nullptr ? own : does_->outline_of(how_, built);
         return drawn.points.empty() || covers(box_of(grown), box_of(drawn)) ? grown : drawn;

@@ -193,7 +193,8 @@ struct text_glyphs {
     /// A glyph's own box, in font units, relative to the text's origin.
     [[nodiscard]] static box ink_of(const drawn_glyph& s) noexcept
     {
-        return {s.origin + s.built->ink().low, s.origin + s.built->ink().high};
+        const box own = s.built->ink();
+        return {s.origin + own.low, s.origin + own.high};
     }
 
     [[nodiscard]] placement place(const drawn_glyph& s) const noexcept
@@ -214,7 +215,7 @@ struct text_glyphs {
     /// A mesh by itself, at the output's origin: textures span its own box.
     [[nodiscard]] placement place(const glyph_mesh& m) const noexcept
     {
-        const box& own = m.built->ink();
+        const box own = m.built->ink();
         placement at = place(*m.built, {}, {}, own.low, texture_over(own));
         at.glyph = m.id;
         return at;
