@@ -111,6 +111,7 @@ private:
     {
         std::byte* free = reinterpret_cast<std::byte*>(this + 1);
         if (refused_) {
+            static_assert(alignof(error) <= alignof(built_glyph), "an error lies right after its glyph");
             new (free) error{draft.refusal};
             return;
         }
