@@ -32,7 +32,7 @@ const sample mixed{"truetype/dejavu/DejaVuSans.ttf",
                    "\xD8\xA8\xD8\xB3\xD9\x85 \xD8\xA7\xD9\x84\xD9\x84\xD9\x87 2024 The quick brown fox "
                    "\xD8\xA7\xD9\x84\xD8\xB1\xD8\xAD\xD9\x85\xD9\x86 \xD7\xA9\xD7\x9C\xD7\x95\xD7\x9D "};
 
-void lay_out(benchmark::State& state, const sample& s, wrap_mode wrap, line_alignment align)
+void lay_out(benchmark::State& state, const sample& s, wrap_mode wrap, alignment align)
 {
     const char* folder = std::getenv("TYPEMESH_FONT_DIR");
     auto font =
@@ -81,7 +81,7 @@ double seconds_of(benchmark::State& state, harfbuzz_font& font, const std::strin
     constexpr int times = 20;
     const std::clock_t from = std::clock();
     for (int k = 0; k < times; ++k)
-        if (!words.lay_out({.width = least * (1.0 + 0.02 * k), .align = line_alignment::justify}, run)) return 0.0;
+        if (!words.lay_out({.width = least * (1.0 + 0.02 * k), .align = alignment::justify}, run)) return 0.0;
     return static_cast<double>(std::clock() - from) / CLOCKS_PER_SEC / times;
 }
 
@@ -102,16 +102,16 @@ void break_lines(benchmark::State& state, const sample& s)
     state.counters["total_of_first"] = total / first;
 }
 
-BENCHMARK_CAPTURE(lay_out, latin, latin, wrap_mode::word_or_grapheme, line_alignment::start)
+BENCHMARK_CAPTURE(lay_out, latin, latin, wrap_mode::word_or_grapheme, alignment::start)
     ->RangeMultiplier(10)
     ->Range(1000, 1000000);
-BENCHMARK_CAPTURE(lay_out, mixed, mixed, wrap_mode::word_or_grapheme, line_alignment::start)
+BENCHMARK_CAPTURE(lay_out, mixed, mixed, wrap_mode::word_or_grapheme, alignment::start)
     ->RangeMultiplier(10)
     ->Range(1000, 1000000);
-BENCHMARK_CAPTURE(lay_out, justified, mixed, wrap_mode::word_or_grapheme, line_alignment::justify)
+BENCHMARK_CAPTURE(lay_out, justified, mixed, wrap_mode::word_or_grapheme, alignment::justify)
     ->RangeMultiplier(10)
     ->Range(1000, 1000000);
-BENCHMARK_CAPTURE(lay_out, graphemes, mixed, wrap_mode::grapheme, line_alignment::start)
+BENCHMARK_CAPTURE(lay_out, graphemes, mixed, wrap_mode::grapheme, alignment::start)
     ->RangeMultiplier(10)
     ->Range(1000, 1000000);
 BENCHMARK_CAPTURE(break_lines, latin, latin)->Arg(10)->Arg(20)->Arg(60)->Arg(400)->Iterations(1);

@@ -85,7 +85,7 @@ peers::way wrapped(const std::shared_ptr<harfbuzz_font>& font, const char* state
     return {name_of(quality::high), "wrapped", state,
             [=, keep = font](const std::string& text) {
                 return words->set(text).has_value() &&
-                       words->lay_out({.width = 12.0, .align = line_alignment::justify}, *run).has_value() &&
+                       words->lay_out({.width = 12.0, .align = alignment::justify}, *run).has_value() &&
                        bool(mesher->build(*run, into(to->vertices, to->indices)));
             },
             [to] { return to->made(); }};

@@ -158,14 +158,14 @@ void add_text_options(CLI::App& app, options& out, raw_values& raw)
         "a whole number from 0 to 255", [](double n) { return n >= 0.0 && n <= 255.0 && n == std::floor(n); },
         [&out](double n) { out.columns.combined_digits = static_cast<std::uint8_t>(n); })
         ->type_name("N");
-    add_named<line_alignment>(app, "--align", out.lines.align, "lines against each other, or in --width (default left)",
-                              {{"left", line_alignment::left},
-                               {"center", line_alignment::centre},
-                               {"centre", line_alignment::centre},
-                               {"right", line_alignment::right},
-                               {"start", line_alignment::start},
-                               {"end", line_alignment::end},
-                               {"justify", line_alignment::justify}},
+    add_named<alignment>(app, "--align", out.lines.align, "lines against each other, or in --width (default left)",
+                              {{"left", alignment::left},
+                               {"center", alignment::centre},
+                               {"centre", alignment::centre},
+                               {"right", alignment::right},
+                               {"start", alignment::start},
+                               {"end", alignment::end},
+                               {"justify", alignment::justify}},
                               {"centre"});
     add_number(
         app, "--letter-spacing",
@@ -463,19 +463,19 @@ std::string settle_weight(options& out, const raw_values& raw)
 /// Decides whether the text is a paragraph. Gives an empty string, or what is wrong.
 std::string settle_lines(options& out, const raw_values& raw)
 {
-    using typemesh::line_alignment;
+    using typemesh::alignment;
     const auto given = [&raw](const char* option) {
         return std::find(raw.of_a_page.begin(), raw.of_a_page.end(), option) != raw.of_a_page.end();
     };
-    const line_alignment align = out.lines.align;
+    const alignment align = out.lines.align;
     if (given("--fit") && !read_box(raw.fit, out.fit_width, out.fit_height))
         return "--fit: must be two positive numbers up to 1000000, such as 30x10, not " + raw.fit;
     for (const char* other : {"--width", "--ellipsis"})
         if (given("--fit") && given(other)) return std::string{other} + ": is not for --fit, which shows all text";
     if (given("--fit") && raw.size) return "--size: is not for --fit, which finds it";
     const bool boxed = given("--width") || given("--fit");
-    if (!boxed && align == line_alignment::justify) return "--align: justify is for --width or --fit";
-    if (align != line_alignment::justify && given("--justify")) return "--justify: is for --align justify";
+    if (!boxed && align == alignment::justify) return "--align: justify is for --width or --fit";
+    if (align != alignment::justify && given("--justify")) return "--justify: is for --align justify";
     for (const char* option : {"--wrap", "--breaker"})
         if (!boxed && given(option)) return std::string{option} + ": is for --width or --fit";
     if (out.lines.wrap == typemesh::wrap_mode::none && given("--breaker")) return "--breaker: is not for --wrap none";
@@ -485,11 +485,11 @@ std::string settle_lines(options& out, const raw_values& raw)
     if (out.ellipsis.find('\n') != std::string::npos) return "--ellipsis: must be one line";
     if (!given("--ellipsis") && given("--elide")) return "--elide: is for --ellipsis";
     const bool plain =
-        align == line_alignment::left || align == line_alignment::centre || align == line_alignment::right;
+        align == alignment::left || align == alignment::centre || align == alignment::right;
     out.page = !raw.of_a_page.empty() || (raw.align_given && !plain);
     out.lines.line_spacing = out.line_spacing;
-    out.align = align == line_alignment::centre  ? typemesh::alignment::centre
-                : align == line_alignment::right ? typemesh::alignment::right
+    out.align = align == alignment::centre  ? typemesh::alignment::centre
+                : align == alignment::right ? typemesh::alignment::right
                                                  : typemesh::alignment::left;
     return {};
 }

@@ -8,7 +8,7 @@
 
 #include <typemesh/extrude/bevelled.hpp>
 #include <typemesh/extrude/outlined.hpp>
-#include <typemesh/paragraph/paragraph_options.hpp>
+#include <typemesh/layout/layout_options.hpp>
 #include <typemesh/typemesh.hpp>
 
 #include <optional>
@@ -62,7 +62,7 @@ struct options {
     double letter_spacing = 0.0;  ///< em; by default as much as letters have become wider
     double line_spacing = 1.0;    ///< times the font's own
     bool page = false;            ///< the text is laid out as a paragraph, by `lines` and `ellipsis`
-    typemesh::paragraph_options lines;
+    typemesh::layout_options lines;
     std::string ellipsis;
     std::vector<styled_range> styles;
     std::optional<rgb_colour> colour;          ///< of what no style has a colour for

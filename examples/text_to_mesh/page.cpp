@@ -41,7 +41,7 @@ using analyser = typemesh::unicode_analyser;
 template <class Paragraph>
 class box_filling {
 public:
-    box_filling(const options& o, font_set& font, Paragraph& words, const typemesh::paragraph_options& lines)
+    box_filling(const options& o, font_set& font, Paragraph& words, const typemesh::layout_options& lines)
         : o_{o}, words_{words}, lines_{lines}, ink_{font}
     {
         lines_.ellipsis = {};
@@ -102,7 +102,7 @@ private:
 
     const options& o_;
     Paragraph& words_;
-    typemesh::paragraph_options lines_;
+    typemesh::layout_options lines_;
     ink ink_;
 };
 
@@ -123,7 +123,7 @@ std::string lay_out_lines(const options& o, const Breaker& breaker, font_set& fo
                           double& size)
 {
     typemesh::paragraph words{font, typemesh::heap(), analyser{}, breaker};
-    typemesh::paragraph_options lines = o.lines;
+    typemesh::layout_options lines = o.lines;
     lines.ellipsis = o.ellipsis;
     auto set = words.set(o.text, shape_options_of(o), spans_of(o.styles, o.text), o.letter_spacing);
     if (set && o.fit_width > 0.0) {

@@ -3,7 +3,7 @@
 
 #include "model.hpp"
 
-#include <typemesh/paragraph/style_spans.hpp>
+#include <typemesh/layout/style_spans.hpp>
 #include <typemesh/typemesh.hpp>
 
 #include <cstddef>

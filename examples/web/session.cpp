@@ -27,7 +27,7 @@ typemesh::result<void> session::lay_out(std::u16string_view text)
                                       .script = o.script,
                                       .features = o.features,
                                       .columns = o.columns};
-    typemesh::paragraph_options lines = o.lines;
+    typemesh::layout_options lines = o.lines;
     lines.ellipsis = how_.ellipsis;
     words_.breaker().is_even = o.even_lines;
     if (const auto done = words_.set(text, how, o.letter_spacing); !done) return done.error();

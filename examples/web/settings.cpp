@@ -87,7 +87,7 @@ void set_wrap(settings& to, double value)
     to.chosen.lines.wrap = modes[std::min<std::size_t>(static_cast<std::size_t>(value), 3)];
 }
 
-using paragraph = typemesh::paragraph_options;
+using paragraph = typemesh::layout_options;
 
 constexpr option table[] = {
     {"size", kind::number, "", "1", set_number<&options::size>},
@@ -221,13 +221,13 @@ options settings::settled() const
     o.columns.combined_gap = wider;
     o.merge = merge.value_or(o.bevel.width > 0.0f || o.outline.width > 0.0f || o.embolden != 0.0f);
 
-    using typemesh::line_alignment;
+    using typemesh::alignment;
     const auto& lines = o.lines;
-    o.page = std::isfinite(lines.width) || lines.align == line_alignment::justify || !ellipsis.empty() ||
-             lines.max_lines != typemesh::paragraph_options{}.max_lines || lines.indent != 0.0 ||
+    o.page = std::isfinite(lines.width) || lines.align == alignment::justify || !ellipsis.empty() ||
+             lines.max_lines != typemesh::layout_options{}.max_lines || lines.indent != 0.0 ||
              lines.anchor != typemesh::vertical_anchor::first_baseline;
-    o.align = lines.align == line_alignment::centre                                        ? typemesh::alignment::centre
-              : lines.align == line_alignment::right || lines.align == line_alignment::end ? typemesh::alignment::right
+    o.align = lines.align == alignment::centre                                        ? typemesh::alignment::centre
+              : lines.align == alignment::right || lines.align == alignment::end ? typemesh::alignment::right
                                                                                            : typemesh::alignment::left;
     o.lines.line_spacing = o.line_spacing;
     return o;

@@ -89,7 +89,7 @@ TEST_CASE("three fonts set a line of Latin, Arabic and Han", "[adapt][harfbuzz][
     // The two letters join, as in their own font alone.
     buffer<shaped_glyph> own;
     REQUIRE_FALSE(
-        f.arabic->shape_item(u"\u0628\u0628", {.last = 2, .script = script_tag("Arab"), .level = 1}, {}, own));
+        f.arabic->shape(u"\u0628\u0628", {.last = 2, .script = script_tag("Arab"), .level = 1}, {}, own));
     CHECK(run.glyphs[3].id == own[0].id);
     CHECK(run.glyphs[4].id == own[1].id);
     CHECK(run.glyphs[3].id != run.glyphs[4].id);
@@ -143,7 +143,7 @@ TEST_CASE("every line of a paragraph in several fonts holds the glyphs of its te
                 if (item.last <= line.first || item.first >= line.last) continue;
                 item.first = std::max(item.first, line.first);
                 item.last = std::min(item.last, line.last);
-                REQUIRE_FALSE(fonts.shape_item(mixed, item, {}, fresh));
+                REQUIRE_FALSE(fonts.shape(mixed, item, {}, fresh));
             }
             const auto glyphs = run.glyphs.view().subspan(run.lines[k].first_glyph, run.lines[k].glyph_count);
             CHECK(sorted(glyphs, [&](const placed_glyph& g) {

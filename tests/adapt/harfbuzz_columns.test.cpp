@@ -194,7 +194,7 @@ TEST_CASE("a gap between combined digits reaches layout(), fallbacks and paragra
     const glyph_run run = set(font, "88", how.direction, how.columns);
     const double squeeze = map_of(run, run.glyphs[0]).xx;
     buffer<shaped_glyph> digit;
-    REQUIRE_FALSE(font.shape_item("8", {.last = 1}, {}, digit));
+    REQUIRE_FALSE(font.shape("8", {.last = 1}, {}, digit));
     CHECK(squeeze * 2 * digit[0].advance + 0.06 * em == Approx(em));
     CHECK(distance(run) == Approx(squeeze * digit[0].advance + 0.06 * em));
     paragraph words{font};
@@ -276,7 +276,7 @@ TEST_CASE("every column holds the glyphs of its text, at any height, as long as 
             for (text_item item : words.shaped().items()) {
                 item.first = std::max(item.first, line.first);
                 item.last = std::min(item.last, line.last);
-                if (item.first < item.last) REQUIRE_FALSE(font.shape_item(text, item, how, shaped));
+                if (item.first < item.last) REQUIRE_FALSE(font.shape(text, item, how, shaped));
             }
             for (const shaped_glyph& g : shaped) fresh.push_back(g.id);
             CHECK(drawn == fresh);

@@ -32,7 +32,7 @@ struct items {
 
     items(harfbuzz_font& font, text_view text, const text_item& item, const shape_options& how = {})
     {
-        const error e = font.shape_item(text, item, how, glyphs);
+        const error e = font.shape(text, item, how, glyphs);
         INFO(e.message());
         REQUIRE_FALSE(e);
     }
@@ -158,10 +158,10 @@ TEST_CASE("an item's shaping can fail for its options only", "[adapt][harfbuzz]"
     harfbuzz_font font = opened(dejavu);
     buffer<shaped_glyph> glyphs;
     const text_item item = whole("ab", 0, 0);
-    CHECK(font.shape_item("ab", item, {.script = "Lat"}, glyphs) == error::bad_option);
+    CHECK(font.shape("ab", item, {.script = "Lat"}, glyphs) == error::bad_option);
     const feature cut[] = {{"lig", 1}};
-    CHECK(font.shape_item("ab", item, {.features = cut}, glyphs) == error::bad_feature);
-    CHECK_FALSE(font.shape_item("ab", {}, {}, glyphs));
+    CHECK(font.shape("ab", item, {.features = cut}, glyphs) == error::bad_feature);
+    CHECK_FALSE(font.shape("ab", {}, {}, glyphs));
     CHECK(glyphs.empty());
     // An option's script wins.
     CHECK(items(font, u"\u0628\u0628", whole(u"\u0628\u0628", tag("Latn"), 1), {.script = "Arab"}).glyphs[0].id ==
@@ -170,10 +170,10 @@ TEST_CASE("an item's shaping can fail for its options only", "[adapt][harfbuzz]"
 
 TEST_CASE("a pair of shaper and source shapes items if its shaper does", "[adapt][harfbuzz]")
 {
-    static_assert(item_shaper<shaped_by<harfbuzz_font, harfbuzz_font>>);
+    static_assert(shaper<shaped_by<harfbuzz_font, harfbuzz_font>>);
     harfbuzz_font font = opened(dejavu);
     shaped_by pair{font, font};
     buffer<shaped_glyph> glyphs;
-    REQUIRE_FALSE(pair.shape_item("ab", whole("ab", 0, 0), {}, glyphs));
+    REQUIRE_FALSE(pair.shape("ab", whole("ab", 0, 0), {}, glyphs));
     CHECK(glyphs.size() == 2);
 }

@@ -40,11 +40,11 @@ std::u16string random_line(std::mt19937& random)
     return text;
 }
 
-paragraph_options random_line_options(std::mt19937& random)
+layout_options random_line_options(std::mt19937& random)
 {
-    paragraph_options how{.width = 0.1 + below(random, 400) / 100.0};
+    layout_options how{.width = 0.1 + below(random, 400) / 100.0};
     how.wrap = random() % 2 != 0 ? wrap_mode::word_or_grapheme : wrap_mode::grapheme;
-    how.align = static_cast<line_alignment>(random() % 6);
+    how.align = static_cast<alignment>(random() % 6);
     how.justify = static_cast<justification>(random() % 4);
     how.tab_width = below(random, 5);
     if (random() % 4 == 0) how.indent = how.width * below(random, 200) / 200.0 - how.width / 2;
@@ -77,7 +77,7 @@ std::size_t too_wide(Words& words, std::mt19937& random, const std::u16string& t
     REQUIRE(words.set(text, how, spans, random() % 4 == 0 ? 0.1 : 0.0));
     std::size_t wrong = 0;
     for (int k = 0; k < 6; ++k) {
-        const paragraph_options options = random_line_options(random);
+        const layout_options options = random_line_options(random);
         glyph_run run;
         REQUIRE(words.lay_out(options, run));
         bool begins = true;
@@ -126,7 +126,7 @@ TEST_CASE("white space at a line's end hangs beyond every edge, whatever is not 
     glyph_run run, bare;
     for (const char16_t* word : {u"abc", u"\u05D0\u05D1\u05D2", u"\u0628\u0628"})
         for (const char16_t* end : {u" \u200F", u" \u200E ", u"\u200F \u061C", u" \u034F", u" \u200D\u200F"})
-            for (const line_alignment align : {line_alignment::left, line_alignment::centre, line_alignment::right}) {
+            for (const alignment align : {alignment::left, alignment::centre, alignment::right}) {
                 const std::u16string text = std::u16string{word} + end;
                 REQUIRE(words.set(text));
                 REQUIRE(plain.set(std::u16string_view{word}));

@@ -70,7 +70,7 @@ std::pair<std::vector<drawn>, double> fresh(harfbuzz_font& font, text_view text,
         if (item.last <= first || item.first >= last || silent_at(text, item.first) != 0) continue;
         item.first = std::max(item.first, first);
         item.last = std::min(item.last, last);
-        REQUIRE_FALSE(font.shape_item(text, item, {}, glyphs));
+        REQUIRE_FALSE(font.shape(text, item, {}, glyphs));
     }
     double advance = 0.0;
     for (const shaped_glyph& g : glyphs) advance += g.cluster < visible ? g.advance : 0.0;
@@ -200,7 +200,7 @@ std::vector<glyph_id> arabic_glyphs(harfbuzz_font& font, std::u16string_view wor
 {
     buffer<shaped_glyph> glyphs;
     const auto size = static_cast<std::uint32_t>(word.size());
-    REQUIRE_FALSE(font.shape_item(word, {.last = size, .script = script_tag("Arab"), .level = 1}, {}, glyphs));
+    REQUIRE_FALSE(font.shape(word, {.last = size, .script = script_tag("Arab"), .level = 1}, {}, glyphs));
     std::vector<glyph_id> ids;
     for (const shaped_glyph& g : glyphs) ids.push_back(g.id);
     return ids;
@@ -237,7 +237,7 @@ TEST_CASE("words with strokes are drawn as their text with U+0640, shaped afresh
     std::size_t strokes = 0;
     for (double width = 4.0; width < 16.0; width += 0.37) {
         REQUIRE(
-            words.lay_out({.width = width, .align = line_alignment::justify, .justify = justification::kashida}, run));
+            words.lay_out({.width = width, .align = alignment::justify, .justify = justification::kashida}, run));
         for (std::size_t k = 0; k + 1 < run.lines.size(); ++k) {
             const laid_line& line = words.lines()[k];
             std::size_t first = line.first, count = 0;
@@ -286,11 +286,11 @@ std::u16string random_text(std::mt19937& random)
     return text;
 }
 
-paragraph_options random_options(std::mt19937& random)
+layout_options random_options(std::mt19937& random)
 {
     return {.width = 0.3 + static_cast<double>(random() % 900) / 60.0,
             .wrap = static_cast<wrap_mode>(random() % 4),
-            .align = static_cast<line_alignment>(random() % 6),
+            .align = static_cast<alignment>(random() % 6),
             .anchor = static_cast<vertical_anchor>(random() % 5),
             .indent = static_cast<double>(random() % 5) / 2.0 - 1.0};
 }

@@ -168,7 +168,7 @@ TEST_CASE("carets stand within ligatures where the font says, and lead back to t
     for (const double width : {3.0, 5.0, 100.0})
         for (const bool styled : {false, true}) {
             REQUIRE(words.set(mixed, {}, styled ? std::span<const style_span>{large} : std::span<const style_span>{}));
-            REQUIRE(words.lay_out({.width = width, .align = line_alignment::justify}, run));
+            REQUIRE(words.lay_out({.width = width, .align = alignment::justify}, run));
             const laid_text laid = words.laid();
             for (std::uint32_t unit = 0; unit <= mixed.size(); ++unit)
                 for (const affinity side : {affinity::downstream, affinity::upstream}) {

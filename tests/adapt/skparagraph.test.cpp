@@ -161,9 +161,9 @@ public:
 
     void lay_out(const skparagraph::layout& l)
     {
-        const line_alignment align = l.align == "left"     ? line_alignment::left
-                                     : l.align == "centre" ? line_alignment::centre
-                                                           : line_alignment::justify;
+        const alignment align = l.align == "left"     ? alignment::left
+                                     : l.align == "centre" ? alignment::centre
+                                                           : alignment::justify;
         REQUIRE(words.lay_out({.width = l.width, .align = align}, run));
     }
 

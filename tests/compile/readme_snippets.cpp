@@ -116,7 +116,7 @@ auto inter = typemesh::harfbuzz_font::open("Inter.var.ttf", {.face = 0, .variati
 typemesh::paragraph words{*font};
 if (auto set = words.set("In the beginning the Universe was created."); !set) return std::puts(set.error().message()), 1;
 typemesh::glyph_run page;
-if (auto laid = words.lay_out({.width = 9.0, .align = typemesh::line_alignment::justify}, page); !laid) return std::puts(laid.error().message()), 1;
+if (auto laid = words.lay_out({.width = 9.0, .align = typemesh::alignment::justify}, page); !laid) return std::puts(laid.error().message()), 1;
 auto column = mesher.plan(page);
 auto em = fit_size(words, 30.0, 10.0);                                          // of a box in the mesh: 30 along the lines, 10 across
 if (!em) return std::puts(em.error().message()), 1;

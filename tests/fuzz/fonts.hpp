@@ -132,11 +132,11 @@ broken_law of_font(const damaged_font& given, text_view text, const request& ask
     if (!font) return is_an_answer(font.error()) ? "" : font.error().message();
     auto mesher = text_mesher{*font}.with(extruded<>{.depth = 0.25f});
     if (broken_law broken = of_glyphs(*font, mesher, given.glyphs, asked.how); !broken.empty()) return broken;
-    if constexpr (item_shaper<Font>) {
+    if constexpr (shaper<Font>) {
         paragraph<Font> words{*font};
         glyph_run run;
         error e = words.set(text, asked.how.shape).error();
-        if (!e) e = words.lay_out({.width = asked.width, .align = line_alignment::justify}, run).error();
+        if (!e) e = words.lay_out({.width = asked.width, .align = alignment::justify}, run).error();
         if (e) return is_an_answer(e) ? "" : e.message();
         for (const placed_glyph& g : run.glyphs)
             if (g.cluster >= text.size() && !text.empty()) return "a cluster beyond the text";

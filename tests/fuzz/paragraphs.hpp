@@ -76,7 +76,7 @@ private:
 };
 
 struct layout_settings {
-    paragraph_options options;
+    layout_options options;
     std::vector<double> stops;
 
     explicit layout_settings(values& in)
@@ -84,7 +84,7 @@ struct layout_settings {
         const std::uint32_t what = in.byte(), more = in.byte();
         if ((what & 1) != 0) options.width = in.flag() ? in.between(0.01, 4.0) : in.between(1.0, 40.0);
         options.wrap = static_cast<wrap_mode>(more & 3);
-        options.align = static_cast<line_alignment>((more >> 2) % 6);
+        options.align = static_cast<alignment>((more >> 2) % 6);
         options.anchor = static_cast<vertical_anchor>((more >> 5) % 5);
         options.boxes = static_cast<line_box>(more >> 7);
         if ((what & 2) != 0) options.height = in.between(0.0, 20.0);
@@ -104,7 +104,7 @@ struct layout_settings {
     /// All that the text has is drawn, and nothing else but hyphens.
     [[nodiscard]] bool shows_all() const
     {
-        const bool strokes = options.align == line_alignment::justify && options.justify == justification::kashida;
+        const bool strokes = options.align == alignment::justify && options.justify == justification::kashida;
         return options.max_lines > 1'000'000 && options.ellipsis.empty() && !strokes;
     }
 };
@@ -163,7 +163,7 @@ error shape_alone(const Words& words, Font& font, const laid_line& line, glyph_p
         if (item.first >= item.last || silent_at(shaped.text(), item.first) != 0) continue;
         const bool one_cluster = item.orientation == glyph_orientation::combined;
         const auto before = glyphs.size();
-        if (error e = font.shape_item(shaped.text(), item, shaped.options_of(k), glyphs)) return e;
+        if (error e = font.shape(shaped.text(), item, shaped.options_of(k), glyphs)) return e;
         for (const shaped_glyph& g : glyphs.view().subspan(before))
             alone.emplace_back(one_cluster ? item.first : g.cluster, g.id);
     }
@@ -290,7 +290,7 @@ broken_law of_size(Words& words, const layout_settings& how, values& in)
     const auto size = fit_size(words, width, height, how.options);
     if (!size) return size.error() == error::bad_option ? "" : size.error().message();
     if (!(*size > 0.0) || !is_finite(*size)) return "a size that is none";
-    paragraph_options options = how.options;
+    layout_options options = how.options;
     options.width = width / *size;
     options.ellipsis = {};
     const auto measured = words.measure(options);

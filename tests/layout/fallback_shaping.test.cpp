@@ -23,12 +23,12 @@ struct toy_faces {
     std::uint32_t needs_shaping = 99;
 
     std::uint32_t face_count() const noexcept { return static_cast<std::uint32_t>(fonts.size()); }
-    error shape_item(text_view text, const text_item& item, const shape_options& how,
+    error shape(text_view text, const text_item& item, const shape_options& how,
                      buffer<shaped_glyph>& glyphs) noexcept
     {
         if (item.face == needs_shaping) return error::needs_shaping;
         const std::size_t before = glyphs.size();
-        const error e = fonts[item.face].shape_item(text, item, how, glyphs);
+        const error e = fonts[item.face].shape(text, item, how, glyphs);
         for (shaped_glyph& g : glyphs.view().subspan(before)) g.face = item.face;
         return e;
     }
@@ -78,7 +78,7 @@ struct made_item {
     {
         fallback_shaping shaping;
         const text_item item{.last = static_cast<std::uint32_t>(text.size()), .face = face, .level = level};
-        REQUIRE_FALSE(shaping.shape_item(faces, text, item, {}, glyphs));
+        REQUIRE_FALSE(shaping.shape(faces, text, item, {}, glyphs));
     }
     /// The faces by which the glyphs are drawn, from left to right; '?' for what is missing.
     [[nodiscard]] std::string faces() const
@@ -160,7 +160,7 @@ TEST_CASE("a face that does not shape a script lacks it", "[layout][fallback]")
     fallback_shaping shaping;
     buffer<shaped_glyph> glyphs;
     const text_item own{.last = 1, .face = 1};
-    CHECK(shaping.shape_item(faces, u"a", own, {}, glyphs) == error::needs_shaping);
+    CHECK(shaping.shape(faces, u"a", own, {}, glyphs) == error::needs_shaping);
 }
 
 TEST_CASE("a line may end where text of two faces meets, unless the first face forbids it", "[layout][fallback]")
@@ -178,11 +178,11 @@ TEST_CASE("a line may end where text of two faces meets, unless the first face f
 TEST_CASE("a line may not end inside a cluster of the first face, whatever another makes of it", "[layout][fallback]")
 {
     struct parting_faces : toy_faces {  // the second makes a cluster of every glyph
-        error shape_item(text_view text, const text_item& item, const shape_options& how,
+        error shape(text_view text, const text_item& item, const shape_options& how,
                          buffer<shaped_glyph>& glyphs) noexcept
         {
             const std::size_t before = glyphs.size();
-            const error e = toy_faces::shape_item(text, item, how, glyphs);
+            const error e = toy_faces::shape(text, item, how, glyphs);
             if (item.face == 1)
                 for (std::size_t i = before; i < glyphs.size(); ++i)
                     glyphs[i].cluster = item.first + static_cast<cluster_id>(i - before);

@@ -247,7 +247,7 @@ inline void hash_analysis(hash& h)
 
 /// Line ends and the places of glyphs, at several widths.
 template <class Breaker>
-void hash_lines(hash& h, const typemesh::paragraph_options& how, const Breaker& breaker)
+void hash_lines(hash& h, const typemesh::layout_options& how, const Breaker& breaker)
 {
     test::toy_item_shaper font;
     typemesh::paragraph<test::toy_item_shaper, typemesh::unicode_analyser, Breaker> words{
@@ -258,7 +258,7 @@ void hash_lines(hash& h, const typemesh::paragraph_options& how, const Breaker& 
             if (c == '!') c = '?';  // which the toy font refuses
         if (!words.set(text)) stop("a text is not set");
         for (const double width : {3.0, 7.5, 20.0}) {
-            typemesh::paragraph_options options = how;
+            typemesh::layout_options options = how;
             options.width = width;
             if (!words.lay_out(options, run)) stop("a text is not laid out");
             for (const typemesh::laid_line& line : words.lines()) h.add(line.first, 4), h.add(line.last, 4);
@@ -303,8 +303,8 @@ inline std::vector<stage_hash> hash_stages(const faces& all)
     stage("text: levels, graphemes, breaks, scripts", [](hash& h) { hash_analysis(h); });
     stage("text: lines, first_fit", [](hash& h) { hash_lines(h, {}, first_fit{}); });
     stage("text: lines, first_fit, justified",
-          [](hash& h) { hash_lines(h, {.align = line_alignment::justify}, first_fit{}); });
-    stage("text: lines, total_fit", [](hash& h) { hash_lines(h, {.align = line_alignment::justify}, total_fit{}); });
+          [](hash& h) { hash_lines(h, {.align = alignment::justify}, first_fit{}); });
+    stage("text: lines, total_fit", [](hash& h) { hash_lines(h, {.align = alignment::justify}, total_fit{}); });
     return made;
 }
 

@@ -17,7 +17,7 @@ struct shown_lines {
     paragraph<test::toy_item_shaper> words{font};
     glyph_run run;
 
-    shown_lines(text_view text, const paragraph_options& options, double letter_spacing = 0.0)
+    shown_lines(text_view text, const layout_options& options, double letter_spacing = 0.0)
     {
         REQUIRE(words.set(text, {}, letter_spacing));
         REQUIRE(words.lay_out(options, run));

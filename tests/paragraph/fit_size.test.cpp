@@ -23,9 +23,9 @@ template <class Breaker = first_fit>
 struct fitted {
     test::toy_item_shaper font;
     paragraph<test::toy_item_shaper, unicode_analyser, Breaker> words{font, heap(), unicode_analyser{}, Breaker{}};
-    paragraph_options how;
+    layout_options how;
 
-    explicit fitted(const std::u16string& shown, const paragraph_options& options = {}) : how{options}, text_{shown}
+    explicit fitted(const std::u16string& shown, const layout_options& options = {}) : how{options}, text_{shown}
     {
         REQUIRE(words.set(text_));
     }
@@ -38,7 +38,7 @@ struct fitted {
     /// Measured from the lines themselves.
     bool fits(double size, double width, double height, wrap_mode wrap)
     {
-        paragraph_options at = how;
+        layout_options at = how;
         at.width = width / size;
         at.wrap = wrap;
         at.anchor = vertical_anchor::top;
@@ -64,7 +64,7 @@ using namespace fit_size_tests;
 TEST_CASE("the fitted size fits, and a size greater by a thousandth does not", "[paragraph]")
 {
     for (const wrap_mode wrap : {wrap_mode::none, wrap_mode::word, wrap_mode::word_or_grapheme, wrap_mode::grapheme})
-        for (const line_alignment align : {line_alignment::start, line_alignment::justify})
+        for (const alignment align : {alignment::start, alignment::justify})
             for (double width = 0.5; width < 100.0; width *= 1.9)
                 for (double height = 0.7; height < 60.0; height *= 2.3) {
                     fitted<> p{sample, {.wrap = wrap, .align = align}};
@@ -91,7 +91,7 @@ TEST_CASE("the box decides: its height for a short text, its width for a long li
 TEST_CASE("a size is found with total_fit, and the text fits at it", "[paragraph]")
 {
     for (double width = 2.0; width < 60.0; width *= 1.7) {
-        fitted<total_fit> p{sample, {.align = line_alignment::justify}};
+        fitted<total_fit> p{sample, {.align = alignment::justify}};
         const double size = p.size(width, 10.0);
         CHECK(p.fits(size, width, 10.0, wrap_mode::word_or_grapheme));
     }

@@ -19,7 +19,7 @@ struct laid_out {
     paragraph<test::toy_item_shaper> words{font};
     glyph_run run;
 
-    explicit laid_out(text_view text, const paragraph_options& options = {})
+    explicit laid_out(text_view text, const layout_options& options = {})
     {
         REQUIRE(words.set(text));
         REQUIRE(words.lay_out(options, run));
@@ -61,7 +61,7 @@ TEST_CASE("a line's last letter ends where its letter spacing has been taken awa
     glyph_run run;
     for (const text_view text : {text_view{"ab "}, text_view{u"\u05D0\u05D1 "}}) {
         REQUIRE(words.set(text, {}, 0.1));
-        REQUIRE(words.lay_out({.width = 9.0, .align = line_alignment::left}, run));
+        REQUIRE(words.lay_out({.width = 9.0, .align = alignment::left}, run));
         const bool back = words.lines()[0].level != 0;
         for (const affinity side : {affinity::downstream, affinity::upstream})
             CHECK(is_at(words.laid().caret_at(2, side), 0, back ? 0.0 : 1.1, 0.0));
@@ -100,7 +100,7 @@ TEST_CASE("a caret's own point leads back to it", "[paragraph]")
 {
     std::size_t alone = 0;  // places that no other caret has
     for (const double width : {100.0, 5.0, 2.0, 0.6})
-        for (const line_alignment align : {line_alignment::start, line_alignment::justify, line_alignment::centre}) {
+        for (const alignment align : {alignment::start, alignment::justify, alignment::centre}) {
             const laid_out p{mixed, {.width = width, .align = align}};
             const laid_text laid = p.laid();
             struct place {
@@ -184,7 +184,7 @@ TEST_CASE("boxes cover what is selected, stretch by stretch", "[paragraph]")
 TEST_CASE("boxes have no holes where kashida fills a line", "[paragraph]")
 {
     const std::u16string text = u"\u0628\u0628\u0628 \u0628\u0628 \u0628 xxxxxxxxxx";
-    const laid_out p{text, {.width = 5.7, .align = line_alignment::justify, .justify = justification::kashida}};
+    const laid_out p{text, {.width = 5.7, .align = alignment::justify, .justify = justification::kashida}};
     const std::vector<box> all = p.boxes(0, 8);
     REQUIRE(all.size() == 1);
     CHECK(all[0].low.x == 0.0);
@@ -260,7 +260,7 @@ TEST_CASE("carets in what an ellipsis has dropped stand at the ellipsis", "[para
     }
     const laid_out filled{
         u"\u0628\u0628 \u0628\u0628 x y z",
-        {.width = 2.9, .align = line_alignment::justify, .justify = justification::kashida, .max_lines = 1}};
+        {.width = 2.9, .align = alignment::justify, .justify = justification::kashida, .max_lines = 1}};
     bool strokes = false;  // which are no ellipsis
     for (const placed_glyph& g : filled.run.glyphs) strokes = strokes || g.id == 0x640;
     CHECK(strokes);
@@ -270,7 +270,7 @@ TEST_CASE("carets in what an ellipsis has dropped stand at the ellipsis", "[para
 
 TEST_CASE("lines tell their boxes, columns too", "[paragraph]")
 {
-    const laid_out p{"ab cd", {.width = 2.0, .align = line_alignment::right}};
+    const laid_out p{"ab cd", {.width = 2.0, .align = alignment::right}};
     CHECK(length(p.laid().line_box(1).low - point{1.0, -1.2}) < 1e-12);
     CHECK(length(p.laid().line_box(1).high - point{2.0, -0.3}) < 1e-12);
     CHECK(p.laid().line_of(2) == 0);
@@ -316,7 +316,7 @@ TEST_CASE("without a layout of its text a paragraph has no lines, carets stand a
 TEST_CASE("a grapheme is found below a point among those of its cluster, and its boxes hold the point", "[paragraph]")
 {
     for (const bool wide : {true, false}) {
-        const laid_out p{mixed, wide ? paragraph_options{} : paragraph_options{.width = 3.0}};
+        const laid_out p{mixed, wide ? layout_options{} : layout_options{.width = 3.0}};
         for (std::uint32_t unit = 0; unit < mixed.size(); ++unit) {
             for (const box& b : p.boxes(unit, unit + 1)) {
                 const point middle = 0.5 * (b.low + b.high);

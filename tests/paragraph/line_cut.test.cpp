@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "shaped_paragraph.hpp"
+#include "support/shaped_paragraph.hpp"
 
 #include <typemesh/paragraph/impl/line_cut.hpp>
 

@@ -39,7 +39,7 @@ struct justified {
         REQUIRE(words.set(text_, how));
         again(width, by);
     }
-    void again(double width, justification by, line_alignment align = line_alignment::justify)
+    void again(double width, justification by, alignment align = alignment::justify)
     {
         REQUIRE(words.lay_out({.width = width, .align = align, .justify = by}, run));
     }
@@ -104,7 +104,7 @@ TEST_CASE("every cluster of a justified text is drawn once, besides it hyphens a
     for (const justification by : all_ways)
         for (double width = 2.0; width < 30.0; width *= 1.2) {
             justified<> plain{mixed_text, width, by}, p{mixed_text, width, by};
-            plain.again(width, by, line_alignment::start);
+            plain.again(width, by, alignment::start);
             std::map<std::pair<cluster_id, glyph_id>, int> times;
             for (const placed_glyph& g : plain.run.glyphs) ++times[{g.cluster, g.id}];
             for (const placed_glyph& g : p.run.glyphs)
@@ -121,11 +121,11 @@ TEST_CASE("lines that need nothing are left as they are", "[paragraph]")
             u"\u0628\u0628 ab \u0628\u0628\u0628";  // of 4000, in the only line and before a break
         for (const auto& shown : {text, text + u"\nab", text + u"  " + text}) {
             justified<> plain{shown, 4.0, by}, p{shown, 4.0, by};
-            plain.again(4.0, by, line_alignment::start);
+            plain.again(4.0, by, alignment::start);
             CHECK(p.places() == plain.places());
         }
         justified<> last{text, 9.0, by};
-        last.again(9.0, by, line_alignment::start);
+        last.again(9.0, by, alignment::start);
         const auto before = last.places();
         last.again(9.0, by);
         CHECK(last.places() == before);
@@ -246,7 +246,7 @@ TEST_CASE("a word is shaped with its strokes whole, also before a hyphen", "[par
 {
     struct reader : test::toy_item_shaper {
         std::u32string word;  // the last with a stroke in it
-        error shape_item(text_view text, const text_item& item, const shape_options& how,
+        error shape(text_view text, const text_item& item, const shape_options& how,
                          buffer<shaped_glyph>& glyphs) noexcept
         {
             std::u32string read;
@@ -257,7 +257,7 @@ TEST_CASE("a word is shaped with its strokes whole, also before a hyphen", "[par
             }
             if (read.size() > 1 && read.find(char32_t{stroke}) != read.npos) word = read;
             const std::size_t before = glyphs.size();
-            const error e = test::toy_item_shaper::shape_item(text, item, how, glyphs);
+            const error e = test::toy_item_shaper::shape(text, item, how, glyphs);
             for (shaped_glyph& g : glyphs.view().subspan(before)) g.flags = g.flags | glyph_flags::unsafe_to_break;
             return e;
         }
@@ -265,7 +265,7 @@ TEST_CASE("a word is shaped with its strokes whole, also before a hyphen", "[par
     paragraph words{font};
     glyph_run run;
     REQUIRE(words.set("\xD8\xA8\xD8\xA8\xC2\xAD\xD8\xA8\xD8\xA8\xD8\xA8"));  // UTF-8, U+00AD in it
-    REQUIRE(words.lay_out({.width = 2.3, .align = line_alignment::justify, .justify = justification::kashida}, run));
+    REQUIRE(words.lay_out({.width = 2.3, .align = alignment::justify, .justify = justification::kashida}, run));
     REQUIRE(run.lines.size() == 2);
     CHECK(font.word == U"\u0628\u0640\u0640\u0628\u00AD");
 }
@@ -273,17 +273,17 @@ TEST_CASE("a word is shaped with its strokes whole, also before a hyphen", "[par
 TEST_CASE("without a stroke in the font spaces fill the line", "[paragraph]")
 {
     struct without_strokes : test::toy_item_shaper {
-        error shape_item(text_view text, const text_item& item, const shape_options& how,
+        error shape(text_view text, const text_item& item, const shape_options& how,
                          buffer<shaped_glyph>& glyphs) noexcept
         {
             if (item.first < item.last && decode(text, item.first).value == stroke) return {};
-            return test::toy_item_shaper::shape_item(text, item, how, glyphs);
+            return test::toy_item_shaper::shape(text, item, how, glyphs);
         }
     } font;
     paragraph words{font};
     glyph_run run;
     REQUIRE(words.set(u"\u0628\u0628 \u0628\u0628 xxxxxxxxxx"));
-    REQUIRE(words.lay_out({.width = 4.0, .align = line_alignment::justify, .justify = justification::kashida}, run));
+    REQUIRE(words.lay_out({.width = 4.0, .align = alignment::justify, .justify = justification::kashida}, run));
     CHECK(run.lines[0].advance == 4000.0);
     for (const placed_glyph& g : run.glyphs) CHECK(g.id != stroke);
 }
@@ -319,7 +319,7 @@ TEST_CASE("justifying reports a memory that gives nothing, wherever it does, and
         test::counting_memory counted;
         paragraph words{font, counted.source(), unicode_analyser{counted.source()}};
         REQUIRE(words.set(mixed_text));
-        const paragraph_options how{.width = 6.0, .align = line_alignment::justify, .justify = by};
+        const layout_options how{.width = 6.0, .align = alignment::justify, .justify = by};
         for (std::size_t n = 1;; ++n) {
             test::counting_memory failing{.fail_at = n};
             paragraph poor{font, failing.source(), unicode_analyser{failing.source()}};

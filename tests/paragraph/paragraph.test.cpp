@@ -28,12 +28,12 @@ struct laid {
     paragraph<toy_item_shaper> words{font};
     glyph_run run;
 
-    explicit laid(text_view text, const paragraph_options& options = {}, const shape_options& how = {})
+    explicit laid(text_view text, const layout_options& options = {}, const shape_options& how = {})
     {
         REQUIRE(words.set(text, how));
         again(options);
     }
-    void again(const paragraph_options& options) { REQUIRE(words.lay_out(options, run)); }
+    void again(const layout_options& options) { REQUIRE(words.lay_out(options, run)); }
 
     /// A line as letters, from left to right; other glyphs are '?'.
     [[nodiscard]] std::string line(std::size_t k) const
@@ -169,7 +169,7 @@ TEST_CASE("a layout does not depend on those before it", "[paragraph]")
     laid often{mixed};
     for (const double width : {30.0, 3.0, 0.1, 5.0, 2.0, 3.0}) {
         for (const wrap_mode wrap : {wrap_mode::word_or_grapheme, wrap_mode::grapheme, wrap_mode::word}) {
-            const paragraph_options options{.width = width, .wrap = wrap, .ellipsis = ".."};
+            const layout_options options{.width = width, .wrap = wrap, .ellipsis = ".."};
             often.again(options);
             const laid once{mixed, options};
             REQUIRE(often.run.glyphs.size() == once.run.glyphs.size());
@@ -184,10 +184,10 @@ TEST_CASE("a layout does not depend on those before it", "[paragraph]")
 TEST_CASE("lines are set to any side of the width, or of x = 0", "[paragraph]")
 {
     struct expected {
-        line_alignment align;
+        alignment align;
         double boxed, free, left, left_free;  // x of a line that is read to the right, to the left
     };
-    using a = line_alignment;
+    using a = alignment;
     laid right{"abc"}, left{u"\u05D0\u05D1\u05D2"};
     for (const auto& [align, boxed, free, back, back_free] : {expected{a::start, 0.0, 0.0, 2500.0, -1500.0},
                                                               {a::end, 2500.0, -1500.0, 0.0, 0.0},
@@ -210,7 +210,7 @@ TEST_CASE("lines are set to any side of the width, or of x = 0", "[paragraph]")
 
 TEST_CASE("white space at a line's end hangs beyond the width, on the side where the line ends", "[paragraph]")
 {
-    const laid right{"ab   cd", {.width = 1.0, .align = line_alignment::right}};
+    const laid right{"ab   cd", {.width = 1.0, .align = alignment::right}};
     CHECK(right.line(0) == "ab   ");
     CHECK(right.run.glyphs[1].origin.x == 500.0);
     CHECK(right.run.glyphs[2].origin.x == 1000.0);
@@ -222,7 +222,7 @@ TEST_CASE("white space at a line's end hangs beyond the width, on the side where
 
 TEST_CASE("justified lines fill the width by their spaces, but for a paragraph's last", "[paragraph]")
 {
-    const laid p{"a b cd e f\ng hi", {.width = 3.2, .align = line_alignment::justify}};
+    const laid p{"a b cd e f\ng hi", {.width = 3.2, .align = alignment::justify}};
     CHECK(p.lines() == text_lines{"a b cd ", "e f", "g hi"});
     CHECK(p.run.lines[0].advance == 3200.0);
     CHECK(p.run.lines[1].advance == 1250.0);
@@ -355,7 +355,7 @@ TEST_CASE("text without words has lines, too", "[paragraph]")
     REQUIRE(nothing.run.lines.size() == 1);
     CHECK(nothing.run.glyphs.empty());
     CHECK(nothing.words.widths().widest == 0.0);
-    const laid spaces{"   ", {.width = 0.1, .align = line_alignment::right}};
+    const laid spaces{"   ", {.width = 0.1, .align = alignment::right}};
     REQUIRE(spaces.run.lines.size() == 1);
     CHECK(spaces.run.lines[0].advance == 0.0);
     CHECK(spaces.run.lines[0].origin.x == 100.0);
@@ -407,7 +407,7 @@ TEST_CASE("a text is measured as it is laid out, without writing it", "[paragrap
 {
     laid p{mixed};
     for (const double width : {2.0, 5.0, 30.0}) {
-        const paragraph_options options{.width = width, .max_lines = 7, .ellipsis = "..", .indent = 0.25};
+        const layout_options options{.width = width, .max_lines = 7, .ellipsis = "..", .indent = 0.25};
         const auto size = p.words.measure(options);
         REQUIRE(size);
         const std::size_t lines = p.words.lines().size();
@@ -485,7 +485,7 @@ TEST_CASE("in a column letters on their side are read as in a line that is turne
 TEST_CASE("a column whose first letter is Hebrew is read upwards, unless all of it is upright", "[paragraph]")
 {
     shape_options how{.direction = direction::top_to_bottom};
-    CHECK(laid(u"\u05D0\u05D1 ab", {.align = line_alignment::left}, how).line(0) == "ab ??");
+    CHECK(laid(u"\u05D0\u05D1 ab", {.align = alignment::left}, how).line(0) == "ab ??");
     how.columns.latin = column_latin::upright;
     const laid upright{u"\u05D0\u05D1 ab", {}, how};
     CHECK(upright.line(0) == "?? ab");
@@ -601,7 +601,7 @@ TEST_CASE("laying out again allocates nothing, and shapes nothing but the shorte
     REQUIRE(words.set(mixed));
     const auto all = [&] {
         for (const double width : {3.0, 7.0, 1.0, 40.0})
-            for (const line_alignment align : {line_alignment::start, line_alignment::justify})
+            for (const alignment align : {alignment::start, alignment::justify})
                 for (const wrap_mode wrap : {wrap_mode::word_or_grapheme, wrap_mode::grapheme})
                     REQUIRE(words.lay_out({.width = width, .wrap = wrap, .align = align}, run));
     };
@@ -637,7 +637,7 @@ TEST_CASE("a paragraph survives a memory that gives nothing, wherever it stops",
 
 TEST_CASE("a layout for which memory fails leaves nothing behind for the next one", "[paragraph]")
 {
-    const paragraph_options options{.width = 1.0, .ellipsis = ".."};
+    const layout_options options{.width = 1.0, .ellipsis = ".."};
     const laid fresh{mixed, options};
     toy_item_shaper font;
     test::counting_memory counted;

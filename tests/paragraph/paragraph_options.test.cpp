@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "support/catch.hpp"
 
-#include <typemesh/paragraph/paragraph_options.hpp>
+#include <typemesh/layout/layout_options.hpp>
 
 #include <limits>
 #include <string>
@@ -11,11 +11,11 @@ using namespace typemesh;
 TEST_CASE("options of a paragraph that are out of range are named", "[paragraph]")
 {
     constexpr double nan = std::numeric_limits<double>::quiet_NaN(), inf = std::numeric_limits<double>::infinity();
-    CHECK_FALSE(refused_option(paragraph_options{}));
+    CHECK_FALSE(refused_option(layout_options{}));
     const double falling[] = {2.0, 1.0}, at_zero[] = {0.0}, unknown[] = {nan}, rising[] = {0.5, 1.0};
     CHECK_FALSE(refused_option({.width = 1e-9, .indent = -3.0, .tab_width = 0.0, .tab_stops = rising}));
     struct expected {
-        paragraph_options options;
+        layout_options options;
         const char* name;
     };
     for (const auto& [options, name] : {expected{{.width = 0.0}, "width"},

@@ -66,7 +66,7 @@ TEST_CASE("colours move nothing: glyphs and places are the same to the bit", "[p
         CHECK(font.calls - calls == 2 * once);
         for (const double width : {2.0, 4.0, 1e3}) {
             glyph_run without, with;
-            const paragraph_options options{.width = width, .align = line_alignment::justify};
+            const layout_options options{.width = width, .align = alignment::justify};
             REQUIRE(plain.lay_out(options, without));
             REQUIRE(coloured.lay_out(options, with));
             CHECK(same_styled_glyphs(without, with));

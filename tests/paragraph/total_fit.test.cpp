@@ -277,10 +277,10 @@ TEST_CASE("a paragraph keeps the memory that total_fit needs", "[paragraph]")
     paragraph words{font, counted.source(), unicode_analyser{counted.source()}, total_fit{.emergency_stretch = 0.1}};
     glyph_run run{counted.source()};
     REQUIRE(words.set(text));
-    REQUIRE(words.lay_out({.width = 6.0, .align = line_alignment::justify}, run));
+    REQUIRE(words.lay_out({.width = 6.0, .align = alignment::justify}, run));
     const std::size_t before = counted.requests, lines = run.lines.size(), glyphs = run.glyphs.size();
     for (const double width : {20.0, 9.0, 31.0, 12.3, 6.0})
-        REQUIRE(words.lay_out({.width = width, .align = line_alignment::justify}, run));
+        REQUIRE(words.lay_out({.width = width, .align = alignment::justify}, run));
     CHECK(counted.requests == before);
     CHECK(run.lines.size() == lines);
     CHECK(run.glyphs.size() == glyphs);

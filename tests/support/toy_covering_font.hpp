@@ -4,7 +4,7 @@
 // A font with glyphs for some characters only, for what several fonts do together.
 
 #include <typemesh/layout/impl/mixed_line.hpp>
-#include <typemesh/layout/item_shaper.hpp>
+#include <typemesh/layout/shaper.hpp>
 #include <typemesh/layout/plain_text.hpp>
 #include <typemesh/outline/outline_source.hpp>
 #include <typemesh/unicode/impl/grapheme_boundaries.hpp>
@@ -46,7 +46,7 @@ struct toy_covering_font {
 
     bool covers(char32_t c) const { return has.find(c) != std::u32string::npos; }
 
-    typemesh::error shape_item(typemesh::text_view text, const typemesh::text_item& item,
+    typemesh::error shape(typemesh::text_view text, const typemesh::text_item& item,
                                const typemesh::shape_options&,
                                typemesh::buffer<typemesh::shaped_glyph>& glyphs) noexcept
     {
@@ -92,7 +92,7 @@ struct toy_covering_font {
         if (error e = line.split(text, first, last, how, cut)) return e;
         const std::size_t before = items;
         for (const text_item& item : cut)
-            if (error e = shape_item(text, item, how, glyphs)) return e;
+            if (error e = shape(text, item, how, glyphs)) return e;
         items = before;
         double pen = 0.0;
         for (const shaped_glyph& g : glyphs) {
@@ -105,7 +105,7 @@ struct toy_covering_font {
         return point{pen, 0};
     }
 };
-static_assert(typemesh::item_shaper<toy_covering_font> && typemesh::shaper<toy_covering_font> &&
+static_assert(typemesh::shaper<toy_covering_font> && typemesh::shaper<toy_covering_font> &&
               typemesh::outline_source<toy_covering_font>);
 
 }  // namespace test

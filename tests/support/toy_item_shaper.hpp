@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// An item_shaper without a font, for what layout and paragraphs do of their own.
+// An shaper without a font, for what layout and paragraphs do of their own.
 
-#include <typemesh/layout/item_shaper.hpp>
+#include <typemesh/layout/shaper.hpp>
 #include <typemesh/unicode/utf.hpp>
 
 #include <algorithm>
@@ -22,7 +22,7 @@ struct toy_item_shaper {
 
     double units_per_em() const noexcept { return 1000.0; }
     typemesh::line_metrics metrics(typemesh::direction) const noexcept { return lines; }
-    typemesh::error shape_item(typemesh::text_view text, const typemesh::text_item& item,
+    typemesh::error shape(typemesh::text_view text, const typemesh::text_item& item,
                                const typemesh::shape_options& how,
                                typemesh::buffer<typemesh::shaped_glyph>& glyphs) noexcept
     {
@@ -57,6 +57,6 @@ struct toy_item_shaper {
         return glyphs.append(made) ? error{} : error{error::out_of_memory};
     }
 };
-static_assert(typemesh::item_shaper<toy_item_shaper>);
+static_assert(typemesh::shaper<toy_item_shaper>);
 
 }  // namespace test

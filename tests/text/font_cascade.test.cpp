@@ -20,9 +20,9 @@ using test::toy_covering_font;
 namespace font_cascade_test {
 
 using cascade = font_cascade<toy_covering_font, toy_covering_font>;
-static_assert(face_source<cascade> && shaper<cascade> && item_shaper<cascade>);
-static_assert(item_shaper<font_faces<toy_covering_font, toy_covering_font>>);
-static_assert(!item_shaper<font_faces<toy_covering_font, recorded_outlines>>);
+static_assert(face_source<cascade> && shaper<cascade> && shaper<cascade>);
+static_assert(shaper<font_faces<toy_covering_font, toy_covering_font>>);
+static_assert(!shaper<font_faces<toy_covering_font, recorded_outlines>>);
 
 /// Draws under the same numbers, but larger.
 struct large_font : toy_covering_font {
@@ -75,10 +75,10 @@ TEST_CASE("glyphs of another font are as large as the first one's em", "[text][f
     CHECK(fonts.metrics(direction::automatic).ascender == 800.0);
 
     buffer<shaped_glyph> glyphs;
-    REQUIRE_FALSE(fonts.shape_item("ab\xCC\x81", {.last = 4, .face = 1}, {}, glyphs));
+    REQUIRE_FALSE(fonts.shape("ab\xCC\x81", {.last = 4, .face = 1}, {}, glyphs));
     CHECK(glyphs[0].face == 0);
     CHECK(glyphs.back().flags != glyph_flags::none);
-    CHECK(fonts.shape_item("ab", {.last = 2, .face = 2}, {}, glyphs) == error::no_such_face);
+    CHECK(fonts.shape("ab", {.last = 2, .face = 2}, {}, glyphs) == error::no_such_face);
 }
 
 TEST_CASE("a cluster that no font has is reported once, and drawn on request as the first one's", "[text][fallback]")

@@ -36,8 +36,8 @@ struct toy_provider {
 
 using plain_list = font_list<toy_covering_font>;
 using found_list = font_list<toy_covering_font, toy_provider>;
-static_assert(face_source<plain_list> && shaper<plain_list> && item_shaper<plain_list>);
-static_assert(face_source<found_list> && shaper<found_list> && item_shaper<found_list>);
+static_assert(face_source<plain_list> && shaper<plain_list> && shaper<plain_list>);
+static_assert(face_source<found_list> && shaper<found_list> && shaper<found_list>);
 
 }  // namespace font_list_test
 
@@ -62,7 +62,7 @@ TEST_CASE("a list of fonts does what a cascade of them does", "[text][fallback]"
     CHECK(plan->bounds().high.x == Catch::Approx(1.1f));
 
     buffer<shaped_glyph> glyphs;
-    CHECK(fonts.shape_item("a", {.last = 1, .face = 3}, {}, glyphs) == error::no_such_face);
+    CHECK(fonts.shape("a", {.last = 1, .face = 3}, {}, glyphs) == error::no_such_face);
 }
 
 TEST_CASE("what no font of a list has a provider finds, once for all texts", "[text][fallback]")

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <typemesh/core/finite.hpp>
+#include <typemesh/core/result.hpp>
 #include <typemesh/layout/plain_text.hpp>
 #include <typemesh/layout/shaper.hpp>
 #include <typemesh/outline/font_options.hpp>
@@ -173,45 +174,46 @@ public:
         return {ascender, descender, face_->height - (ascender - descender)};
     }
 
-    /// See shaper. Only for left-to-right lines of plain text (plain_text.hpp). Ligatures, language and script are
-    /// ignored, and so are features except {"kern", 0}, which turns kerning off; the last one counts. Default-ignorable
-    /// characters give no glyph.
+    /// See shaper. Only for text of plain characters (plain_text.hpp) that is read to the right. Language, script,
+    /// ligatures and features are ignored except {"kern", 0}, which turns kerning off; the last one counts.
+    /// Default-ignorable characters give no glyph.
     ///
-    /// Fails besides  error::needs_shaping: a character of a complex script (`cluster`), or another direction requested
-    result<point> shape(text_view text, std::size_t first, std::size_t last, const shape_options& options,
-                        glyph_run& run) noexcept
+    /// Fails besides  error::needs_shaping: a character of a complex script (`cluster`), or another direction
+    error shape(text_view text, const text_item& item, const shape_options& options,
+                buffer<shaped_glyph>& glyphs) noexcept
     {
-        TYPEMESH_ASSERT(first <= last && last <= text.size(), "a shaper was given a range outside its text");
-        if (options.direction == direction::right_to_left || options.direction == direction::top_to_bottom)
-            return error{error::needs_shaping}.at(no_glyph, static_cast<cluster_id>(first));
+        TYPEMESH_ASSERT(item.first <= item.last && item.last <= text.size(),
+                        "a shaper was given a range outside its text");
+        if (item.to_the_left() || item.orientation != glyph_orientation::horizontal)
+            return error{error::needs_shaping}.at(no_glyph, item.first);
         bool kerning = FT_HAS_KERNING(face_);
         for (const feature& f : options.features)
             if (f.tag[0] == 'k' && f.tag[1] == 'e' && f.tag[2] == 'r' && f.tag[3] == 'n')
                 kerning = FT_HAS_KERNING(face_) && f.value != 0;
 
-        point at;
         FT_UInt before = 0;
-        for (std::size_t i = first; i < last;) {
-            const code_point c = decode(text, i, last);
+        for (std::size_t i = item.first; i < item.last;) {
+            const code_point c = decode(text, i, item.last);
             const auto cluster = static_cast<cluster_id>(i);
             i = c.next;
-            if (!c.valid) run.note_invalid_units(cluster);
             if (is_complex(c.value)) return error{error::needs_shaping}.at(no_glyph, cluster);
             if (is_default_ignorable(c.value)) continue;
 
             const FT_UInt id = FT_Get_Char_Index(face_, c.value);
-            if (id == 0) run.note_missing(cluster);
             FT_Vector kern = {};
             if (kerning && before != 0 && id != 0 && FT_Get_Kerning(face_, before, id, FT_KERNING_UNSCALED, &kern) == 0)
-                at.x += static_cast<double>(kern.x);
-            if (!run.glyphs.push_back({id, cluster, at, id == 0})) return error::out_of_memory;
+                glyphs.back().advance += static_cast<double>(kern.x);
             FT_Fixed advance = 0;
-            if (FT_Get_Advance(face_, id, FT_LOAD_NO_SCALE | FT_LOAD_NO_HINTING | FT_LOAD_IGNORE_TRANSFORM, &advance) ==
+            if (FT_Get_Advance(face_, id, FT_LOAD_NO_SCALE | FT_LOAD_NO_HINTING | FT_LOAD_IGNORE_TRANSFORM, &advance) !=
                 0)
-                at.x += static_cast<double>(advance);
+                advance = 0;
+            const glyph_flags flags = (id == 0 ? glyph_flags::missing : glyph_flags::none) |
+                                      (kerning && before != 0 ? glyph_flags::unsafe_to_break : glyph_flags::none);
+            if (!glyphs.push_back({id, cluster, static_cast<double>(advance), {}, 0, flags}))
+                return error::out_of_memory;
             before = id;
         }
-        return at;
+        return {};
     }
 
 private:

@@ -5,7 +5,8 @@
 #include <typemesh/adapt/impl/harfbuzz_shaping.hpp>
 #include <typemesh/core/buffer.hpp>
 #include <typemesh/core/finite.hpp>
-#include <typemesh/layout/item_shaper.hpp>
+#include <typemesh/core/result.hpp>
+#include <typemesh/layout/shaper.hpp>
 #include <typemesh/layout/ligature_carets.hpp>
 #include <typemesh/layout/shaper.hpp>
 #include <typemesh/outline/font_options.hpp>
@@ -159,39 +160,24 @@ public:
         return detail::append_ligature_carets(font_, unit_size(), id, down, carets);
     }
 
-    /// See shaper. The text around text[first, last), up to the next line break, is used as context: letters join
-    /// across its ends.
-    ///
-    /// The line is cut where the script changes, and each piece is shaped for its own script, unless options.script
-    /// names one.
-    ///
-    /// Lines are set in Unicode's order (UAX #9): see mixed_line.hpp. direction::automatic is the direction of the
-    /// line's first letter, otherwise of options.script, otherwise left-to-right. In columns, upright characters
-    /// (options.columns) run down, and all others are turned: see column_runs.hpp.
+    /// See shaper. The text around the item, up to the next line break, is used as context: letters join across its
+    /// ends.
     ///
     /// Fails besides  error::bad_option: options.script is not four letters
     ///                error::bad_feature: a tag is not four printable ASCII characters
-    ///                error::too_large: more than 2^28 units in a line; error::font_library_failed
-    result<point> shape(text_view text, std::size_t first, std::size_t last, const shape_options& options,
-                        glyph_run& run) noexcept
+    ///                error::too_large: more than 2^28 units in an item; error::font_library_failed
+    error shape(text_view text, const text_item& item, const shape_options& options,
+                buffer<shaped_glyph>& glyphs) noexcept
     {
         assert_not_moved();
-        TYPEMESH_ASSERT(first <= last && last <= text.size(), "a shaper was given a range outside its text");
-        return shaping_.shape(font_, unit_size(), text, first, last, options, run);
-    }
-
-    /// See item_shaper. Fails as shape() does.
-    error shape_item(text_view text, const text_item& item, const shape_options& options,
-                     buffer<shaped_glyph>& glyphs) noexcept
-    {
         TYPEMESH_ASSERT(item.first <= item.last && item.last <= text.size(),
                         "a shaper was given a range outside its text");
-        return shaping_.shape_item(font_, unit_size(), text, item, options, glyphs);
+        return shaping_.shape(font_, unit_size(), text, item, options, glyphs);
     }
 
-    /// See item_shaper. Cost: the shaping of the character
+    /// See shaper. Cost: the shaping of the character
     [[nodiscard]] bool has_vertical_form(char32_t c) noexcept { return shaping_.has_vertical_form(font_, c); }
-    /// See item_shaper: the middle of the font's ideographs, or, if it does not specify them, of ascender and
+    /// See shaper: the middle of the font's ideographs, or, if it does not specify them, of ascender and
     /// descender.
     [[nodiscard]] double column_middle() const noexcept { return shaping_.column_middle(font_, unit_size()); }
 
@@ -394,7 +380,7 @@ private:
     detail::harfbuzz_shaping shaping_;
 };
 
-static_assert(outline_source<harfbuzz_font> && shaper<harfbuzz_font> && item_shaper<harfbuzz_font>);
+static_assert(outline_source<harfbuzz_font> && shaper<harfbuzz_font>);
 static_assert(has_ligature_carets<harfbuzz_font>);
 
 }  // namespace typemesh::inline TYPEMESH_ABI

@@ -82,6 +82,9 @@ class buffer : detail::buffer_bytes {
 
 public:
     explicit buffer(memory source = heap()) noexcept : buffer_bytes{source} {}
+
+    /// The memory source that it was made with.
+    [[nodiscard]] memory source() const noexcept { return source_; }
     buffer(buffer&& other) noexcept : buffer_bytes{static_cast<buffer_bytes&&>(other)} {}
     buffer& operator=(buffer&& other) noexcept
     {

@@ -48,6 +48,7 @@ struct [[nodiscard]] error {
         bad_tolerance,        ///< a tolerance is not a positive finite number
         bad_option,           ///< an option is outside its range; `option` names it
         overlapping_spans,    ///< two spans of a text's styles contain the same character
+        needs_paragraph,      ///< plain text has no such option; `option` names it
         needs_shaping,        ///< the plain shaper cannot set this script correctly
         font_library_failed,  ///< FreeType, HarfBuzz or DirectWrite refused; count = its own error number, if any
         not_written,          ///< a sink could not store all of its input, for example because the disk is full
@@ -138,6 +139,8 @@ struct [[nodiscard]] error {
         case bad_tolerance: return "The tolerance is not a positive finite number.";
         case bad_option: return "An option is outside its range.";
         case overlapping_spans: return "Two spans of styles hold the same character.";
+        case needs_paragraph:
+            return "Plain text ends its lines only at line breaks: give this option to a paragraph.";
         case needs_shaping:
             return "The text needs a real shaper (HarfBuzz, DirectWrite): a character map and kerning cannot set its "
                    "script.";

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <typemesh/layout/item_shaper.hpp>
+#include <typemesh/layout/shaper.hpp>
 
 #include <concepts>
 #include <cstdint>
@@ -27,6 +27,18 @@ struct face_metrics {
     script_metrics superscript{0.65, 0.35};
     script_metrics subscript{0.65, -0.15};
 };
+
+/// The number of a shaper's faces: s.face_count(), or one.
+template <class Shaper>
+[[nodiscard]] std::uint32_t shaper_faces(const Shaper& s) noexcept
+{
+    if constexpr (requires {
+                      { s.face_count() } -> std::convertible_to<std::uint32_t>;
+                  })
+        return s.face_count();
+    else
+        return static_cast<void>(s), 1u;
+}
 
 /// Returns the metrics multiplied by a factor, for other units.
 [[nodiscard]] constexpr line_metrics scaled(const line_metrics& m, double factor) noexcept

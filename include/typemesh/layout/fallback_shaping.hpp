@@ -6,9 +6,6 @@
 #include <typemesh/core/impl/first_where.hpp>
 #include <typemesh/core/impl/taken.hpp>
 #include <typemesh/core/result.hpp>
-#include <typemesh/layout/glyph_run.hpp>
-#include <typemesh/layout/impl/column_glyphs.hpp>
-#include <typemesh/layout/impl/mixed_line.hpp>
 #include <typemesh/layout/plain_text.hpp>
 #include <typemesh/layout/shape_options.hpp>
 #include <typemesh/layout/shaped_glyph.hpp>
@@ -35,11 +32,8 @@ namespace typemesh::inline TYPEMESH_ABI {
 /// The parameter `Faces` below is one of several classes:
 ///
 ///     f.face_count()                         faces are numbered from 0; found faces are added
-///     f.shape_item(text, item, o, glyphs)    as in item_shaper, by face item.face, in the units of face 0 and with the
+///     f.shape(text, item, o, glyphs)    as in shaper, by face item.face, in the units of face 0 and with the
 ///                                            face's number in the glyphs: see font_faces.hpp
-///     f.shape(text, first, last, o, run)     as in shaper, by face 0
-///     f.units_per_em(), f.column_middle()    as in item_shaper, for face 0
-///     f.has_vertical_form(c)                 as in item_shaper: whether any face has the form
 ///     f.find(text, range, script, language)  result: the number of another face for a grapheme that no face has, or
 ///                                            no_face if there is none. Classes that find no faces omit it.
 ///
@@ -52,60 +46,24 @@ public:
         : now_{source},
           made_{source},
           clusters_{source},
-          graphemes_{source},
-          line_{source},
-          items_{source},
-          mixed_{source}
+          graphemes_{source}
     {
     }
 
-    /// Shapes an item like an item_shaper. `face` of each glyph is the face that the glyph belongs to.
+    /// Shapes an item like an shaper. `face` of each glyph is the face that the glyph belongs to.
     ///
     /// Fails  as the faces do, except that error::needs_shaping of other faces counts as a missing script
     /// Cost   the cost of the item's own face, if that has all glyphs; otherwise one more call for each hole and face,
     ///        and O(n) for each face that is tried
     template <class Faces>
-    error shape_item(Faces& faces, text_view text, const text_item& item, const shape_options& how,
+    error shape(Faces& faces, text_view text, const text_item& item, const shape_options& how,
                      buffer<shaped_glyph>& glyphs) noexcept
     {
         const std::size_t before = glyphs.size();
-        if (error e = faces.shape_item(text, item, how, glyphs)) return e;
+        if (error e = faces.shape(text, item, how, glyphs)) return e;
         glyph_flags all = glyph_flags::none;
         for (const shaped_glyph& g : glyphs.view().subspan(before)) all = all | g.flags;
         return has(all, glyph_flags::missing) ? fill_holes(faces, {text, item, how}, before, glyphs) : error{};
-    }
-
-    /// Shapes a line like a shaper. It first tries the first face's own shape(). If that lacks nothing, the run is the
-    /// same as without the other faces.
-    template <class Faces>
-    result<point> shape(Faces& faces, text_view text, std::size_t first, std::size_t last, const shape_options& how,
-                        glyph_run& run) noexcept
-    {
-        const std::size_t before = run.glyphs.size(), looks = run.looks.size();
-        const std::uint32_t missing = run.missing, parted = run.parted;
-        const cluster_id first_missing = run.first_missing, first_parted = run.first_parted;
-        const result<point> advance = faces.shape(text, first, last, how, run);
-        if (!advance || run.missing == missing) return advance;
-        run.glyphs.truncate(before);
-        run.looks.truncate(looks);
-        run.missing = missing;
-        run.first_missing = first_missing;
-        run.parted = parted;
-        run.first_parted = first_parted;
-        const auto has_form = [&faces](char32_t c) noexcept { return faces.has_vertical_form(c); };
-        const error split = how.direction == direction::top_to_bottom
-                                ? mixed_.split_column(text, first, last, how, has_form, items_)
-                                : mixed_.split(text, first, last, how, items_);
-        if (split) return split;
-        const double em = faces.units_per_em();
-        const column_metrics column{faces.column_middle(), em, how.columns.combined_gap * em};
-        point pen;
-        for (const text_item& item : items_) {
-            line_.clear();
-            if (error e = shape_item(faces, text, item, how, line_)) return e;
-            if (error e = place_item(line_.view(), item, column, pen, run)) return e;
-        }
-        return pen;
     }
 
 private:
@@ -190,7 +148,7 @@ private:
         part.first = clusters_[h.first].first;
         part.last = end_of(of, h.last - 1);
         part.face = static_cast<std::uint16_t>(face);
-        const error e = faces.shape_item(of.text, part, of.how, made_);
+        const error e = faces.shape(of.text, part, of.how, made_);
         if (e == error::needs_shaping && face != of.item.face) {
             made_.truncate(before);
             return keep(h.first, h.last) ? error{} : error{error::out_of_memory};
@@ -322,9 +280,6 @@ private:
     buffer<shaped_glyph> made_;  // the glyphs with the holes filled
     buffer<cluster> clusters_;
     buffer<std::uint32_t> graphemes_;
-    buffer<shaped_glyph> line_;
-    buffer<text_item> items_;
-    mixed_line mixed_;
 };
 
 }  // namespace typemesh::inline TYPEMESH_ABI

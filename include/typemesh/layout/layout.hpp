@@ -1,74 +1,150 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <typemesh/core/executor.hpp>
+#include <typemesh/core/finite.hpp>
 #include <typemesh/core/result.hpp>
-#include <typemesh/layout/face_metrics.hpp>
-#include <typemesh/layout/impl/column_progress.hpp>
-#include <typemesh/layout/impl/line_break.hpp>
-#include <typemesh/layout/impl/line_places.hpp>
-#include <typemesh/layout/impl/shape_line.hpp>
+#include <typemesh/layout/glyph_run.hpp>
+#include <typemesh/layout/impl/shared_shaping.hpp>
+#include <typemesh/layout/impl/text_lines.hpp>
+#include <typemesh/layout/layout_options.hpp>
+#include <typemesh/layout/shape_options.hpp>
+#include <typemesh/layout/shaper.hpp>
+#include <typemesh/unicode/bidi_analyser.hpp>
+
+#include <cstddef>
+#include <cstdint>
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// Lays out a text: cuts it at its line breaks (line_break_at; they have no glyphs), shapes and positions every line.
+/// The error for options that are out of range, or that only a paragraph can follow, or none.
+[[nodiscard]] inline error refused_in_plain_text(const layout_options& options) noexcept
+{
+    if (error e = refused_option(options)) return e;
+    error e = error::needs_paragraph;
+    e.option = is_finite(options.width) && options.wrap != wrap_mode::none ? "width" : "ellipsis";
+    return e.option[0] == 'w' || !options.ellipsis.empty() ? e : error{};
+}
+
+/// Lays out plain text: a text whose lines end only at its line breaks (line feeds, U+2028 and the like; they have no
+/// glyphs). A paragraph with the same options and enough room gives the same run.
 ///
-///         x = 0, left-aligned                        columns go from right to left;
+///         x = 0, aligned to the start                columns go from right to left;
 ///     y = 0  |Hello                  <- baseline     the first is centred on x = 0    |   |
 ///            |                                                                        C   A
 ///     y = -d |world!                                                                  D   B
 ///
-/// Columns of Mongolian go from left to right (column_progress).
-///
-/// The distance d is ascender - descender + gap of the shaper's first face by line_reach_of() (one em if that is not
+/// Columns of Mongolian go from left to right. Lines that are read from right to left start at x = 0, too, and extend
+/// to the left. The distance d is ascender - descender + gap of the fonts in the lines (one em if that is not
 /// positive), times line_spacing. A text has one line more than it has breaks: an empty text is one empty line. Spaces
-/// at a line's ends belong to the line. So do tabs, which move the pen to the next tab stop and have no glyphs (see
-/// shape_line()). letter_spacing adds to the shaper's advances, see letter_spacing.hpp.
+/// at a line's end hang: they do not count for its alignment. A tab moves the pen to the next tab stop and has no
+/// glyph.
 ///
-///     run   emptied first; it gets glyphs, lines, units_per_em, and counts of missing glyphs and invalid units
-///
-/// Fails  error::bad_option: line_spacing, tab_width or letter_spacing is NaN or infinite, or tab_width negative
-///        error::too_large: the text has more than 2^32 - 1 units
-///        error::out_of_memory, and any error of the shaper; `run` is then empty
-/// Cost   O(n) plus the shaper's cost
+/// It keeps its memory for the next text.
+class plain_layout {
+public:
+    explicit plain_layout(memory source = heap()) noexcept : analyser_{source}, text_{source}, shared_{source} {}
+
+    ///     run   emptied first; it gets glyphs, lines, units_per_em, and counts of missing glyphs and invalid units
+    ///
+    /// Fails  error::bad_option; error::needs_paragraph: an option is only for paragraphs
+    ///        error::too_large: the text has more than 2^32 - 2 units
+    ///        error::out_of_memory, and any error of the shaper; `run` is then empty
+    /// Cost   O(n) plus the shaper's cost
+    template <shaper Shaper>
+    result<void> operator()(Shaper& shaper, text_view text, const shape_options& how, const layout_options& options,
+                            glyph_run& run) noexcept
+    {
+        error e = read(shaper, text, how, options, run);
+        if (!e) e = text_.shaped.shape(shaper);
+        return end(e ? e : lay_out(shaper, options, run), run);
+    }
+
+    /// The same with workers that shape the items of the text, each with its own shaper. The result is the same.
+    /// shaper_of(worker) and glyphs_of(worker): see shared_shaping.
+    template <executor Executor, class ShaperOf, class GlyphsOf, shaper Shaper>
+    result<void> operator()(Executor& workers, const ShaperOf& shaper_of, const GlyphsOf& glyphs_of, Shaper& shaper,
+                            text_view text, const shape_options& how, const layout_options& options,
+                            glyph_run& run) noexcept
+    {
+        error e = read(shaper, text, how, options, run);
+        if (!e) e = shared_(workers, shaper_of, glyphs_of, text_.shaped);
+        const auto take = [&, this](std::uint32_t i, const text_item&, const shape_options&,
+                                    buffer<shaped_glyph>& glyphs) noexcept { return shared_.take(i, glyphs_of, glyphs); };
+        if (!e) e = text_.shaped.shape(shaper, take);
+        return end(e ? e : lay_out(shaper, options, run), run);
+    }
+
+private:
+    template <shaper Shaper>
+    error read(Shaper& shaper, text_view text, const shape_options& how, const layout_options& options,
+               glyph_run& run) noexcept
+    {
+        run.clear();
+        if (error e = refused_in_plain_text(options)) return e;
+        return text_.read(shaper, analyser_, text, how);
+    }
+
+    template <shaper Shaper>
+    error lay_out(Shaper& shaper, const layout_options& options, glyph_run& run) noexcept
+    {
+        if (error e = text_.measure_tabs(shaper)) return e;
+        text_.begin(options);
+        if (error e = find_lines(options.align)) return e;
+        text_.stack(shaper, options);
+        return text_.write(shaper, run);
+    }
+
+    static result<void> end(error e, glyph_run& run) noexcept
+    {
+        if (e) run.clear();
+        return e;
+    }
+
+    /// Makes the lines, which end at items that are line breaks.
+    error find_lines(alignment align) noexcept
+    {
+        const shaped_text& shaped = text_.shaped;
+        const array_view<const text_item> items = shaped.items();
+        const text_view text = shaped.text();
+        const line_room& room = text_.room();
+        bool begins = true;  // a paragraph
+        std::size_t first = 0;
+        for (std::uint32_t lines = 0; lines < room.max_lines; ++lines) {
+            std::size_t last = first;
+            while (last < items.size() && line_end_at(text, items[last].first) == 0) ++last;
+            const bool more = last < items.size();
+            if (more) ++last;
+            const auto size = static_cast<std::uint32_t>(text.size());
+            const text_range units{first < items.size() ? items[first].first : size, more ? items[last - 1].last : size};
+            const std::uint32_t from = first < items.size() ? shaped.first_cluster(first) : shaped.cluster_count();
+            const std::uint32_t to = last > first ? shaped.end_cluster(last - 1) : from;
+            const std::uint8_t level = text_.level_at(units.first);
+            const double pen = room.start(begins);
+            text_.slices.clear();
+            if (error e = text_.slices.append_text(shaped, from, to)) return e;
+            const auto width = text_.slices.finish(shaped, level, pen, room);
+            if (!width) return width.error();
+            if (error e = text_.add(units, level, pen, *width, align)) return e;
+            if (!more) return {};
+            begins = ends_paragraph(decode(text, items[last - 1].first).value);
+            first = last;
+        }
+        return {};
+    }
+
+    bidi_analyser analyser_;
+    text_lines text_;
+    shared_shaping shared_;
+};
+
+/// Lays out one plain text: see plain_layout, which keeps its memory for the next text.
 template <shaper Shaper>
 result<void> layout(Shaper& shaper, text_view text, const shape_options& how, const layout_options& options,
                     glyph_run& run) noexcept
 {
-    run.clear();
-    if (error e = refused_option(options)) return e;
-    if (const std::uint64_t length = text.size(); length > 0xFFFF'FFFFu) return error::too_large;
-
-    const auto fail = [&run](error e) noexcept {
-        run.clear();
-        return e;
-    };
-    run.units_per_em = shaper.units_per_em();
-    const line_places places{line_reach_of(shaper, how.direction), run.units_per_em, how.direction, options,
-                             columns_go_right(text, how)};
-
-    std::size_t begin = 0;
-    for (bool more = true; more;) {
-        std::size_t end = begin, broken = 0;
-        while (end < text.size() && (broken = line_break_at(text, end)) == 0) ++end;
-        more = end < text.size();
-
-        text_line line;
-        line.first_glyph = static_cast<std::uint32_t>(run.glyphs.size());
-        if (begin < end) {
-            const auto advance = shape_line(shaper, text, begin, end, how, options, run);
-            if (!advance) return fail(advance.error());
-            line.advance = places.advance(*advance);
-        }
-        if (run.glyphs.size() > 0xFFFF'FFFFu) return fail(error::too_large);
-        line.glyph_count = static_cast<std::uint32_t>(run.glyphs.size()) - line.first_glyph;
-
-        line.origin = places.origin(run.lines.size(), line.advance);
-        if (!(line.origin == point{}))
-            for (placed_glyph& g : run.glyphs.view().subspan(line.first_glyph)) g.origin = g.origin + line.origin;
-        if (!run.lines.push_back(line)) return fail(error::out_of_memory);
-        begin = end + broken;
-    }
-    return {};
+    plain_layout once{run.glyphs.source()};
+    return once(shaper, text, how, options, run);
 }
 
 }  // namespace typemesh::inline TYPEMESH_ABI

@@ -60,4 +60,16 @@ template <std::size_t N>
     return c >= 0x00AD && detail::holds(ranges, c);
 }
 
+/// True for the characters of scripts whose letters are joined: Arabic, Syriac, N'Ko, Mandaic, Mongolian, Phags-pa and
+/// related scripts. It is based on the blocks of Unicode 15.
+[[nodiscard]] constexpr bool is_written_joined(char32_t c) noexcept
+{
+    constexpr detail::code_range ranges[] = {
+        {0x0600, 0x077F},   {0x07C0, 0x07FF},   {0x0840, 0x08FF},   {0x1800, 0x18AF},   {0xA840, 0xA87F},
+        {0xFB50, 0xFDFF},   {0xFE70, 0xFEFC},   {0x10AC0, 0x10AFF}, {0x10B80, 0x10BAF}, {0x10D00, 0x10D3F},
+        {0x10F30, 0x10FDF}, {0x11660, 0x1167F}, {0x1E900, 0x1E95F},
+    };
+    return c >= 0x0600 && detail::holds(ranges, c);
+}
+
 }  // namespace typemesh::inline TYPEMESH_ABI

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <typemesh/core/version.hpp>
+#include <typemesh/core/error.hpp>
+#include <typemesh/core/finite.hpp>
 #include <typemesh/layout/column_options.hpp>
+#include <typemesh/layout/feature.hpp>
+#include <typemesh/layout/text_style.hpp>
 
 #include <cstdint>
 #include <span>
@@ -20,24 +23,29 @@ enum class direction : std::uint8_t {
     top_to_bottom,  ///< columns, each to the left of the previous one; in Mongolian to its right: column_progress
 };
 
-/// An OpenType feature for the whole text, switched on (1), off (0) or set to one of its alternates (2, 3, ...):
-/// {"liga", 0}.
-struct feature {
-    char tag[5] = {};  ///< four letters and a terminating zero
-    std::uint32_t value = 1;
-};
-
-/// Turns the optional ligatures off: see shape_options::ligatures.
-inline constexpr feature no_ligatures[] = {{"liga", 0}, {"clig", 0}};
-
-/// The input of a shaper besides the text.
+/// The options for shaping a text.
+///
+///     {.language = "tr"}                           a language whose letters differ from others
+///     {.letter_spacing = 0.1}                      every letter a tenth of an em farther from the next
+///     {.styles = spans}                            const style_span spans[] = {{6, 11, {.style = style_id{1}}}};
+///
+/// Everything that it refers to must stay unchanged as long as the text is used. A shaper gets these options with each
+/// item of a text. It follows language, script, features and ligatures, and ignores the rest.
 struct shape_options {
     typemesh::direction direction = typemesh::direction::automatic;
     std::string_view language = {};  ///< BCP 47, such as "tr" or "zh-Hant"; empty: none, never the machine's locale
     std::string_view script = {};    ///< ISO 15924, such as "Arab"; empty: found from the text
-    std::span<const feature> features = {};  ///< in addition to the default features of the script
-    bool ligatures = true;  ///< optional ligatures ("liga", "clig"), unless `features` has them; none in spaced text
+    std::span<const feature> features = {};  ///< for the whole text, in addition to the script's default features
+    bool ligatures = true;        ///< optional ligatures ("liga", "clig"), unless `features` has them; spaced text has none
+    double letter_spacing = 0.0;  ///< added between letters, in em; any finite number. See shaped_text.hpp
     column_options columns = {};  ///< the orientation of characters in columns
+    std::span<const style_span> styles = {};  ///< how parts of the text differ: see text_style.hpp
 };
+
+/// The error for an option that is out of range, or none.
+[[nodiscard]] inline error refused_option(const shape_options& options) noexcept
+{
+    return is_finite(options.letter_spacing) ? error{} : error::bad("letter_spacing");
+}
 
 }  // namespace typemesh::inline TYPEMESH_ABI

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <typemesh/core/result.hpp>
-#include <typemesh/layout/glyph_run.hpp>
+#include <typemesh/core/buffer.hpp>
+#include <typemesh/core/error.hpp>
 #include <typemesh/layout/shape_options.hpp>
+#include <typemesh/layout/shaped_glyph.hpp>
+#include <typemesh/layout/text_item.hpp>
 #include <typemesh/unicode/text_view.hpp>
 
 #include <concepts>
-#include <cstddef>
 
 namespace typemesh::inline TYPEMESH_ABI {
 
@@ -23,29 +24,62 @@ struct line_metrics {
     double gap = 0.0;
 };
 
-/// Turns text into glyphs at pen positions: HarfBuzz, or your own shaper.
+/// Turns items of a text into glyphs with advances: HarfBuzz, or your own shaper. layout() and paragraph cut the text
+/// into items and put the glyphs in their places.
 ///
 ///     s.units_per_em()                    as in outline_source; for the same font
 ///     s.metrics(direction)                the font's line metrics, for horizontal or vertical lines
-///     s.shape(text, first, last, o, run)  appends the glyphs of text[first, last) to run.glyphs in drawing order. The
-///                                         pen starts at (0, 0). The text is one line without line breaks, or a segment
-///                                         of a line between two tabs: see shape_line(). It returns the pen's offset:
-///                                         {advance x, advance y} in font units. Horizontal lines always run to the
-///                                         right, vertical lines down. o.direction is the direction of the line;
-///                                         letters keep their own. Clusters count from the start of `text`, in its
-///                                         units. It flags missing glyphs and calls run.note_missing() for each. It
-///                                         calls run.note_invalid_units() where the text is not valid UTF.
-///                                         Glyphs that need more than the source's first face, unchanged, refer to
-///                                         a look: run.number_of(look).
+///     s.shape(text, item, o, glyphs)      appends the glyphs of text[item.first, item.last) in drawing order: to the
+///                                         right, or down. Clusters count from the start of `text`, in its units. They
+///                                         ascend; from right to left they descend. A cluster is at least a base and
+///                                         its marks. Invisible characters may have no glyph. Glyphs that the font
+///                                         lacks are flagged as missing. The item's level decides the direction, for
+///                                         any letters. The script is item.script unless o.script names another. The
+///                                         text around the item is context: letters join across its ends. The item may
+///                                         be any part of another, so a shaper keeps no state between two calls.
+///                                         Only upright items are shaped as in a column; sideways and combined items
+///                                         are shaped as in a line: see column_glyphs.hpp.
+///     s.has_vertical_form(c)              only for columns: whether the font has a different glyph of a character for
+///                                         columns; without this function, no character has one
+///     s.column_middle()                   only for columns: the height above the baseline that is in the middle of a
+///                                         column if letters lie on their side. By default it is halfway between
+///                                         ascender and descender.
 ///
-/// Fails  error::needs_shaping: the shaper does not support this script, or a line of both directions. It never draws
-///                              in the wrong order.
-///        error::out_of_memory; the run may then have some of the line's glyphs
+/// Fails  error::needs_shaping: the shaper does not support this script or this direction. It never draws in the wrong
+///                              order.
+///        error::out_of_memory, and any other error of the shaper; `glyphs` may then have some of the item's glyphs
 template <class S>
-concept shaper = requires(S& s, text_view text, std::size_t i, const shape_options& o, glyph_run& run) {
-    { s.units_per_em() } noexcept -> std::convertible_to<double>;
-    { s.metrics(o.direction) } noexcept -> std::same_as<line_metrics>;
-    { s.shape(text, i, i, o, run) } noexcept -> std::same_as<result<point>>;
-};
+concept shaper =
+    requires(S& s, text_view text, const text_item& item, const shape_options& o, buffer<shaped_glyph>& glyphs) {
+        { s.units_per_em() } noexcept -> std::convertible_to<double>;
+        { s.metrics(o.direction) } noexcept -> std::same_as<line_metrics>;
+        { s.shape(text, item, o, glyphs) } noexcept -> std::same_as<error>;
+    };
+
+/// s.has_vertical_form(c), or false if the shaper does not know.
+template <class S>
+[[nodiscard]] bool vertical_form_of(S& s, char32_t c) noexcept
+{
+    if constexpr (requires {
+                      { s.has_vertical_form(c) } noexcept -> std::same_as<bool>;
+                  })
+        return s.has_vertical_form(c);
+    else
+        return static_cast<void>(s), static_cast<void>(c), false;
+}
+
+/// s.column_middle(), or its default.
+template <class S>
+[[nodiscard]] double column_middle_of(S& s) noexcept
+{
+    if constexpr (requires {
+                      { s.column_middle() } noexcept -> std::same_as<double>;
+                  })
+        return s.column_middle();
+    else {
+        const line_metrics of_lines = s.metrics(direction::left_to_right);
+        return (of_lines.ascender + of_lines.descender) / 2;
+    }
+}
 
 }  // namespace typemesh::inline TYPEMESH_ABI

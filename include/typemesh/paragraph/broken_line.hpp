@@ -2,7 +2,7 @@
 #pragma once
 
 #include <typemesh/paragraph/impl/text_pieces.hpp>
-#include <typemesh/paragraph/line_room.hpp>
+#include <typemesh/layout/line_room.hpp>
 
 #include <cstddef>
 #include <span>

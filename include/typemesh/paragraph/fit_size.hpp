@@ -3,8 +3,8 @@
 
 #include <typemesh/core/finite.hpp>
 #include <typemesh/core/result.hpp>
-#include <typemesh/paragraph/line_room.hpp>
-#include <typemesh/paragraph/paragraph_options.hpp>
+#include <typemesh/layout/line_room.hpp>
+#include <typemesh/layout/layout_options.hpp>
 
 namespace typemesh::inline TYPEMESH_ABI {
 
@@ -15,7 +15,7 @@ template <class Paragraph>
 struct size_trial {
     Paragraph& words;
     double width, height;  // of the box
-    paragraph_options options;
+    layout_options options;
 
     /// Whether the text fits into the box at this size.
     result<bool> fits(double size) noexcept
@@ -52,13 +52,13 @@ struct size_trial {
 ///        as paragraph::measure() does
 /// Cost   some 30 calls of measure()
 template <class Paragraph>
-result<double> fit_size(Paragraph& words, double width, double height, const paragraph_options& options = {}) noexcept
+result<double> fit_size(Paragraph& words, double width, double height, const layout_options& options = {}) noexcept
 {
     if (!(width > 0.0) || !is_finite(width)) return error::bad("width");
     if (!(height > 0.0) || !is_finite(height)) return error::bad("height");
     detail::size_trial<Paragraph> trial{words, width, height, options};
     trial.options.ellipsis = {};
-    trial.options.width = paragraph_options{}.width;
+    trial.options.width = layout_options{}.width;
     if (options.wrap == wrap_mode::word_or_grapheme) trial.options.wrap = wrap_mode::word;
 
     // Measure with as few lines as the text's line breaks allow. The text certainly fits at the size `low`, and at no

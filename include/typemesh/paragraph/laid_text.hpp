@@ -3,8 +3,8 @@
 
 #include <typemesh/core/box.hpp>
 #include <typemesh/core/impl/first_where.hpp>
-#include <typemesh/paragraph/impl/line_slices.hpp>
-#include <typemesh/paragraph/laid_line.hpp>
+#include <typemesh/layout/impl/line_slices.hpp>
+#include <typemesh/layout/laid_line.hpp>
 
 #include <cmath>
 #include <cstddef>

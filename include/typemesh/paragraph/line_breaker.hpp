@@ -4,7 +4,7 @@
 #include <typemesh/core/buffer.hpp>
 #include <typemesh/core/error.hpp>
 #include <typemesh/paragraph/break_piece.hpp>
-#include <typemesh/paragraph/line_room.hpp>
+#include <typemesh/layout/line_room.hpp>
 
 #include <concepts>
 #include <cstdint>

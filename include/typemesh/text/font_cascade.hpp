@@ -2,7 +2,6 @@
 #pragma once
 
 #include <typemesh/layout/fallback_shaping.hpp>
-#include <typemesh/layout/item_shaper.hpp>
 #include <typemesh/layout/shaper.hpp>
 #include <typemesh/text/font_faces.hpp>
 
@@ -26,7 +25,7 @@ namespace typemesh::inline TYPEMESH_ABI {
 ///
 /// Move-only. Used by one thread at a time.
 template <outline_source... Fonts>
-    requires(item_shaper<Fonts> && ...)
+    requires(shaper<Fonts> && ...)
 class font_cascade : public font_faces<Fonts...> {
     using faces = font_faces<Fonts...>;
     static_assert(!(face_source<Fonts> || ...), "typemesh: a font_cascade takes fonts of one face each");
@@ -39,18 +38,12 @@ public:
     {
     }
 
-    /// See shaper and item_shaper.
-    result<point> shape(text_view text, std::size_t first, std::size_t last, const shape_options& options,
-                        glyph_run& run) noexcept
-    {
-        const faces& all = *this;
-        return shaping_.shape(all, text, first, last, options, run);
-    }
-    error shape_item(text_view text, const text_item& item, const shape_options& options,
+    /// See shaper.
+    error shape(text_view text, const text_item& item, const shape_options& options,
                      buffer<shaped_glyph>& glyphs) noexcept
     {
         const faces& all = *this;
-        return shaping_.shape_item(all, text, item, options, glyphs);
+        return shaping_.shape(all, text, item, options, glyphs);
     }
 
 private:

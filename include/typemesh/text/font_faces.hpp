@@ -3,7 +3,6 @@
 
 #include <typemesh/core/array_view.hpp>
 #include <typemesh/layout/face_metrics.hpp>
-#include <typemesh/layout/item_shaper.hpp>
 #include <typemesh/layout/ligature_carets.hpp>
 #include <typemesh/layout/shaper.hpp>
 #include <typemesh/outline/face_source.hpp>
@@ -33,7 +32,7 @@ inline void belong_to(array_view<shaped_glyph> glyphs, std::uint16_t face, doubl
 ///     first()                             the first face
 ///     call(face, what)                    calls what(face number `face`); does nothing if there is no such face
 ///     any(what)                           whether what(face) is true for any face
-///     first_type, shapes_items            the type of the first face; whether all are item shapers
+///     first_type                          the type of the first face
 template <class Store>
 class numbered_faces : public Store {
     using first_type = typename Store::first_type;
@@ -84,21 +83,20 @@ public:
     {
         return first().metrics(d);
     }
-    [[nodiscard]] result<point> shape(text_view text, std::size_t begin, std::size_t end, const shape_options& options,
-                                      glyph_run& run) const noexcept
-        requires shaper<first_type>
-    {
-        return first().shape(text, begin, end, options, run);
-    }
-
-    /// See item_shaper. Lengths are in units of the first face. Fails also with error::no_such_face.
-    error shape_item(text_view text, const text_item& item, const shape_options& options,
+    /// See shaper. Lengths are in units of the first face. Fails also with error::no_such_face and, if the face only
+    /// draws, error::not_a_shaper.
+    error shape(text_view text, const text_item& item, const shape_options& options,
                      buffer<shaped_glyph>& glyphs) const noexcept
-        requires(Store::shapes_items)
+        requires shaper<first_type>
     {
         const std::size_t before = glyphs.size();
         error e{error::no_such_face, Store::face_count()};
-        call(item.face, [&](auto& source) noexcept { e = source.shape_item(text, item, options, glyphs); });
+        call(item.face, [&]<class Source>(Source& source) noexcept {
+            if constexpr (shaper<Source>)
+                e = source.shape(text, item, options, glyphs);
+            else
+                e = error::not_a_shaper;
+        });
         if (!e && item.face != 0)
             detail::belong_to(glyphs.view().subspan(before), item.face, units_per_em() / units_per_em(item.face));
         return e;
@@ -106,21 +104,23 @@ public:
 
     /// Metrics, bars and carets of one face, in units of the first: see face_metrics.hpp, ligature_carets.hpp.
     [[nodiscard]] line_metrics metrics(direction d, std::uint32_t face) const noexcept
-        requires(Store::shapes_items)
+        requires shaper<first_type>
     {
         line_metrics own;
-        call(face, [&](auto& source) noexcept { own = source.metrics(d); });
+        call(face, [&]<class Source>(Source& source) noexcept {
+            if constexpr (shaper<Source>) own = source.metrics(d);
+        });
         return scaled(own, units_per_em() / units_per_em(face));
     }
     [[nodiscard]] face_metrics suggested_metrics(std::uint32_t face) const noexcept
-        requires(Store::shapes_items)
+        requires shaper<first_type>
     {
         face_metrics own;
         call(face, [&](auto& source) noexcept { own = face_metrics_of(source, 0); });
         return own;
     }
     error ligature_carets(std::uint32_t face, glyph_id id, bool down, buffer<double>& carets) const noexcept
-        requires(Store::shapes_items)
+        requires shaper<first_type>
     {
         error e;
         const std::size_t before = carets.size();
@@ -130,14 +130,14 @@ public:
         for (double& place : carets.view().subspan(before)) place *= units_per_em() / units_per_em(face);
         return e;
     }
-    /// See item_shaper: whether any face has a vertical form. column_middle() is the first face's.
+    /// See shaper: whether any face has a vertical form. column_middle() is the first face's.
     [[nodiscard]] bool has_vertical_form(char32_t c) const noexcept
-        requires(Store::shapes_items)
+        requires shaper<first_type>
     {
         return any([c](auto& source) noexcept { return vertical_form_of(source, c); });
     }
     [[nodiscard]] double column_middle() const noexcept
-        requires item_shaper<first_type>
+        requires shaper<first_type>
     {
         return column_middle_of(first());
     }
@@ -153,7 +153,6 @@ public:
 
 protected:
     using first_type = std::tuple_element_t<0, std::tuple<Sources...>>;
-    static constexpr bool shapes_items = (item_shaper<Sources> && ...);
 
     [[nodiscard]] first_type& first() const noexcept { return *std::get<0>(sources_); }
     template <class What>
@@ -184,8 +183,8 @@ private:
 ///     text_mesher mesher{faces};
 ///     auto icon = run.number_of({.face = 2});              // for placed_glyph::look; a result, see glyph_run.hpp
 ///
-/// The first face shapes plain text if it is a shaper. An item of a paragraph is shaped by the face that it names, if
-/// all faces are item shapers. For fonts that replace each other's missing glyphs, see font_cascade.hpp.
+/// It is a shaper if the first face is. Text is shaped by the first face, and text with a style by the face that the
+/// style names. For fonts that replace each other's missing glyphs, see font_cascade.hpp.
 template <outline_source... Sources>
 class font_faces : public detail::numbered_faces<detail::faces_of_types<Sources...>> {
     static_assert(sizeof...(Sources) != 0, "typemesh: font_faces needs a font");

@@ -4,7 +4,6 @@
 #include <typemesh/core/buffer.hpp>
 #include <typemesh/layout/fallback_provider.hpp>
 #include <typemesh/layout/fallback_shaping.hpp>
-#include <typemesh/layout/item_shaper.hpp>
 #include <typemesh/layout/shaper.hpp>
 #include <typemesh/text/font_faces.hpp>
 
@@ -49,7 +48,6 @@ public:
 
 protected:
     using first_type = Font;
-    static constexpr bool shapes_items = true;
 
     listed_fonts(Font& first, Provider* provider, memory source) noexcept
         : first_{&first}, provider_{provider}, others_{source}
@@ -90,7 +88,7 @@ private:
 ///
 /// Move-only. Used by one thread at a time.
 template <outline_source Font, fallback_provider<Font> Provider = no_fallback<Font>>
-    requires item_shaper<Font> && shaper<Font>
+    requires shaper<Font>
 class font_list : public detail::numbered_faces<detail::listed_fonts<Font, Provider>> {
     using faces = detail::numbered_faces<detail::listed_fonts<Font, Provider>>;
     static_assert(!face_source<Font>, "typemesh: a font_list takes fonts of one face each");
@@ -106,18 +104,12 @@ public:
     {
     }
 
-    /// See shaper and item_shaper. Also fails as the provider does.
-    result<point> shape(text_view text, std::size_t first, std::size_t last, const shape_options& options,
-                        glyph_run& run) noexcept
-    {
-        faces& all = *this;
-        return shaping_.shape(all, text, first, last, options, run);
-    }
-    error shape_item(text_view text, const text_item& item, const shape_options& options,
+    /// See shaper. Also fails as the provider does.
+    error shape(text_view text, const text_item& item, const shape_options& options,
                      buffer<shaped_glyph>& glyphs) noexcept
     {
         faces& all = *this;
-        return shaping_.shape_item(all, text, item, options, glyphs);
+        return shaping_.shape(all, text, item, options, glyphs);
     }
 
 private:

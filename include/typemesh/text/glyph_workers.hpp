@@ -50,7 +50,7 @@ class glyph_workers {
         std::size_t count = 0;
         glyph_team team;
 
-        block(executor_ref workers, memory source) noexcept : team{workers, {}, shared_layout{source}} {}
+        explicit block(executor_ref workers) noexcept : team{workers, {}} {}
     };
     static constexpr std::size_t alignment = alignof(team_member) > alignof(own_source) ? alignof(team_member)
                                                                                         : alignof(own_source);
@@ -66,7 +66,7 @@ public:
         const std::size_t bytes = header + count * (sizeof(team_member) + sizeof(own_source));
         void* raw = source.allocate(source.user, bytes, alignment);
         if (raw == nullptr) return error::out_of_memory;
-        glyph_workers all{workers, source, new (raw) block{workers, source}, bytes};
+        glyph_workers all{workers, source, new (raw) block{workers}, bytes};
         std::byte* members = static_cast<std::byte*>(raw) + header;
         std::byte* sources = members + count * sizeof(team_member);
         for (std::size_t& k = all.block_->count; k < count; ++k) {

@@ -6,10 +6,10 @@
 #include <typemesh/core/buffer.hpp>
 #include <typemesh/layout/face_metrics.hpp>
 #include <typemesh/layout/impl/line_break.hpp>
-#include <typemesh/layout/impl/reading_order.hpp>
 #include <typemesh/layout/ligature_carets.hpp>
 #include <typemesh/text/impl/place_glyphs.hpp>
 #include <typemesh/text/text_plan.hpp>
+#include <typemesh/unicode/impl/character.hpp>
 #include <typemesh/unicode/impl/grapheme_boundaries.hpp>
 #include <typemesh/unicode/text_range.hpp>
 
@@ -163,7 +163,8 @@ template <class Plan, class Font>
     };
     std::size_t k = 0;
     while (k + 1 < count && pen >= edge(k + 1)) ++k;
-    const bool back = !down && reading_of(decode(text, c.text.first, c.text.last).value) == reading::to_the_left;
+    const bidi_class bidi = character_of(decode(text, c.text.first, c.text.last).value).bidi;
+    const bool back = !down && (bidi == bidi_class::r || bidi == bidi_class::al);
     const std::size_t number = back ? count - 1 - k : k;
     const line_metrics reach = line_reach_of(font, down ? direction::top_to_bottom : direction::left_to_right);
     const point base = run.lines.empty() ? point{} : run.lines[c.line].origin;

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <typemesh/layout/item_shaper.hpp>
 #include <typemesh/layout/shaper.hpp>
 #include <typemesh/outline/face_source.hpp>
 
@@ -33,16 +32,10 @@ public:
 
     [[nodiscard]] line_metrics metrics(direction d) noexcept { return shapes_->metrics(d); }
 
-    [[nodiscard]] result<point> shape(text_view text, std::size_t first, std::size_t last, const shape_options& options,
-                                      glyph_run& run) noexcept
-    {
-        return shapes_->shape(text, first, last, options, run);
-    }
-    error shape_item(text_view text, const text_item& item, const shape_options& options,
+    error shape(text_view text, const text_item& item, const shape_options& options,
                      buffer<shaped_glyph>& glyphs) noexcept
-        requires item_shaper<Shaper>
     {
-        return shapes_->shape_item(text, item, options, glyphs);
+        return shapes_->shape(text, item, options, glyphs);
     }
     [[nodiscard]] bool has_vertical_form(char32_t c) noexcept { return vertical_form_of(*shapes_, c); }
     [[nodiscard]] double column_middle() noexcept { return column_middle_of(*shapes_); }

@@ -3,20 +3,15 @@
 
 #include <typemesh/core/array_view.hpp>
 #include <typemesh/core/buffer.hpp>
-#include <typemesh/core/result.hpp>
-#include <typemesh/layout/glyph_run.hpp>
-#include <typemesh/layout/impl/column_glyphs.hpp>
-#include <typemesh/layout/impl/column_runs.hpp>
+#include <typemesh/core/error.hpp>
+#include <typemesh/core/point.hpp>
 #include <typemesh/layout/impl/emoji_sequence.hpp>
 #include <typemesh/layout/impl/line_break.hpp>
 #include <typemesh/layout/impl/long_graphemes.hpp>
-#include <typemesh/layout/impl/mixed_line.hpp>
-#include <typemesh/layout/impl/reading_order.hpp>
 #include <typemesh/layout/shape_options.hpp>
 #include <typemesh/layout/shaped_glyph.hpp>
 #include <typemesh/layout/text_item.hpp>
 #include <typemesh/unicode/impl/grapheme_boundaries.hpp>
-#include <typemesh/unicode/script.hpp>
 #include <typemesh/unicode/text_view.hpp>
 
 #include <hb-ot.h>
@@ -28,7 +23,7 @@
 
 namespace typemesh::inline TYPEMESH_ABI::detail {
 
-/// Shapes one line with one font through HarfBuzz, piece by piece: see harfbuzz_font::shape(). Move-only. Call open()
+/// Shapes items with one font through HarfBuzz: see harfbuzz_font::shape(). Move-only. Call open()
 /// before anything else.
 class harfbuzz_shaping {
 public:
@@ -41,9 +36,6 @@ public:
         std::swap(part_, other.part_);
         features_.swap(other.features_);
         pieces_.swap(other.pieces_);
-        items_.swap(other.items_);
-        std::swap(mixed_, other.mixed_);
-        shaped_.swap(other.shaped_);
         return *this;
     }
     ~harfbuzz_shaping() { hb_buffer_destroy(buffer_); }
@@ -55,57 +47,27 @@ public:
         return hb_buffer_allocation_successful(buffer_) ? error{} : error{error::out_of_memory};
     }
 
-    /// `unit`: font units per unit of the HarfBuzz font, x and y.
-    result<point> shape(hb_font_t* font, point unit, text_view text, std::size_t first, std::size_t last,
-                        const shape_options& options, glyph_run& run) noexcept
-    {
-        if (last - first >= std::size_t{1} << 28) return error::too_large;
-
-        const line_reading found = read_line(text, first, last);
-        hb_script_t script = HB_SCRIPT_INVALID;
-        if (error e = take_script(options, script)) return e;
-        if (options.direction == direction::top_to_bottom && !stands_upright(text, first, last, options.columns)) {
-            const auto has_form = [&](char32_t c) noexcept { return has_vertical_form(font, c); };
-            if (error e = mixed_.split_column(text, first, last, options, has_form, items_)) return e;
-            if (found.invalid.count != 0) run.note_invalid_units(found.invalid.first, found.invalid.count);
-            return shape_items(font, unit, text, options, run);
-        }
-        const hb_direction_t way = direction_of(found, options.direction, script);
-        const bool back = way == HB_DIRECTION_RTL;
-        if (way == HB_DIRECTION_INVALID || (back && find_number(text, first, last) != line_reading::nowhere)) {
-            shape_options base = options;
-            if (back) base.direction = direction::right_to_left;  // the script's, for example in a line of digits
-            if (error e = mixed_.split(text, first, last, base, items_)) return e;
-            if (found.invalid.count != 0) run.note_invalid_units(found.invalid.first, found.invalid.count);
-            return shape_items(font, unit, text, options, run);
-        }
-        if (error e = take_features(options)) return e;
-        if (script == HB_SCRIPT_INVALID && found.only_ascii)
-            script = found.to_the_right == line_reading::nowhere ? HB_SCRIPT_COMMON : HB_SCRIPT_LATIN;
-        if (error e = cut_into_pieces(text, first, last, script)) return e;
-
-        const hb_language_t language = language_of(options);
-        point at;
-        for (std::size_t k = 0; k < pieces_.size(); ++k) {
-            const piece p = pieces_[back ? pieces_.size() - 1 - k : k];
-            fill_buffer(text, p, found.invalid.count != 0, HB_BUFFER_FLAG_DEFAULT);
-            if (error e = shape_buffer(font, way, p.script, language)) return e;
-            if (error e = take_glyphs(unit, at, run)) return e;
-        }
-        if (found.invalid.count != 0) run.note_invalid_units(found.invalid.first, found.invalid.count);
-        return at;
-    }
-
-    /// One item: see item_shaper.
-    error shape_item(hb_font_t* font, point unit, text_view text, const text_item& item, const shape_options& options,
-                     buffer<shaped_glyph>& glyphs) noexcept
+    /// See shaper. `unit`: font units per unit of the HarfBuzz font, x and y.
+    error shape(hb_font_t* font, point unit, text_view text, const text_item& item, const shape_options& options,
+                buffer<shaped_glyph>& glyphs) noexcept
     {
         if (item.last - item.first >= 1u << 28) return error::too_large;
         hb_script_t script = item.script != 0 ? hb_script_from_iso15924_tag(item.script) : HB_SCRIPT_COMMON;
         if (error e = take_script(options, script)) return e;
         if (error e = take_features(options)) return e;
-
-        return append_item(font, unit, text, item, {script, language_of(options), item_flags}, glyphs);
+        pieces_.clear();
+        const error cut = cut_long_graphemes(text, item.first, item.last, [this](const shaping_part& part) noexcept {
+            return pieces_.push_back(part) ? error{} : error{error::out_of_memory};
+        });
+        if (cut) return cut;
+        const bool valid = is_valid(text, item);
+        const hb_language_t language = language_of(options);
+        for (std::size_t k = 0; k < pieces_.size(); ++k) {
+            fill_buffer(text, pieces_[item.to_the_left() ? pieces_.size() - 1 - k : k], !valid);
+            if (error e = shape_buffer(font, way_of(item), script, language)) return e;
+            if (error e = append_glyphs(unit, item.orientation == glyph_orientation::upright, glyphs)) return e;
+        }
+        return {};
     }
 
     /// Whether the font has a different glyph for a character in columns.
@@ -138,117 +100,11 @@ private:
     static constexpr int item_flags = HB_BUFFER_FLAG_DEFAULT;
 #endif
 
-    /// A run of a line in one script, or a part of it.
-    struct piece {
-        shaping_part part;
-        hb_script_t script;
-    };
-
-    /// The way to shape an item.
-    struct item_way {
-        hb_script_t script;
-        hb_language_t language;
-        int flags;
-    };
-
-    /// The direction of a line that has only one; otherwise HB_DIRECTION_INVALID.
-    static hb_direction_t direction_of(const line_reading& found, direction wanted, hb_script_t script) noexcept
-    {
-        if (wanted == direction::top_to_bottom) return HB_DIRECTION_TTB;
-        const bool right = found.to_the_right != line_reading::nowhere,
-                   left = found.to_the_left != line_reading::nowhere;
-        if ((right && (left || wanted == direction::right_to_left)) || (left && wanted == direction::left_to_right))
-            return HB_DIRECTION_INVALID;
-        if (left || wanted == direction::right_to_left) return HB_DIRECTION_RTL;
-        if (right || wanted == direction::left_to_right || script == HB_SCRIPT_INVALID) return HB_DIRECTION_LTR;
-        return hb_script_get_horizontal_direction(script) == HB_DIRECTION_RTL ? HB_DIRECTION_RTL : HB_DIRECTION_LTR;
-    }
-
     static hb_direction_t way_of(const text_item& item) noexcept
     {
         if (item.orientation == glyph_orientation::upright)
             return item.to_the_left() ? HB_DIRECTION_BTT : HB_DIRECTION_TTB;
         return item.to_the_left() ? HB_DIRECTION_RTL : HB_DIRECTION_LTR;
-    }
-
-    /// Whether all of text[first, last) stands upright in a column, so that no analysis is needed.
-    static bool stands_upright(text_view text, std::size_t first, std::size_t last, const column_options& how) noexcept
-    {
-        if (how.latin == column_latin::upright && how.combined_digits == 0) return true;
-        for (std::size_t i = first; i < last;) {
-            const code_point c = decode(text, i, last);
-            const vertical_orientation o = character_of(c.value).orientation;
-            if (o != vertical_orientation::upright && o != vertical_orientation::transformed_upright) return false;
-            i = c.next;
-        }
-        return true;
-    }
-
-    /// Shapes a line's items from left to right, or a column's from top to bottom.
-    result<point> shape_items(hb_font_t* font, point unit, text_view text, const shape_options& options,
-                              glyph_run& run) noexcept
-    {
-        if (error e = take_features(options)) return e;
-        point at;
-        for (const text_item& item : items_) {
-            hb_script_t script = hb_script_from_iso15924_tag(item.script);
-            if (error e = take_script(options, script)) return e;
-            const item_way how{script, language_of(options), HB_BUFFER_FLAG_DEFAULT};
-            if (item.orientation != glyph_orientation::horizontal) {
-                shaped_.clear();
-                if (error e = append_item(font, unit, text, item, how, shaped_)) return e;
-                if (error e = place_column(font, unit, item, options.columns, at, run)) return e;
-                continue;
-            }
-            if (error e = cut_item(text, item, script)) return e;
-            for (std::size_t k = 0; k < pieces_.size(); ++k) {
-                if (error e = shape_piece(font, text, item, how, k)) return e;
-                if (error e = take_glyphs(unit, at, run)) return e;
-            }
-        }
-        return at;
-    }
-
-    /// Appends a shaped item of a column, starting at `at`, which advances.
-    error place_column(hb_font_t* font, point unit, const text_item& item, const column_options& how, point& at,
-                       glyph_run& run) noexcept
-    {
-        const double em = hb_face_get_upem(hb_font_get_face(font));
-        return place_item(shaped_.view(), item, {column_middle(font, unit), em, how.combined_gap * em}, at, run);
-    }
-
-    /// Shapes an item and appends its glyphs.
-    error append_item(hb_font_t* font, point unit, text_view text, const text_item& item, const item_way& how,
-                      buffer<shaped_glyph>& glyphs) noexcept
-    {
-        if (error e = cut_item(text, item, how.script)) return e;
-        for (std::size_t k = 0; k < pieces_.size(); ++k) {
-            if (error e = shape_piece(font, text, item, how, k)) return e;
-            if (error e = append_glyphs(unit, item.orientation == glyph_orientation::upright, glyphs)) return e;
-        }
-        return {};
-    }
-
-    /// Cuts an item into pieces that are shaped at once; nearly always one piece.
-    error cut_item(text_view text, const text_item& item, hb_script_t script) noexcept
-    {
-        pieces_.clear();
-        return add_pieces(text, item.first, item.last, script);
-    }
-    error add_pieces(text_view text, std::size_t first, std::size_t last, hb_script_t script) noexcept
-    {
-        return cut_long_graphemes(text, first, last, [this, script](const shaping_part& part) noexcept {
-            return pieces_.push_back({part, script}) ? error{} : error{error::out_of_memory};
-        });
-    }
-
-    /// Shapes the k-th piece of an item in drawing order with HarfBuzz.
-    error shape_piece(hb_font_t* font, text_view text, const text_item& item, const item_way& how,
-                      std::size_t k) noexcept
-    {
-        const piece p = pieces_[item.to_the_left() ? pieces_.size() - 1 - k : k];
-        fill_buffer(text, p, !is_valid(text, item), how.flags);
-        return shape_buffer(font, way_of(item), how.script, how.language);
     }
 
     static bool is_valid(text_view text, const text_item& item) noexcept
@@ -297,52 +153,19 @@ private:
         return features_.push_back(whole) ? error{} : error{error::out_of_memory};
     }
 
-    static hb_script_t script_of(hb_unicode_funcs_t* unicode, char32_t c) noexcept
-    {
-        if (c < 0x80) return (c | 0x20) >= 'a' && (c | 0x20) <= 'z' ? HB_SCRIPT_LATIN : HB_SCRIPT_COMMON;
-        if (c >= 0x4E00 && c <= 0x9FFF) return HB_SCRIPT_HAN;
-        return hb_unicode_script(unicode, c);
-    }
-
-    /// Cuts where the script changes. Characters without a script of their own (spaces, digits, marks) stay with the
-    /// preceding text.
-    error cut_into_pieces(text_view text, std::size_t first, std::size_t last, hb_script_t given) noexcept
-    {
-        pieces_.clear();
-        struct {
-            std::size_t first;
-            hb_script_t script;
-        } open{first, given};
-        hb_unicode_funcs_t* unicode = hb_unicode_funcs_get_default();
-        for (std::size_t i = first; i < last && given == HB_SCRIPT_INVALID;) {
-            const code_point c = decode(text, i, last);
-            const hb_script_t script = script_of(unicode, c.value);
-            if (script != HB_SCRIPT_COMMON && script != HB_SCRIPT_INHERITED && script != HB_SCRIPT_UNKNOWN) {
-                if (open.script == HB_SCRIPT_INVALID)
-                    open.script = script;
-                else if (!set_as_one(script, open.script)) {
-                    if (error e = add_pieces(text, open.first, i, open.script)) return e;
-                    open = {i, script};
-                }
-            }
-            i = c.next;
-        }
-        if (open.script == HB_SCRIPT_INVALID) open.script = HB_SCRIPT_COMMON;
-        return add_pieces(text, open.first, last, open.script);
-    }
-
     /// Passes a piece and its context to HarfBuzz. Valid text is passed unchanged, other text code point by code point,
     /// because HarfBuzz would read a different number of U+FFFD from broken UTF-8 than decode() does.
-    void fill_buffer(text_view text, const piece& p, bool decoded, int flags) noexcept
+    void fill_buffer(text_view text, const shaping_part& own, bool decoded) noexcept
     {
         constexpr std::size_t context = 32;  // units; HarfBuzz looks at five characters
-        const shaping_part& own = part_ = p.part;
+        part_ = own;
         std::size_t begin = own.first, end = own.last;
         while (begin > 0 && own.first - begin < context && !breaks_line(text.unit(begin - 1))) --begin;
         while (end < text.size() && end - own.last < context && line_break_at(text, end) == 0) ++end;
 
         hb_buffer_clear_contents(buffer_);
         hb_buffer_set_content_type(buffer_, HB_BUFFER_CONTENT_TYPE_UNICODE);
+        int flags = item_flags;
         if (begin == own.first) flags |= HB_BUFFER_FLAG_BOT;
         if (end == own.last) flags |= HB_BUFFER_FLAG_EOT;
         if (own.inner_end != 0) flags |= HB_BUFFER_FLAG_DO_NOT_INSERT_DOTTED_CIRCLE;
@@ -452,28 +275,6 @@ private:
         return {};
     }
 
-    /// Appends HarfBuzz's glyphs, starting at `at`, which advances.
-    error take_glyphs(point unit, point& at, glyph_run& run) const noexcept
-    {
-        unsigned count = 0;
-        const hb_glyph_info_t* info = hb_buffer_get_glyph_infos(buffer_, &count);
-        const hb_glyph_position_t* position = hb_buffer_get_glyph_positions(buffer_, nullptr);
-        placed_glyph* out = run.glyphs.append(count);
-        if (out == nullptr) return count == 0 ? error{} : error{error::out_of_memory};
-        for (unsigned i = 0; i < count; ++i) {
-            const cluster_id cluster = cluster_of(info[i]);
-            const bool missing = info[i].codepoint == 0;
-            out[i] = {info[i].codepoint,
-                      cluster,
-                      {at.x + unit.x * position[i].x_offset, at.y + unit.y * position[i].y_offset},
-                      missing};
-            at = {at.x + unit.x * position[i].x_advance, at.y + unit.y * position[i].y_advance};
-            if (missing) run.note_missing(cluster);
-            if (i > 0 && begins_parted({info, count}, i)) run.note_parted(cluster);
-        }
-        return {};
-    }
-
     hb_buffer_t* buffer_ = nullptr;
     std::size_t first_unit_ = 0;  // the origin of HarfBuzz's clusters
     std::size_t last_unit_ = 0;   // end of the buffer's text
@@ -481,10 +282,7 @@ private:
     hb_font_t* font_ = nullptr;   // the font that shaped it
     shaping_part part_;           // the contents of the buffer
     buffer<hb_feature_t> features_;
-    buffer<piece> pieces_;
-    buffer<text_item> items_;  // the items of a line with both directions
-    mixed_line mixed_;
-    buffer<shaped_glyph> shaped_;  // the glyphs of a column's item
+    buffer<shaping_part> pieces_;  // of the item, each shaped at once; nearly always one
 };
 
 }  // namespace typemesh::inline TYPEMESH_ABI::detail

@@ -4,12 +4,16 @@
 #include <typemesh/core/array_view.hpp>
 #include <typemesh/core/buffer.hpp>
 #include <typemesh/core/result.hpp>
-#include <typemesh/layout/impl/mixed_line.hpp>
+#include <typemesh/layout/impl/itemise.hpp>
+#include <typemesh/layout/impl/text_columns.hpp>
 #include <typemesh/paragraph/broken_line.hpp>
-#include <typemesh/paragraph/impl/line_slices.hpp>
+#include <typemesh/layout/impl/line_slices.hpp>
+#include <typemesh/paragraph/impl/line_pieces.hpp>
 #include <typemesh/paragraph/impl/text_pieces.hpp>
-#include <typemesh/paragraph/line_room.hpp>
-#include <typemesh/paragraph/paragraph_options.hpp>
+#include <typemesh/unicode/bidi_analyser.hpp>
+#include <typemesh/unicode/visual_order.hpp>
+#include <typemesh/layout/line_room.hpp>
+#include <typemesh/layout/layout_options.hpp>
 
 #include <cmath>
 #include <cstddef>
@@ -18,13 +22,13 @@
 namespace typemesh::inline TYPEMESH_ABI {
 
 /// The input from which the lines of a paragraph are made.
-template <item_shaper Shaper>
+template <shaper Shaper>
 struct line_source {
     shaped_text& shaped;
     text_pieces& pieces;
     Shaper& shaper;
     const line_room& room;
-    const paragraph_options& options;
+    const layout_options& options;
 };
 
 /// Makes the lines that cannot show all their text: as many graphemes as there is room for, and an ellipsis.
@@ -36,11 +40,14 @@ struct line_source {
 /// The ellipsis is set like the line's first character, and painted like the first dropped grapheme.
 class elision {
 public:
-    explicit elision(memory source = heap()) noexcept : mixed_{source}, parts_{source} {}
+    explicit elision(memory source = heap()) noexcept
+        : analyser_{source}, found_{source}, columns_{source}, parts_{source}
+    {
+    }
 
     /// Whether a line needs an ellipsis: it is wider than the room, or text after it is dropped.
     [[nodiscard]] static bool is_needed(const broken_line& line, const line_room& room,
-                                        const paragraph_options& options) noexcept
+                                        const layout_options& options) noexcept
     {
         return !options.ellipsis.empty() && (line.drops || line.least_end(room) > widened(room.width));
     }
@@ -48,7 +55,7 @@ public:
     /// The graphemes from which an elided line shows some. They are the line's own graphemes, or, if text after it is
     /// dropped, all graphemes up to the text's next line break. They are made only once, before anything is appended
     /// for a single layout.
-    template <item_shaper Shaper>
+    template <shaper Shaper>
     static result<const text_pieces::list*> graphemes_of(const line_source<Shaper>& from,
                                                          const broken_line& line) noexcept
     {
@@ -67,7 +74,7 @@ public:
     /// It is greater than the room only if the room is too small even for the ellipsis.
     ///
     /// Fails  error::out_of_memory, and as the shaper does
-    template <item_shaper Shaper>
+    template <shaper Shaper>
     result<double> compose(const line_source<Shaper>& from, const broken_line& line, std::uint8_t level,
                            line_slices& slices) noexcept
     {
@@ -92,7 +99,7 @@ public:
             const shown s = fitting(p, from, line.pen, spare);
             shaped.truncate(clusters, glyphs);
             slices.clear();
-            if (error e = slices.add(from.pieces, graphemes, 0, s.head, shaped, from.shaper)) return e;
+            if (error e = append_pieces(slices, from.pieces, graphemes, 0, s.head, shaped, from.shaper)) return e;
             slices.trim(shaped);
             const std::size_t at = slices.slices().size();
             const std::uint32_t shown_to =
@@ -101,7 +108,7 @@ public:
             const std::uint32_t shown_from = s.tail < p.size() ? p[s.tail].first : dropped_to;
             std::uint32_t used = dots;
             if (error e = slices.append(shaped, dots, 1, level)) return e;
-            if (error e = slices.add(from.pieces, graphemes, s.tail, p.size(), shaped, from.shaper)) return e;
+            if (error e = append_pieces(slices, from.pieces, graphemes, s.tail, p.size(), shaped, from.shaper)) return e;
             if (at > 0 && at + 1 < slices.slices().size()) {
                 const std::uint8_t before = slices.slices()[at - 1].level, behind = slices.slices()[at + 1].level;
                 line_slice& between = slices.slices()[at];
@@ -140,7 +147,7 @@ private:
     }
 
     /// Shapes the ellipsis by itself, in the direction of a level, as a cluster of the unit `at`.
-    template <item_shaper Shaper>
+    template <shaper Shaper>
     error append_ellipsis(const line_source<Shaper>& from, std::uint32_t at, unsigned level) noexcept
     {
         shaped_text& shaped = from.shaped;
@@ -148,13 +155,11 @@ private:
         shape_options how;
         how.direction = level % 2 != 0 ? direction::right_to_left : direction::left_to_right;
         how.columns.latin = shaped.options().columns.latin;
-        const auto has_form = [&from](char32_t c) noexcept { return vertical_form_of(from.shaper, c); };
+        if (shaped.in_columns()) how.direction = direction::top_to_bottom;
         const std::size_t clusters = shaped.all_clusters(), glyphs = shaped.all_glyphs();
         for (const text_view wanted : {from.options.ellipsis, text_view{"..."}}) {
             shaped.truncate(clusters, glyphs);
-            const error e = shaped.in_columns() ? mixed_.split_column(wanted, 0, wanted.size(), how, has_form, parts_)
-                                                : mixed_.split(wanted, 0, wanted.size(), how, parts_);
-            if (e) return e;
+            if (error e = find_parts(from.shaper, wanted, how)) return e;
             const auto complete = shaped.append_foreign(from.shaper, item, at, wanted, parts_.view());
             if (!complete) return complete.error();
             if (*complete) break;
@@ -162,7 +167,18 @@ private:
         return {};
     }
 
-    template <item_shaper Shaper>
+    /// Cuts the ellipsis into items, in drawing order.
+    template <shaper Shaper>
+    error find_parts(Shaper& shaper, text_view wanted, const shape_options& how) noexcept
+    {
+        if (error e = analyser_.analyse(wanted, analysis_of(how), found_)) return e;
+        if (error e = columns_.find(shaper, wanted, how, style_spans{}, found_)) return e;
+        if (error e = itemise(wanted, found_, {}, columns_.runs(), parts_)) return e;
+        order_visually(parts_.view());
+        return {};
+    }
+
+    template <shaper Shaper>
     [[nodiscard]] static shown fitting(array_view<const break_piece> p, const line_source<Shaper>& from, double pen,
                                        double room) noexcept
     {
@@ -202,7 +218,9 @@ private:
         }
     }
 
-    mixed_line mixed_;
+    bidi_analyser analyser_;
+    text_analysis found_;
+    text_columns columns_;
     buffer<text_item> parts_;
 };
 

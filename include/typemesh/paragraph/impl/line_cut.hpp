@@ -2,7 +2,7 @@
 #pragma once
 
 #include <typemesh/core/impl/same.hpp>
-#include <typemesh/paragraph/impl/shaped_text.hpp>
+#include <typemesh/layout/impl/shaped_text.hpp>
 
 #include <cstddef>
 #include <cstdint>
@@ -59,7 +59,7 @@ namespace detail {
 }
 
 /// Appends a hyphen, as a cluster of the grapheme before text[place]: the font's hyphen, otherwise hyphen-minus.
-template <item_shaper Shaper>
+template <shaper Shaper>
 error append_hyphen(shaped_text& shaped, Shaper& shaper, std::uint32_t item, std::uint32_t place) noexcept
 {
     std::uint32_t at = place - 1;
@@ -78,7 +78,7 @@ error append_hyphen(shaped_text& shaped, Shaper& shaper, std::uint32_t item, std
 /// Returns whether anything changes.
 ///
 /// Fails  error::out_of_memory, and as the shaper does
-template <item_shaper Shaper>
+template <shaper Shaper>
 result<bool> make_cut(shaped_text& shaped, Shaper& shaper, std::uint32_t c, std::uint32_t place, double share,
                       line_cut& cut) noexcept
 {

@@ -4,8 +4,8 @@
 #include <typemesh/core/array_view.hpp>
 #include <typemesh/core/buffer.hpp>
 #include <typemesh/core/result.hpp>
-#include <typemesh/paragraph/impl/line_slices.hpp>
-#include <typemesh/paragraph/paragraph_options.hpp>
+#include <typemesh/layout/impl/line_slices.hpp>
+#include <typemesh/layout/layout_options.hpp>
 #include <typemesh/unicode/utf.hpp>
 
 #include <cstddef>
@@ -26,7 +26,7 @@ public:
     /// without spaces would need more than max_strokes in a word.
     ///
     /// Fails  error::out_of_memory, and as the shaper does, which shapes U+0640
-    template <item_shaper Shaper>
+    template <shaper Shaper>
     result<double> widen(line_slices& line, shaped_text& shaped, Shaper& shaper, justification by, double gap) noexcept
     {
         const bool ideographs = by == justification::automatic && has_ideographs(line, shaped);
@@ -152,7 +152,7 @@ private:
     }
 
     /// Finds one place for each word: before the last cluster where its font allows strokes.
-    template <item_shaper Shaper>
+    template <shaper Shaper>
     error find_elongations(const line_slices& line, shaped_text& shaped, Shaper& shaper) noexcept
     {
         elongations_.clear();
@@ -174,7 +174,7 @@ private:
     }
 
     /// A cluster of one stroke with the look of an item. It has no advance if the font has no stroke.
-    template <item_shaper Shaper>
+    template <shaper Shaper>
     result<std::uint32_t> model_for(std::uint32_t item, shaped_text& shaped, Shaper& shaper) noexcept
     {
         if (model_ != no_cluster) {
@@ -209,7 +209,7 @@ private:
     }
 
     /// Shapes each word with its strokes, and keeps only the strokes. Returns their advance.
-    template <item_shaper Shaper>
+    template <shaper Shaper>
     result<double> shape_strokes(const line_slices& line, shaped_text& shaped, Shaper& shaper) noexcept
     {
         double all = 0.0;

@@ -6,8 +6,8 @@
 #include <typemesh/core/impl/first_where.hpp>
 #include <typemesh/paragraph/break_piece.hpp>
 #include <typemesh/paragraph/impl/line_cut.hpp>
-#include <typemesh/paragraph/impl/shaped_text.hpp>
-#include <typemesh/paragraph/paragraph_options.hpp>
+#include <typemesh/layout/impl/shaped_text.hpp>
+#include <typemesh/layout/layout_options.hpp>
 
 #include <cstddef>
 #include <cstdint>
@@ -70,7 +70,7 @@ public:
     [[nodiscard]] const line_cut& cut(std::uint32_t number) const noexcept { return cuts_[number]; }
 
     /// Splits a shaped text into words: at all places where Unicode allows a line to end, and after tabs.
-    template <item_shaper Shaper>
+    template <shaper Shaper>
     error find_words(shaped_text& shaped, Shaper& shaper) noexcept
     {
         clear();
@@ -101,7 +101,7 @@ public:
 
     /// The pieces for a wrap mode: the words, or all graphemes, or words, broken if they do not fit into `narrowest`.
     /// The list lives until the next call. It shapes only text that no earlier call has shaped.
-    template <item_shaper Shaper>
+    template <shaper Shaper>
     result<const list*> pieces_for(wrap_mode wrap, double narrowest, shaped_text& shaped, Shaper& shaper) noexcept
     {
         const bool all = wrap == wrap_mode::grapheme;
@@ -130,7 +130,7 @@ public:
 
     /// The graphemes of text[first, last), whose ends are ends of words or graphemes. The list lives until the next
     /// call.
-    template <item_shaper Shaper>
+    template <shaper Shaper>
     result<const list*> graphemes_of(std::uint32_t first, std::uint32_t last, shaped_text& shaped,
                                      Shaper& shaper) noexcept
     {
@@ -204,7 +204,7 @@ private:
         bool tab;
     };
 
-    template <item_shaper Shaper>
+    template <shaper Shaper>
     error close(shaped_text& shaped, Shaper& shaper, const ending& at, open_piece& now, list& out) noexcept
     {
         const text_cluster cluster = shaped.cluster(at.cluster);
@@ -263,7 +263,7 @@ private:
     }
 
     /// Makes the graphemes of a word, only once. On failure there are none.
-    template <item_shaper Shaper>
+    template <shaper Shaper>
     error expand(std::size_t number, shaped_text& shaped, Shaper& shaper) noexcept
     {
         if (expansions_[number].count != 0) return {};
@@ -280,7 +280,7 @@ private:
                                static_cast<std::uint32_t>(graphemes_.pieces.size() - before)};
         return {};
     }
-    template <item_shaper Shaper>
+    template <shaper Shaper>
     error add_graphemes(break_piece word, shaped_piece home, shaped_text& shaped, Shaper& shaper) noexcept
     {
         open_piece now;
@@ -333,8 +333,7 @@ private:
             return piece_end::allowed;
         const bool silent = has(cluster.flags, cluster_flags::silent) && !has(cluster.flags, cluster_flags::tab);
         if (!silent) return unit < shaped.text().size() ? piece_end::line : piece_end::paragraph;
-        const char32_t c = decode(shaped.text(), cluster.first).value;
-        return c == 0x0B || c == 0x0C || c == 0x2028 ? piece_end::line : piece_end::paragraph;
+        return ends_paragraph(decode(shaped.text(), cluster.first).value) ? piece_end::paragraph : piece_end::line;
     }
 
     static bool ends_with_break(const shaped_text& shaped) noexcept

@@ -2,13 +2,11 @@
 #pragma once
 
 #include <typemesh/core/array_view.hpp>
+#include <typemesh/core/buffer.hpp>
 #include <typemesh/core/impl/executor_ref.hpp>
-#include <typemesh/core/result.hpp>
 #include <typemesh/glyph/glyph_builder.hpp>
 #include <typemesh/glyph/impl/glyph_store.hpp>
-#include <typemesh/layout/glyph_run.hpp>
-#include <typemesh/layout/layout.hpp>
-#include <typemesh/layout/shared_layout.hpp>
+#include <typemesh/layout/shaped_glyph.hpp>
 #include <typemesh/text/impl/font_ref.hpp>
 
 #include <cstddef>
@@ -21,12 +19,12 @@ struct alignas(64) team_member {
     font_ref font;
     glyph_builder builder;
     glyph_store store;
-    glyph_run lines;
+    buffer<shaped_glyph> shaped;
     error failure;
     std::size_t failed_at;
 
     team_member(font_ref source, memory from) noexcept
-        : font{source}, builder{from}, store{from}, lines{from}, failure{}, failed_at{0}
+        : font{source}, builder{from}, store{from}, shaped{from}, failure{}, failed_at{0}
     {
     }
 };
@@ -35,22 +33,12 @@ struct alignas(64) team_member {
 struct glyph_team {
     executor_ref executor;
     array_view<team_member> members;
-    shared_layout shared;
     std::uint64_t plans = 0;  ///< started so far
 
-    /// layout(), with the same result. All workers shape lines if the sources are shapers of the same type as `font`,
-    /// which is a shaper; otherwise `font` does.
-    result<void> layout(font_ref font, text_view text, const shape_options& how, const layout_options& options,
-                        glyph_run& run) noexcept
+    /// Whether all workers can shape text of this font, which is a shaper: their sources have its type.
+    [[nodiscard]] bool shapes_for(font_ref font) const noexcept
     {
-        shaper_ref shaper = font.shaper();
-        if (members.size() < 2 || !members[0].font.is_like(font))
-            return typemesh::layout(shaper, text, how, options, run);
-        const array_view<team_member> all = members;
-        return shared(
-            executor, [all](std::size_t worker) noexcept { return all[worker].font.shaper(); },
-            [all](std::size_t worker) noexcept -> glyph_run& { return all[worker].lines; }, shaper, text, how, options,
-            run);
+        return members.size() > 1 && members[0].font.is_like(font);
     }
 
     /// Removes the glyphs of the previous plan.

@@ -36,7 +36,7 @@ public:
     font_ref font;
     cached_in cache;
 
-    explicit text_planner(memory source) noexcept : builder_{source}, merger_{source}, run_{source}, glyphs_{source} {}
+    explicit text_planner(memory source) noexcept : builder_{source}, merger_{source}, layout_{source}, run_{source}, glyphs_{source} {}
 
     /// The glyphs that were planned last.
     [[nodiscard]] text_glyphs& glyphs() noexcept { return glyphs_; }
@@ -96,6 +96,7 @@ private:
 
     glyph_builder builder_;
     glyph_merger merger_;
+    plain_layout layout_;
     glyph_run run_;
     text_glyphs glyphs_;
 };
@@ -107,8 +108,16 @@ error text_planner::layout(text_view text, const text_options& options, const po
     with.observe(stage::shape);
     if (!font.is_shaper()) return stop(error::not_a_shaper, with);
     shaper_ref shaper = font.shaper();
-    const auto laid = team != nullptr ? team->layout(font, text, options.shape, options.layout, run_)
-                                      : typemesh::layout(shaper, text, options.shape, options.layout, run_);
+    const auto lay_out = [&, this]() noexcept {
+        if (team == nullptr || !team->shapes_for(font))
+            return layout_(shaper, text, options.shape, options.layout, run_);
+        const auto members = team->members;
+        return layout_(
+            team->executor, [members](std::size_t worker) noexcept { return members[worker].font.shaper(); },
+            [members](std::size_t worker) noexcept -> buffer<shaped_glyph>& { return members[worker].shaped; }, shaper,
+            text, options.shape, options.layout, run_);
+    };
+    const auto laid = lay_out();
     return laid ? error{} : stop(laid.error(), with);
 }
 

@@ -24,6 +24,9 @@ class line_opportunities {
     using classes = class_set<line_class>;
 
 public:
+    static constexpr bool finds_any = true;
+    static constexpr line_opportunity allowed = line_opportunity::allowed, mandatory = line_opportunity::mandatory;
+
     line_opportunities(const character* all, std::size_t size) noexcept : all_{all}, size_{size} {}
 
     [[nodiscard]] line_opportunity operator()(std::size_t i) noexcept

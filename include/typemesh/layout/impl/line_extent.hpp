@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <typemesh/core/array_view.hpp>
+#include <typemesh/layout/face_metrics.hpp>
+#include <typemesh/layout/impl/line_slices.hpp>
+
+#include <cstdint>
+
+namespace typemesh::inline TYPEMESH_ABI {
+
+/// The extent of a line upwards and downwards: the greatest ascender, the lowest descender and the greatest gap of its
+/// glyphs' faces (line_reach_of()), each with the size and rise of its cluster. Text of one face in one style, and an
+/// empty line, have `plain`, the metrics of the shaper's first face.
+///
+/// Cost: O(clusters), and O(glyphs) with several faces; constant for a text without styles in one face
+template <shaper Font>
+[[nodiscard]] line_metrics extent_of(Font& font, const shaped_text& shaped, array_view<const line_slice> slices,
+                                     const line_metrics& plain) noexcept
+{
+    const bool has_faces = shaper_faces(font) > 1;
+    if (shaped.styles.empty() && !has_faces) return plain;
+    line_metrics found, own = plain;
+    std::uint32_t face = 0;
+    bool any = false;
+    const auto add = [&](const text_cluster& c, std::uint32_t of) noexcept {
+        if (of != face) own = of == 0 ? plain : line_reach_of(font, shaped.options().direction, of);
+        face = of;
+        const item_setting set = shaped.setting_of(c.item);
+        const double rise = set.lift + shaped.style_of(c).rise * shaped.units_per_em();
+        const line_metrics here{own.ascender * set.scale + rise, own.descender * set.scale + rise, own.gap * set.scale};
+        if (!any || here.ascender > found.ascender) found.ascender = here.ascender;
+        if (!any || here.descender < found.descender) found.descender = here.descender;
+        if (!any || here.gap > found.gap) found.gap = here.gap;
+        any = true;
+    };
+    for (const line_slice& s : slices)
+        for (std::uint32_t k = s.first; k < s.last; ++k) {
+            const text_cluster& c = shaped.cluster(k);
+            if (c.glyph_count == 0) add(c, shaped.items()[c.item].face);
+            for (std::uint32_t g = c.glyph; has_faces && g < c.glyph + c.glyph_count; ++g) add(c, shaped.glyph(g).face);
+            if (!has_faces && c.glyph_count != 0) add(c, 0);
+        }
+    return any ? found : plain;
+}
+
+}  // namespace typemesh::inline TYPEMESH_ABI

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: MIT
+#include "support/catch.hpp"
+
+#include <typemesh/layout/impl/column_glyphs.hpp>
+#include <typemesh/layout/impl/item_look.hpp>
+
+using namespace typemesh;
+
+TEST_CASE("a glyph looks as its face has it, as large and slanted as its style wants", "[paragraph][styles]")
+{
+    CHECK(look_of({}, {}, {}, {}) == look{});
+    CHECK(look_of({}, {}, {}, {.face = 3}) == look{.face = 3});
+    CHECK(look_of({}, {}, {.style = style_id{4}}, {}) == look{.style = style_id{4}});
+    CHECK(look_of({}, {.scale = 2.0}, {.slant = 0.25}, {}) == look{.map = {.xx = 2.0, .xy = 0.5, .yy = 2.0}});
+    CHECK(look_of({}, {.lift = 5.0}, {.rise = 1.0}, {}) == look{});
+}
+
+TEST_CASE("a glyph in a column looks as it stands, whatever its item does", "[paragraph][columns]")
+{
+    const text_item item{.orientation = glyph_orientation::combined, .squeeze = 0.5};
+    CHECK(look_of(item, {}, {}, {.face = 2}) == look{.face = 2});  // an ellipsis behind a number has room of its own
+    CHECK(look_of(item, {}, {}, {.face = 2, .flags = glyph_flags::sideways}) == look{.face = 2, .map = quarter_turn});
+    CHECK(look_of(item, {}, {}, {.face = 2, .flags = glyph_flags::combined}) == look{.face = 2, .map = {.xx = 0.5}});
+    const look leaning = look_of(item, {.scale = 2.0}, {.slant = 0.25}, {.flags = glyph_flags::sideways});
+    const affine upright{.xx = 2.0, .xy = 0.5, .yy = 2.0};
+    for (const point p : {point{1.0, 0.0}, point{0.0, 1.0}, point{3.0, 7.0}})
+        CHECK(leaning.map(p) == quarter_turn(upright(p)));
+}
