@@ -117,6 +117,7 @@ void shape(benchmark::State& state, const std::string& path, const std::string& 
     auto font = Font::open(path.c_str());
     if (!font) return state.SkipWithError(font.error().message());
     glyph_run run = shape_or_skip(state, *font, text);
+    plain_layout layout;
     for (auto _ : state) {
         if (!layout(*font, text, {}, {}, run)) break;
         benchmark::DoNotOptimize(run.glyphs.data());

@@ -88,6 +88,7 @@ std::string path_of(const char* font)
 void floor_of(harfbuzz_font& font, const std::string& text, glyph_run& run)
 {
     ignore_outline sink;
+    static plain_layout layout;
     if (!layout(font, text, {}, {}, run)) std::abort();
     for (const placed_glyph& g : run.glyphs)
         if (font.outline(g.id, sink)) std::abort();
@@ -192,6 +193,7 @@ void run_text(benchmark::State& state, harfbuzz_font& font, const std::string& t
     auto cold = text_mesher{font}.with(raise);
     auto warm = text_mesher{font}.with(raise).with(cached_in{cache, 1});
     const double floor = nanoseconds_each([&] { floor_of(font, text, run); });
+    plain_layout layout;
     const double shaping = nanoseconds_each([&] {
         if (!layout(font, text, {}, {}, run)) std::abort();
     });

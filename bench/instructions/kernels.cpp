@@ -58,6 +58,7 @@ std::size_t hello_floor(int times)
     auto font = open_font(sans);
     const std::string text = first_line("phrases-latin.txt");
     glyph_run run;
+    plain_layout layout;
     ignore_outline sink;
     for (int i = 0; i < times + 2; ++i) {
         if (!layout(font, text, {}, {}, run)) std::abort();

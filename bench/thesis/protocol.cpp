@@ -92,6 +92,7 @@ double microseconds_each(const text_group& group, int runs, Work&& work)
 void print_floors(protocol_font& f, const text_group& group, const quality_preset& q, int runs)
 {
     glyph_run run;
+    plain_layout layout;
     ignore_outline sink;
     const double outline = microseconds_each(group, runs, [&](const std::string& text) {
         if (!layout(f.font, text, {}, {}, run)) std::abort();

@@ -15,7 +15,6 @@
 #include <typemesh/outline/transformed_outlines.hpp>
 
 #include <typemesh/layout/layout.hpp>
-#include <typemesh/layout/shared_layout.hpp>
 
 #include <typemesh/discretise/adaptive_subdivision.hpp>
 #include <typemesh/discretise/certified.hpp>

@@ -29,7 +29,9 @@ namespace typemesh::inline TYPEMESH_ABI {
 /// The number of units at text[i] that are not shaped, because they are a tab or the end of a line; otherwise 0.
 [[nodiscard]] inline std::size_t silent_at(text_view text, std::size_t i) noexcept
 {
-    return text.unit(i) == 0x09 ? 1 : line_end_at(text, i);
+    const std::uint32_t unit = text.unit(i);
+    if (unit >= 0x20 && unit < 0x80) return 0;
+    return unit == 0x09 ? 1 : line_end_at(text, i);
 }
 
 /// Splits an analysed text into items. It splits where the level, the script or the orientation in columns changes, at

@@ -384,54 +384,60 @@ private:
     error cluster_glyphs(std::uint32_t item, const text_item& part, std::size_t before) noexcept
     {
         const std::size_t count = glyphs_.size() - before, first_cluster = clusters_.size();
-        for (std::size_t done = 0; done < count;) {
-            const bool back = part.to_the_left();
-            std::size_t begin = back ? count - done - 1 : done, end = begin + 1;
-            const cluster_id of = glyphs_[before + begin].cluster;
-            if (back)
-                while (begin > 0 && glyphs_[before + begin - 1].cluster == of) --begin;
-            else
-                while (end < count && glyphs_[before + end].cluster == of) ++end;
-            text_cluster c{.first = of,
-                           .last = part.last,
-                           .glyph = static_cast<std::uint32_t>(before + begin),
-                           .glyph_count = static_cast<std::uint32_t>(end - begin),
-                           .item = item};
-            for (std::size_t g = begin; g < end; ++g) c.advance += glyphs_[before + g].advance;
-            c.flags = flags_of(glyphs_[before + begin], c.advance);
-            done += end - begin;
-            if (clusters_.size() == first_cluster) {
-                c.first = part.first;
-            } else if (has(analysis.marks[of], text_mark::grapheme)) {
-                clusters_.back().last = of;
-            } else {
-                join_last(c);
+        if (count == 0 && part.first == part.last) return {};
+        text_cluster* const made = clusters_.append(count != 0 ? count : 1);
+        if (made == nullptr) return error::out_of_memory;
+        const shaped_glyph* const glyphs = glyphs_.data() + before;
+        const bool back = part.to_the_left();
+        double pen = first_cluster == 0 ? 0.0 : (made - 1)->before + (made - 1)->advance;
+        std::size_t n = 0;
+        bool marked = false;  // whether a space may carry a mark
+        for (std::size_t i = 0; i < count; ++i) {
+            const std::size_t k = back ? count - 1 - i : i;
+            const shaped_glyph& g = glyphs[k];
+            const bool goes_on = n != 0 && (g.cluster == glyphs[back ? k + 1 : k - 1].cluster ||
+                                            !has(analysis.marks[g.cluster], text_mark::grapheme));
+            if (goes_on) {
+                text_cluster& c = made[n - 1];
+                if (back) c.glyph = static_cast<std::uint32_t>(before + k);
+                ++c.glyph_count;
+                c.advance += g.advance;
+                if (!is_zero(g.advance)) c.flags = without(c.flags, cluster_flags::unseen);
                 continue;
             }
-            if (!clusters_.push_back(c)) return error::out_of_memory;
+            if (n != 0) {
+                text_cluster& c = made[n - 1];
+                c.last = g.cluster;
+                pen += c.advance;
+                marked = marked || (has(c.flags, cluster_flags::unshown) && c.last - c.first > 1);
+            }
+            made[n] = {.first = n == 0 ? part.first : g.cluster,
+                       .last = part.last,
+                       .glyph = static_cast<std::uint32_t>(before + k),
+                       .glyph_count = 1,
+                       .advance = g.advance,
+                       .item = item,
+                       .flags = flags_of(g, g.advance),
+                       .before = pen};
+            ++n;
         }
-        if (count == 0 && part.first < part.last &&
-            !clusters_.push_back({.first = part.first,
-                                  .last = part.last,
-                                  .glyph = static_cast<std::uint32_t>(before),
-                                  .item = item,
-                                  .flags = flags_of({.cluster = part.first}, 0.0)}))
-            return error::out_of_memory;
-        detail::part_marked_spaces(text_, analysis.marks.view(), clusters_.view().subspan(first_cluster));
+        if (count == 0)
+            made[n++] = {.first = part.first,
+                         .last = part.last,
+                         .glyph = static_cast<std::uint32_t>(before),
+                         .item = item,
+                         .flags = flags_of({.cluster = part.first}, 0.0),
+                         .before = pen};
+        clusters_.truncate(first_cluster + n);
+        const array_view<text_cluster> own = clusters_.view().subspan(first_cluster);
+        const text_cluster& last = own.back();
+        marked = marked || (has(last.flags, cluster_flags::unshown) && last.last - last.first > 1);
+        if (marked) detail::part_marked_spaces(text_, analysis.marks.view(), own);
+        if (is_zero(setting_of(item).letter_spacing) && styles.empty()) return {};
         if (!is_zero(setting_of(item).letter_spacing)) space_clusters(first_cluster, item);
         if (!styles.empty()) widen_spaces(first_cluster);
         sum_up(first_cluster);
         return {};
-    }
-
-    /// Adds a cluster that begins inside the last one's grapheme. Their glyphs are adjacent.
-    void join_last(const text_cluster& c) noexcept
-    {
-        text_cluster& last = clusters_.back();
-        if (c.glyph < last.glyph) last.glyph = c.glyph;
-        last.glyph_count += c.glyph_count;
-        last.advance += c.advance;
-        if (!is_zero(c.advance)) last.flags = without(last.flags, cluster_flags::unseen);
     }
 
     /// The flags of the cluster of this glyph, with this advance.
