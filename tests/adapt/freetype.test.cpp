@@ -157,7 +157,7 @@ TEST_CASE("letters of a FreeType face are spaced beside their kerning", "[adapt]
     freetype_font font = opened_face(liberation);
     const glyph_run plain = shaped(font, "AVA");
     glyph_run run;
-    REQUIRE(layout(font, "AVA", {}, {.letter_spacing = 0.125}, run));
+    REQUIRE(layout(font, "AVA", {.letter_spacing = 0.125}, {}, run));
     for (std::size_t i = 0; i < 3; ++i)
         CHECK(run.glyphs[i].origin.x == plain.glyphs[i].origin.x + 256.0 * static_cast<double>(i));
     CHECK(run.lines[0].advance == plain.lines[0].advance + 512.0);

@@ -74,7 +74,10 @@ std::size_t too_wide(Words& words, std::mt19937& random, const std::u16string& t
         spans.push_back({middle, static_cast<std::uint32_t>(text.size()), {.letter_spacing = 0.25}});
     }
     const shape_options how{.direction = static_cast<direction>(random() % 4)};
-    REQUIRE(words.set(text, how, spans, random() % 4 == 0 ? 0.1 : 0.0));
+    shape_options styled = how;
+    styled.styles = spans;
+    styled.letter_spacing = random() % 4 == 0 ? 0.1 : 0.0;
+    REQUIRE(words.set(text, styled));
     std::size_t wrong = 0;
     for (int k = 0; k < 6; ++k) {
         const layout_options options = random_line_options(random);

@@ -60,7 +60,7 @@ TEST_CASE("kerning, ligatures and joined letters survive a change of colour", "[
         REQUIRE(words.lay_out({.width = 4.0}, plain));
         std::vector<style_span> spans;  // a colour for every unit
         for (std::uint32_t u = 0; u < s.text.size(); ++u) spans.push_back({u, u + 1, {.style = style_id{u}}});
-        REQUIRE(words.set(s.text, {}, spans));
+        REQUIRE(words.set(s.text, {.styles = spans}));
         REQUIRE(words.lay_out({.width = 4.0}, coloured));
         REQUIRE(coloured.glyphs.size() == plain.glyphs.size());
         for (std::size_t i = 0; i < plain.glyphs.size(); ++i) {
@@ -82,7 +82,7 @@ TEST_CASE("a recoloured letter is built once, and styles part the mesh", "[adapt
     const style_span spans[] = {{0, 3, {.style = style_id{4}}},
                                 {4, 7, {.decorations = both, .style = style_id{2}}},
                                 {8, 9, {.size = 1.5, .decorations = both, .style = style_id{9}}}};
-    REQUIRE(words.set("ooo ooo o", {}, spans));
+    REQUIRE(words.set("ooo ooo o", {.styles = spans}));
     glyph_run run;
     REQUIRE(words.lay_out({}, run));
     const bool merge = GENERATE(false, true);
@@ -114,7 +114,7 @@ TEST_CASE("decorated text is closed, and its bars are as wide as its letters' ad
     paragraph words{font};
     text_mesher mesher{font};
     const style_span spans[] = {{2, 8, {.slant = 0.2, .decorations = decoration::underline}}};
-    REQUIRE(words.set("gypsy quay", {}, spans));
+    REQUIRE(words.set("gypsy quay", {.styles = spans}));
     glyph_run run;
     REQUIRE(words.lay_out({}, run));
     auto plan = mesher.plan(run, {});
@@ -167,7 +167,7 @@ TEST_CASE("carets stand within ligatures where the font says, and lead back to t
     const style_span large[] = {{1, 5, {.size = 2.0}}};
     for (const double width : {3.0, 5.0, 100.0})
         for (const bool styled : {false, true}) {
-            REQUIRE(words.set(mixed, {}, styled ? std::span<const style_span>{large} : std::span<const style_span>{}));
+            REQUIRE(words.set(mixed, {.styles = styled ? std::span<const style_span>{large} : std::span<const style_span>{}}));
             REQUIRE(words.lay_out({.width = width, .align = alignment::justify}, run));
             const laid_text laid = words.laid();
             for (std::uint32_t unit = 0; unit <= mixed.size(); ++unit)
@@ -188,7 +188,7 @@ TEST_CASE("a span names its face, with that face's metrics and carets", "[adapt]
     font_cascade fonts{sans, naskh};
     paragraph words{fonts};
     const style_span spans[] = {{2, 5, {.face = 1, .decorations = decoration::underline}}};
-    REQUIRE(words.set("a ffi", {}, spans));
+    REQUIRE(words.set("a ffi", {.styles = spans}));
     glyph_run run;
     REQUIRE(words.lay_out({}, run));
     REQUIRE(run.glyphs.size() == 4);
@@ -201,7 +201,7 @@ TEST_CASE("a span names its face, with that face's metrics and carets", "[adapt]
     CHECK(std::fabs(bar.origin.y - -0.562 * sans.units_per_em()) < 1e-6);
     text_mesher mesher{fonts};
     CHECK(mesher.plan(run)->glyphs().size() == 3);
-    CHECK(words.set("abc", {}, std::vector<style_span>{{0, 1, {.face = 2}}}) == error::no_such_face);
+    CHECK(words.set("abc", {.styles = std::vector<style_span>{{0, 1, {.face = 2}}}}) == error::no_such_face);
 }
 
 TEST_CASE("superscripts are of the size and at the height that the font names", "[adapt][harfbuzz][styles]")
@@ -209,7 +209,7 @@ TEST_CASE("superscripts are of the size and at the height that the font names", 
     harfbuzz_font font = styled_font("truetype/liberation/LiberationSans-Regular.ttf");
     paragraph words{font};
     const style_span spans[] = {{4, 5, {.position = script_position::superscript}}};
-    REQUIRE(words.set("E=mc2", {}, spans));
+    REQUIRE(words.set("E=mc2", {.styles = spans}));
     glyph_run run;
     REQUIRE(words.lay_out({}, run));
     REQUIRE(run.glyphs.size() == 5);

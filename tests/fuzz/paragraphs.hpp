@@ -4,7 +4,7 @@
 #include "read_text.hpp"
 
 #include "support/toy_covering_font.hpp"
-#include "support/toy_item_shaper.hpp"
+#include "support/toy_shaper.hpp"
 
 #include <typemesh/outline/bar_face.hpp>
 #include <typemesh/paragraph/fit_size.hpp>
@@ -367,7 +367,7 @@ broken_law of_fonts(values& in, const Breaker& breaker)
 {
     const std::uint32_t bits = in.byte();
     if ((bits & 12) == 12) return of_cascade(in, breaker);
-    test::toy_item_shaper font;
+    test::toy_shaper font;
     font.all_unsafe = (bits & 1) != 0;
     return of_paragraph(in, font, breaker);
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "support/catch.hpp"
-#include "support/toy_item_shaper.hpp"
+#include "support/toy_shaper.hpp"
 
 #include <typemesh/paragraph/paragraph.hpp>
 
@@ -13,7 +13,7 @@ using namespace typemesh;
 namespace {
 
 /// The toy font with bars of its own.
-struct barred_font : test::toy_item_shaper {
+struct barred_font : test::toy_shaper {
     static face_metrics suggested_metrics() noexcept
     {
         return {.underline = {-0.1, 0.05}, .strike_through = {0.3, 0.04}};
@@ -33,7 +33,9 @@ struct decorated {
     decorated(text_view text, const std::vector<style_span>& spans, const layout_options& options = {},
               const shape_options& how = {})
     {
-        REQUIRE(words.set(text, how, spans));
+        shape_options styled = how;
+        styled.styles = spans;
+        REQUIRE(words.set(text, styled));
         REQUIRE(words.lay_out(options, run));
     }
     [[nodiscard]] std::vector<bar_box> bars() const

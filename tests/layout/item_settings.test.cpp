@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "support/catch.hpp"
-#include "support/toy_item_shaper.hpp"
+#include "support/toy_shaper.hpp"
 
 #include <typemesh/layout/impl/item_settings.hpp>
 #include <typemesh/unicode/unicode_analyser.hpp>
@@ -14,12 +14,12 @@ using namespace typemesh;
 namespace {
 
 /// The toy font with superscript digits and no subscripts of its own.
-struct small_letters : test::toy_item_shaper {
+struct small_letters : test::toy_shaper {
     error shape(text_view text, const text_item& item, const shape_options& how,
                      buffer<shaped_glyph>& glyphs) noexcept
     {
         const std::size_t before = glyphs.size();
-        if (error e = toy_item_shaper::shape(text, item, how, glyphs)) return e;
+        if (error e = toy_shaper::shape(text, item, how, glyphs)) return e;
         for (const feature& f : how.features)
             for (shaped_glyph& g : glyphs.view().subspan(before))
                 if (std::string{f.tag} == "sups" && g.id >= '0' && g.id <= '9') g.id += 1000;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "support/catch.hpp"
 #include "support/counting_memory.hpp"
-#include "toy_shaper.hpp"
+#include "support/toy_shaper.hpp"
 
 #include <typemesh/layout/layout.hpp>
 #include <typemesh/unicode/utf.hpp>
@@ -20,8 +20,8 @@ glyph_run set(text_view text, const layout_options& options = {}, direction d = 
               toy_shaper font = {})
 {
     glyph_run run;
-    shape_options how;
-    how.direction = d;
+    shape_options how{.direction = d};
+    how.columns.latin = column_latin::upright;
     REQUIRE(layout(font, text, how, options, run));
     return run;
 }
@@ -60,14 +60,6 @@ TEST_CASE("a text has one line more than it has breaks, and breaks leave no glyp
         CHECK(run.glyphs.size() == first);
         for (const placed_glyph& g : run.glyphs) CHECK((g.id >= 'a' && g.id <= 'd'));
     }
-}
-
-TEST_CASE("the shaper sees every line whole and alone", "[layout]")
-{
-    toy_shaper font;
-    glyph_run run;
-    REQUIRE(layout(font, "one two\r\n\nthree", {}, {}, run));
-    CHECK(font.seen == std::vector<std::string>{"one two", "three"});  // an empty line needs no shaping
 }
 
 TEST_CASE("baselines are the font's line distance times the spacing apart, downwards from 0", "[layout]")
@@ -111,15 +103,6 @@ TEST_CASE("columns run down, the next to the left, aligned to y = 0", "[layout]"
     }
 }
 
-TEST_CASE("a pen that went backwards makes a line of advance 0", "[layout]")
-{
-    toy_shaper font;
-    font.advance = -10.0;
-    const glyph_run run = set("ab", {.align = alignment::right}, direction::automatic, font);
-    CHECK(run.lines[0].advance == 0.0);
-    CHECK(equal(run.lines[0].origin, {0.0, 0.0}));
-}
-
 TEST_CASE("clusters count units of the whole text in its own encoding", "[layout]")
 {
     const glyph_run eight = set("\xC3\xA9\n\xF0\x9F\x98\x80z");
@@ -148,7 +131,7 @@ TEST_CASE("layout empties the run first, and leaves it empty on failure", "[layo
     CHECK(run.first_missing == no_cluster);
 
     const error refused = layout(font, "ok\nnot!", {}, {}, run).error();
-    CHECK(refused == error::needs_shaping);
+    CHECK(refused == error::font_library_failed);
     CHECK(refused.cluster == 6);
     CHECK(run.glyphs.empty());
     CHECK(run.lines.empty());
@@ -197,13 +180,45 @@ TEST_CASE("layout reports a memory that gives nothing, wherever it stops", "[lay
     }
 }
 
-TEST_CASE("layout allocates nothing once its run is warm", "[layout]")
+TEST_CASE("A plain_layout allocates nothing once it is warm", "[layout]")
 {
     test::counting_memory counted;
     toy_shaper font;
+    plain_layout lay_out{counted.source()};
     glyph_run run{counted.source()};
-    REQUIRE(layout(font, "some\nlines of text", {}, {}, run));
+    REQUIRE(lay_out(font, u"some\nlines \u05D0\tof text", {}, {}, run));
     const std::size_t before = counted.requests;
-    REQUIRE(layout(font, "lines of text\nsome", {}, {}, run));
+    REQUIRE(lay_out(font, u"lines \tof\u05D0 text\nsome", {}, {}, run));
     CHECK(counted.requests == before);
+}
+
+TEST_CASE("Plain text refuses what needs a line breaker, by its name", "[layout]")
+{
+    toy_shaper font;
+    glyph_run run;
+    const auto refused = [&](const layout_options& options) {
+        const error e = layout(font, "some words", {}, options, run).error();
+        CHECK(e == error::needs_paragraph);
+        return std::string{e.option};
+    };
+    CHECK(refused({.width = 5.0}) == "width");
+    CHECK(refused({.ellipsis = "..."}) == "ellipsis");
+    CHECK(layout(font, "a", {}, {.width = 0.0}, run) == error::bad_option);
+    CHECK(layout(font, "a", {.letter_spacing = std::numeric_limits<double>::infinity()}, {}, run) == error::bad_option);
+
+    // A box without wrapping aligns.
+    REQUIRE(layout(font, "ab", {}, {.width = 5.0, .wrap = wrap_mode::none, .align = alignment::right}, run));
+    CHECK(equal(run.lines[0].origin, {4000.0, 0.0}));
+}
+
+TEST_CASE("A style changes its part of a plain text", "[layout]")
+{
+    toy_shaper font;
+    glyph_run run;
+    const style_span spans[] = {{1, 2, {.size = 2.0, .decorations = decoration::underline, .style = style_id{7}}}};
+    REQUIRE(layout(font, "abc", {.styles = spans}, {}, run));
+    REQUIRE(run.glyphs.size() == 4);  // and a bar
+    CHECK(run.looks[run.glyphs[1].look] == look{.map = {.xx = 2.0, .yy = 2.0}, .style = style_id{7}});
+    CHECK(equal(run.glyphs[2].origin, {1500.0, 0.0}));
+    CHECK(run.lines[0].advance == 2000.0);
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "support/catch.hpp"
-#include "support/toy_item_shaper.hpp"
+#include "support/toy_shaper.hpp"
 
 #include <typemesh/layout/ligature_carets.hpp>
 
@@ -19,5 +19,5 @@ struct knowing {
 TEST_CASE("shapers may know the carets of their ligatures", "[layout]")
 {
     STATIC_REQUIRE(typemesh::has_ligature_carets<knowing>);
-    STATIC_REQUIRE_FALSE(typemesh::has_ligature_carets<test::toy_item_shaper>);
+    STATIC_REQUIRE_FALSE(typemesh::has_ligature_carets<test::toy_shaper>);
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "support/catch.hpp"
-#include "support/toy_item_shaper.hpp"
+#include "support/toy_shaper.hpp"
 
 #include <typemesh/paragraph/paragraph.hpp>
 
@@ -13,9 +13,9 @@ using namespace typemesh;
 namespace {
 
 /// The toy font with a second face, for capitals, that is higher and hangs lower.
-struct two_heights : test::toy_item_shaper {
+struct two_heights : test::toy_shaper {
     static std::uint32_t face_count() noexcept { return 2; }
-    using toy_item_shaper::metrics;
+    using toy_shaper::metrics;
     line_metrics metrics(direction, std::uint32_t face) const noexcept
     {
         return face == 0 ? lines : line_metrics{900.0, -400.0, 0.0};
@@ -24,7 +24,7 @@ struct two_heights : test::toy_item_shaper {
                      buffer<shaped_glyph>& glyphs) noexcept
     {
         const std::size_t before = glyphs.size();
-        if (error e = toy_item_shaper::shape(text, item, how, glyphs)) return e;
+        if (error e = toy_shaper::shape(text, item, how, glyphs)) return e;
         for (shaped_glyph& g : glyphs.view().subspan(before)) g.face = g.id >= 'A' && g.id <= 'Z' ? 1 : 0;
         return {};
     }
@@ -35,7 +35,7 @@ std::vector<line_metrics> line_heights(Font& font, text_view text, const std::ve
                                        const layout_options& options = {})
 {
     paragraph<Font> words{font};
-    REQUIRE(words.set(text, {}, spans));
+    REQUIRE(words.set(text, {.styles = spans}));
     glyph_run run;
     REQUIRE(words.lay_out(options, run));
     std::vector<line_metrics> all;
@@ -52,7 +52,7 @@ bool reaches(const line_metrics& m, double up, double down)
 
 TEST_CASE("a line is as high as its largest letters, or as the font says", "[paragraph][styles]")
 {
-    test::toy_item_shaper font;
+    test::toy_shaper font;
     const std::vector<style_span> large{{1, 2, {.size = 2.0}}, {6, 7, {.size = 0.5, .rise = 0.8}}};
     const auto lines = line_heights(font, "abc\ndefg\nh", large);
     REQUIRE(lines.size() == 3);
@@ -80,10 +80,10 @@ TEST_CASE("a line is as high as its faces", "[paragraph][styles]")
 
 TEST_CASE("baselines are as far apart as their lines ask for", "[paragraph][styles]")
 {
-    test::toy_item_shaper font;
-    paragraph<test::toy_item_shaper> words{font};
+    test::toy_shaper font;
+    paragraph<test::toy_shaper> words{font};
     const style_span large[] = {{2, 3, {.size = 2.0}}};
-    REQUIRE(words.set("a\nb\nc", {}, large));
+    REQUIRE(words.set("a\nb\nc", {.styles = large}));
     glyph_run run;
     REQUIRE(words.lay_out({}, run));
     REQUIRE(run.lines.size() == 3);

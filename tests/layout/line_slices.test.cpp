@@ -19,35 +19,11 @@ double advance_of(const line_slices& line)
 
 }  // namespace
 
-TEST_CASE("a line's slices are its clusters, with what its ends change", "[paragraph]")
-{
-    shaped_paragraph p{"xAV AVx"};
-    const auto& list = p.wrapped(wrap_mode::grapheme, 0.0);
-    for (std::size_t first = 0; first < list.pieces.size(); ++first)
-        for (std::size_t last = first + 1; last <= list.pieces.size(); ++last) {
-            line_slices line;
-            REQUIRE_FALSE(line.add(p.pieces, list, first, last, p.shaped, p.font));
-            const auto width = line.finish(p.shaped, 0, 0.0, {});
-            REQUIRE(width);
-            double expected = list.pieces[first].begin_change + list.pieces[last - 1].end_change;
-            for (std::size_t k = first; k < last; ++k)
-                expected += list.pieces[k].width + (k + 1 < last ? list.pieces[k].space : 0.0);
-            CHECK(*width == expected);
-            cluster_id at = list.pieces[first].first;
-            for (const line_slice& s : line.slices())
-                for (std::uint32_t c = s.first; c < s.last; ++c) {
-                    CHECK(p.shaped.cluster(c).first == at);
-                    at = p.shaped.cluster(c).last;
-                }
-            CHECK(at == list.pieces[last - 1].last);
-        }
-}
-
 TEST_CASE("white space at a line's end hangs, and takes the paragraph's level", "[paragraph]")
 {
     shaped_paragraph p{u"\u05D0 \u05D1  "};
     line_slices line;
-    REQUIRE_FALSE(line.add(p.pieces, p.pieces.words(), 0, p.pieces.words().pieces.size(), p.shaped, p.font));
+    REQUIRE_FALSE(append_pieces(line, p.pieces, p.pieces.words(), 0, p.pieces.words().pieces.size(), p.shaped, p.font));
     const auto width = line.finish(p.shaped, 0, 0.0, {});
     REQUIRE(width);
     CHECK(*width == 1250.0);
@@ -64,7 +40,7 @@ TEST_CASE("white space before a mark that is not drawn hangs, too, at the paragr
         for (const char16_t* word : {u"ab", u"\u05D0\u05D1"}) {
             shaped_paragraph p{word + std::u16string{end}};
             line_slices line;
-            REQUIRE_FALSE(line.add(p.pieces, p.pieces.words(), 0, p.pieces.words().pieces.size(), p.shaped, p.font));
+            REQUIRE_FALSE(append_pieces(line, p.pieces, p.pieces.words(), 0, p.pieces.words().pieces.size(), p.shaped, p.font));
             const auto width = line.finish(p.shaped, 0, 0.0, {});
             REQUIRE(width);
             CHECK(*width == 1000.0);
@@ -92,7 +68,7 @@ TEST_CASE("white space before each tab takes the paragraph's level, in linear ti
         shaped_paragraph p{text, direction::left_to_right};
         line_slices line;
         const std::clock_t begin = std::clock();
-        REQUIRE_FALSE(line.add(p.pieces, p.pieces.words(), 0, p.pieces.words().pieces.size(), p.shaped, p.font));
+        REQUIRE_FALSE(append_pieces(line, p.pieces, p.pieces.words(), 0, p.pieces.words().pieces.size(), p.shaped, p.font));
         REQUIRE(line.finish(p.shaped, 0, 0.0, {}));
         CHECK(std::clock() - begin < CLOCKS_PER_SEC);  // seconds, were each tab to look at all before it
         std::size_t wrong = 0;
@@ -118,7 +94,7 @@ TEST_CASE("a line of nothing but white space has no width", "[paragraph]")
 {
     shaped_paragraph p{"   "};
     line_slices line;
-    REQUIRE_FALSE(line.add(p.pieces, p.pieces.words(), 0, p.pieces.words().pieces.size(), p.shaped, p.font));
+    REQUIRE_FALSE(append_pieces(line, p.pieces, p.pieces.words(), 0, p.pieces.words().pieces.size(), p.shaped, p.font));
     const auto width = line.finish(p.shaped, 0, 0.0, {});
     REQUIRE(width);
     CHECK(*width == 0.0);
@@ -131,7 +107,7 @@ TEST_CASE("tabs take what leads to the next stop, and what stands behind the las
 {
     shaped_paragraph p{"a b\tc d"};
     line_slices line;
-    REQUIRE_FALSE(line.add(p.pieces, p.pieces.words(), 0, p.pieces.words().pieces.size(), p.shaped, p.font));
+    REQUIRE_FALSE(append_pieces(line, p.pieces, p.pieces.words(), 0, p.pieces.words().pieces.size(), p.shaped, p.font));
     const auto width = line.finish(p.shaped, 0, 0.0, {.tab = 2000.0});
     REQUIRE(width);
     CHECK(*width == 2000.0 + 1250.0);
@@ -142,7 +118,7 @@ TEST_CASE("tabs take what leads to the next stop, and what stands behind the las
 
     shaped_paragraph one{"word"};
     line.clear();
-    REQUIRE_FALSE(line.add(one.pieces, one.pieces.words(), 0, 1, one.shaped, one.font));
+    REQUIRE_FALSE(append_pieces(line, one.pieces, one.pieces.words(), 0, 1, one.shaped, one.font));
     REQUIRE(line.finish(one.shaped, 0, 0.0, {}));
     CHECK(line.justify(one.shaped, 90.0) == 0.0);
 }
@@ -152,7 +128,7 @@ TEST_CASE("letter spacing behind a line's last letter does not count", "[paragra
     for (const char16_t* text : {u"abc ", u"\u05D0\u05D1\u05D2 "}) {
         shaped_paragraph p{text, direction::automatic, 40.0};
         line_slices line;
-        REQUIRE_FALSE(line.add(p.pieces, p.pieces.words(), 0, p.pieces.words().pieces.size(), p.shaped, p.font));
+        REQUIRE_FALSE(append_pieces(line, p.pieces, p.pieces.words(), 0, p.pieces.words().pieces.size(), p.shaped, p.font));
         const auto width = line.finish(p.shaped, 0, 0.0, {});
         REQUIRE(width);
         CHECK(*width == 1580.0);
@@ -166,7 +142,7 @@ TEST_CASE("nor does it before marks of direction, which keep the level of what h
          {u"abc\u200E", u"abc\u200E  ", u"\u05D0\u05D1\u05D2\u200F", u"a\u05D1\u05D2\u200F", u"\u05D0bc\u200E"}) {
         shaped_paragraph p{text, direction::automatic, 40.0};
         line_slices line;
-        REQUIRE_FALSE(line.add(p.pieces, p.pieces.words(), 0, p.pieces.words().pieces.size(), p.shaped, p.font));
+        REQUIRE_FALSE(append_pieces(line, p.pieces, p.pieces.words(), 0, p.pieces.words().pieces.size(), p.shaped, p.font));
         const auto width = line.finish(p.shaped, 0, 0.0, {});
         REQUIRE(width);
         CHECK(*width == 1580.0);
@@ -178,7 +154,7 @@ TEST_CASE("nor does it before marks of direction, which keep the level of what h
     }
     shaped_paragraph p{u"\u05D0\u200F ", direction::left_to_right, 40.0};
     line_slices line;
-    REQUIRE_FALSE(line.add(p.pieces, p.pieces.words(), 0, p.pieces.words().pieces.size(), p.shaped, p.font));
+    REQUIRE_FALSE(append_pieces(line, p.pieces, p.pieces.words(), 0, p.pieces.words().pieces.size(), p.shaped, p.font));
     REQUIRE(line.finish(p.shaped, 0, 0.0, {}));
     REQUIRE(line.slices().size() == 3);  // the letter, its mark, the space: by rule L1 only that has the line's level
     CHECK(line.slices()[0].level == 1);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "support/catch.hpp"
 
-#include <typemesh/layout/impl/reading_order.hpp>
 #include <typemesh/layout/plain_text.hpp>
+#include <typemesh/unicode/impl/character.hpp>
 
 #include <string_view>
 
@@ -12,9 +12,9 @@ TEST_CASE("right-to-left text is never plain", "[layout][plain_text]")
 {
     std::size_t wrong = 0;
     for (char32_t c = 0; c <= 0x10FFFF; ++c) {
-        const reading what = reading_of(c);
-        const bool arabic_number = (c >= 0x0600 && c <= 0x06FF && what == reading::digit);
-        if (what == reading::to_the_left || arabic_number) wrong += !is_complex(c);
+        if (c >= 0x1EF00 && c <= 0x1EFFF) continue;  // unassigned
+        const bidi_class bidi = character_of(c).bidi;
+        if (bidi == bidi_class::r || bidi == bidi_class::al || bidi == bidi_class::an) wrong += !is_complex(c);
     }
     CHECK(wrong == 0);
 }
@@ -42,4 +42,10 @@ TEST_CASE("default-ignorable characters are those that leave no mark", "[layout]
         CHECK(is_default_ignorable(c));
     for (const char32_t c : std::u32string_view{U"a \u00A0\u0300\u2010\u3000\uFFFD\uFE10"})
         CHECK(!is_default_ignorable(c));
+}
+
+TEST_CASE("Scripts whose letters are joined are known by their blocks", "[layout][plain_text]")
+{
+    for (const char32_t c : std::u32string_view{U"\u0628\u07CA\u1820\U0001E900"}) CHECK(is_written_joined(c));
+    for (const char32_t c : std::u32string_view{U"a\u05D0\uFEFF\u4E00"}) CHECK_FALSE(is_written_joined(c));
 }

@@ -139,7 +139,7 @@ TEST_CASE("what is shaped later has its own advance, whatever has been shaped be
 
 TEST_CASE("carets within a ligature on its side stand as far along the line as in a line", "[paragraph][carets]")
 {
-    struct ligature_font : test::toy_item_shaper {
+    struct ligature_font : test::toy_shaper {
         error ligature_carets(std::uint32_t, glyph_id, bool, buffer<double>& carets) const noexcept
         {
             return carets.push_back(400.0) ? error{} : error{error::out_of_memory};
@@ -150,10 +150,8 @@ TEST_CASE("carets within a ligature on its side stand as far along the line as i
         shaped_text shaped;
         const style_span all[] = {{0, static_cast<std::uint32_t>(text.size()), {.column = column}}};
         REQUIRE_FALSE(unicode_analyser{}.analyse(text, {}, shaped.analysis));
-        REQUIRE_FALSE(shaped.styles.read(all, shaped.analysis, 1));
-        shape_options how;
-        how.direction = d;
-        REQUIRE_FALSE(shaped.shape(font, text, how, 0.0));
+        REQUIRE_FALSE(shaped.read(font, 1, text, {.direction = d, .styles = all}));
+        REQUIRE_FALSE(shaped.shape(font));
         const auto found = shaped.carets_of(shaped.cluster_count() - 1);
         return std::vector<double>{found.begin(), found.end()};
     };
@@ -165,13 +163,14 @@ TEST_CASE("carets within a ligature on its side stand as far along the line as i
 
 TEST_CASE("only what is combined in a column is drawn narrower", "[paragraph][columns]")
 {
-    test::toy_item_shaper font;
+    test::toy_shaper font;
     shaped_text shaped;
     const text_view text{u"\u3042ab1234"};
     shape_options how{.direction = direction::top_to_bottom};
     how.columns.combined_digits = 4;
     REQUIRE_FALSE(unicode_analyser{}.analyse(text, {}, shaped.analysis));
-    REQUIRE_FALSE(shaped.shape(font, text, how, 0.0));
+    REQUIRE_FALSE(shaped.read(font, 1, text, how));
+    REQUIRE_FALSE(shaped.shape(font));
     REQUIRE(shaped.items().size() == 3);
     CHECK(shaped.items()[0].squeeze == 1.0);  // upright
     CHECK(shaped.items()[1].squeeze == 1.0);  // on its side

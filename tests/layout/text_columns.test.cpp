@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "support/catch.hpp"
 #include "support/counting_memory.hpp"
-#include "support/toy_item_shaper.hpp"
+#include "support/toy_shaper.hpp"
 
 #include <typemesh/layout/impl/text_columns.hpp>
 #include <typemesh/unicode/unicode_analyser.hpp>
@@ -12,7 +12,7 @@ using namespace typemesh;
 
 TEST_CASE("what is combined is one grapheme between tabs and breaks, and no line ends in it", "[paragraph][columns]")
 {
-    test::toy_item_shaper font;
+    test::toy_shaper font;
     const std::u16string text = u"ab a\u0301 c\td\r\ne fg";
     text_analysis found, plain;
     REQUIRE_FALSE(unicode_analyser{}.analyse(text, {}, found));
@@ -35,7 +35,7 @@ TEST_CASE("what is combined is one grapheme between tabs and breaks, and no line
 
 TEST_CASE("whatever ends a line stands alone within what is combined", "[paragraph][columns]")
 {
-    test::toy_item_shaper font;
+    test::toy_shaper font;
     const style_span span[] = {{0, 3, {.column = column_style::combined}}};
     for (const char16_t mark : {u'\t', u'\n', u'\u0085', u'\u2029', u'\x1C', u'\x1D', u'\x1E'}) {
         const std::u16string text{u'1', mark, u'2'};
@@ -52,7 +52,7 @@ TEST_CASE("whatever ends a line stands alone within what is combined", "[paragra
 
 TEST_CASE("lines have no columns", "[paragraph][columns]")
 {
-    test::toy_item_shaper font;
+    test::toy_shaper font;
     text_analysis found;
     REQUIRE_FALSE(unicode_analyser{}.analyse("ab", {}, found));
     text_columns columns;

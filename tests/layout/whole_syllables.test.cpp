@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "support/catch.hpp"
-#include "support/toy_item_shaper.hpp"
+#include "support/toy_shaper.hpp"
 
 #include <typemesh/paragraph/paragraph.hpp>
 
@@ -41,7 +41,7 @@ TEST_CASE("no line, no ellipsis and no caret parts a stack of Khmer or Burmese",
             const line_class line = character_of(text[i]).line;
             return line == line_class::sa_mark || (i > 0 && (text[i - 1] == 0x17D2 || text[i - 1] == 0x1039));
         };
-        test::toy_item_shaper font;
+        test::toy_shaper font;
         paragraph words{font};
         glyph_run run;
         REQUIRE(words.set(text));

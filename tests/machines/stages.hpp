@@ -5,7 +5,7 @@
 
 #include "letters.hpp"
 
-#include "support/toy_item_shaper.hpp"
+#include "support/toy_shaper.hpp"
 
 #include <typemesh/discretise/adaptive_subdivision.hpp>
 #include <typemesh/discretise/thesis_quality.hpp>
@@ -249,8 +249,8 @@ inline void hash_analysis(hash& h)
 template <class Breaker>
 void hash_lines(hash& h, const typemesh::layout_options& how, const Breaker& breaker)
 {
-    test::toy_item_shaper font;
-    typemesh::paragraph<test::toy_item_shaper, typemesh::unicode_analyser, Breaker> words{
+    test::toy_shaper font;
+    typemesh::paragraph<test::toy_shaper, typemesh::unicode_analyser, Breaker> words{
         font, typemesh::heap(), typemesh::unicode_analyser{}, breaker};
     typemesh::glyph_run run;
     for (std::string text : texts()) {

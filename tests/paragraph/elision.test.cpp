@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "support/catch.hpp"
-#include "support/toy_item_shaper.hpp"
+#include "support/toy_shaper.hpp"
 
 #include <typemesh/paragraph/paragraph.hpp>
 
@@ -13,13 +13,13 @@ namespace {
 
 /// What the lines of a text show, as letters from left to right, and how wide they are.
 struct shown_lines {
-    test::toy_item_shaper font;
-    paragraph<test::toy_item_shaper> words{font};
+    test::toy_shaper font;
+    paragraph<test::toy_shaper> words{font};
     glyph_run run;
 
     shown_lines(text_view text, const layout_options& options, double letter_spacing = 0.0)
     {
-        REQUIRE(words.set(text, {}, letter_spacing));
+        REQUIRE(words.set(text, {.letter_spacing = letter_spacing}));
         REQUIRE(words.lay_out(options, run));
     }
     [[nodiscard]] std::u16string line(std::size_t k) const
@@ -134,7 +134,7 @@ TEST_CASE("an ellipsis of letters is read in their own direction", "[paragraph]"
 
 TEST_CASE("a column gives way, too", "[paragraph]")
 {
-    test::toy_item_shaper font;
+    test::toy_shaper font;
     paragraph words{font};
     glyph_run run;
     REQUIRE(words.set("abcdef", {.direction = direction::top_to_bottom}));

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "support/catch.hpp"
 #include "support/counting_memory.hpp"
-#include "support/toy_item_shaper.hpp"
+#include "support/toy_shaper.hpp"
 
 #include <typemesh/paragraph/fit_size.hpp>
 #include <typemesh/paragraph/paragraph.hpp>
@@ -21,8 +21,8 @@ const std::u16string sample =
 
 template <class Breaker = first_fit>
 struct fitted {
-    test::toy_item_shaper font;
-    paragraph<test::toy_item_shaper, unicode_analyser, Breaker> words{font, heap(), unicode_analyser{}, Breaker{}};
+    test::toy_shaper font;
+    paragraph<test::toy_shaper, unicode_analyser, Breaker> words{font, heap(), unicode_analyser{}, Breaker{}};
     layout_options how;
 
     explicit fitted(const std::u16string& shown, const layout_options& options = {}) : how{options}, text_{shown}
@@ -114,7 +114,7 @@ TEST_CASE("fit_size refuses boxes of no size, and what can never fit", "[paragra
     fitted<> lines{u"a\nb\nc"};
     CHECK(fit_size(lines.words, 1.0, 1.0, {.max_lines = 2}).error() == error::bad_option);
     CHECK(fit_size(p.words, 1.0, 1.0, {.indent = infinite}).error() == error::bad_option);
-    test::toy_item_shaper font;
-    paragraph<test::toy_item_shaper> none{font};
+    test::toy_shaper font;
+    paragraph<test::toy_shaper> none{font};
     CHECK(fit_size(none, 1.0, 1.0).error() == error::bad_option);
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "support/catch.hpp"
-#include "support/toy_item_shaper.hpp"
+#include "support/toy_shaper.hpp"
 
 #include <typemesh/paragraph/paragraph.hpp>
 
@@ -15,8 +15,8 @@ namespace {
 const std::u16string mixed = u"AV fix, \u05D0\u05D1 12 \u05D2 and\n\ta\u0301b fi \u05D3\u05D4\n";
 
 struct laid_out {
-    test::toy_item_shaper font;
-    paragraph<test::toy_item_shaper> words{font};
+    test::toy_shaper font;
+    paragraph<test::toy_shaper> words{font};
     glyph_run run;
 
     explicit laid_out(text_view text, const layout_options& options = {})
@@ -56,11 +56,11 @@ TEST_CASE("a caret stands before its grapheme, upstream behind the one before", 
 
 TEST_CASE("a line's last letter ends where its letter spacing has been taken away", "[paragraph]")
 {
-    test::toy_item_shaper font;
-    paragraph<test::toy_item_shaper> words{font};
+    test::toy_shaper font;
+    paragraph<test::toy_shaper> words{font};
     glyph_run run;
     for (const text_view text : {text_view{"ab "}, text_view{u"\u05D0\u05D1 "}}) {
-        REQUIRE(words.set(text, {}, 0.1));
+        REQUIRE(words.set(text, {.letter_spacing = 0.1}));
         REQUIRE(words.lay_out({.width = 9.0, .align = alignment::left}, run));
         const bool back = words.lines()[0].level != 0;
         for (const affinity side : {affinity::downstream, affinity::upstream})
@@ -135,11 +135,11 @@ TEST_CASE("a caret's own point leads back to it", "[paragraph]")
 
 TEST_CASE("a point in a line's box is in that line, however low the next one is", "[paragraph]")
 {
-    test::toy_item_shaper font;
-    paragraph<test::toy_item_shaper> words{font};
+    test::toy_shaper font;
+    paragraph<test::toy_shaper> words{font};
     glyph_run run;
     const style_span large[] = {{0, 1, {.size = 3.0}}};
-    REQUIRE(words.set("A\nb", {}, large));
+    REQUIRE(words.set("A\nb", {.styles = large}));
     REQUIRE(words.lay_out({}, run));
     CHECK(words.laid().caret_from(words.laid().caret_at(0).at).unit == 0);  // the middle of the next line is nearer
     CHECK(words.laid().caret_from({0.1, -0.5}).unit == 0);
@@ -276,7 +276,7 @@ TEST_CASE("lines tell their boxes, columns too", "[paragraph]")
     CHECK(p.laid().line_of(2) == 0);
     CHECK(p.laid().line_of(3) == 1);
 
-    test::toy_item_shaper font;
+    test::toy_shaper font;
     paragraph words{font};
     glyph_run run;
     shape_options down;
@@ -291,8 +291,8 @@ TEST_CASE("lines tell their boxes, columns too", "[paragraph]")
 TEST_CASE("without a layout of its text a paragraph has no lines, carets stand at the beginning, nothing is chosen",
           "[paragraph]")
 {
-    test::toy_item_shaper font;
-    paragraph<test::toy_item_shaper> words{font};
+    test::toy_shaper font;
+    paragraph<test::toy_shaper> words{font};
     glyph_run run;
     const auto has_none = [&words] {
         CHECK(words.lines().empty());

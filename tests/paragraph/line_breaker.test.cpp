@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "support/catch.hpp"
-#include "support/toy_item_shaper.hpp"
+#include "support/toy_shaper.hpp"
 
 #include <typemesh/paragraph/paragraph.hpp>
 
@@ -24,8 +24,8 @@ static_assert(!line_breaker<int>);
 
 TEST_CASE("a paragraph takes any breaker", "[paragraph]")
 {
-    test::toy_item_shaper font;
-    paragraph<test::toy_item_shaper, unicode_analyser, narrowest> words{font};
+    test::toy_shaper font;
+    paragraph<test::toy_shaper, unicode_analyser, narrowest> words{font};
     glyph_run run;
     REQUIRE(words.set("one two\tthree"));
     REQUIRE(words.lay_out({}, run));

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "support/catch.hpp"
 #include "support/counting_memory.hpp"
-#include "support/toy_item_shaper.hpp"
+#include "support/toy_shaper.hpp"
 
 #include <typemesh/paragraph/paragraph.hpp>
 #include <typemesh/paragraph/total_fit.hpp>
@@ -27,8 +27,8 @@ constexpr glyph_id stroke = 0x640;
 
 template <class Breaker = first_fit>
 struct justified {
-    test::toy_item_shaper font;
-    paragraph<test::toy_item_shaper, unicode_analyser, Breaker> words{font, heap(), unicode_analyser{}, Breaker{}};
+    test::toy_shaper font;
+    paragraph<test::toy_shaper, unicode_analyser, Breaker> words{font, heap(), unicode_analyser{}, Breaker{}};
     glyph_run run;
 
     justified(const std::u16string& text, double width, justification by, direction d = direction::automatic)
@@ -244,7 +244,7 @@ TEST_CASE("a line without spaces is filled by strokes that overlap, up to so man
 
 TEST_CASE("a word is shaped with its strokes whole, also before a hyphen", "[paragraph]")
 {
-    struct reader : test::toy_item_shaper {
+    struct reader : test::toy_shaper {
         std::u32string word;  // the last with a stroke in it
         error shape(text_view text, const text_item& item, const shape_options& how,
                          buffer<shaped_glyph>& glyphs) noexcept
@@ -257,7 +257,7 @@ TEST_CASE("a word is shaped with its strokes whole, also before a hyphen", "[par
             }
             if (read.size() > 1 && read.find(char32_t{stroke}) != read.npos) word = read;
             const std::size_t before = glyphs.size();
-            const error e = test::toy_item_shaper::shape(text, item, how, glyphs);
+            const error e = test::toy_shaper::shape(text, item, how, glyphs);
             for (shaped_glyph& g : glyphs.view().subspan(before)) g.flags = g.flags | glyph_flags::unsafe_to_break;
             return e;
         }
@@ -272,12 +272,12 @@ TEST_CASE("a word is shaped with its strokes whole, also before a hyphen", "[par
 
 TEST_CASE("without a stroke in the font spaces fill the line", "[paragraph]")
 {
-    struct without_strokes : test::toy_item_shaper {
+    struct without_strokes : test::toy_shaper {
         error shape(text_view text, const text_item& item, const shape_options& how,
                          buffer<shaped_glyph>& glyphs) noexcept
         {
             if (item.first < item.last && decode(text, item.first).value == stroke) return {};
-            return test::toy_item_shaper::shape(text, item, how, glyphs);
+            return test::toy_shaper::shape(text, item, how, glyphs);
         }
     } font;
     paragraph words{font};
@@ -315,7 +315,7 @@ TEST_CASE("lines that total_fit has made too full are narrowed to the width", "[
 TEST_CASE("justifying reports a memory that gives nothing, wherever it does, and keeps what it has", "[paragraph]")
 {
     for (const justification by : all_ways) {
-        test::toy_item_shaper font;
+        test::toy_shaper font;
         test::counting_memory counted;
         paragraph words{font, counted.source(), unicode_analyser{counted.source()}};
         REQUIRE(words.set(mixed_text));

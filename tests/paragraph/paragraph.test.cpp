@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "support/catch.hpp"
 #include "support/counting_memory.hpp"
-#include "support/toy_item_shaper.hpp"
+#include "support/toy_shaper.hpp"
 
 #include <typemesh/paragraph/paragraph.hpp>
 
@@ -15,7 +15,7 @@
 #include <vector>
 
 using namespace typemesh;
-using test::toy_item_shaper;
+using test::toy_shaper;
 
 namespace {
 
@@ -24,8 +24,8 @@ const std::u16string mixed =
     u"\u0662\u0663.\r\nx  \n";
 
 struct laid {
-    toy_item_shaper font;
-    paragraph<toy_item_shaper> words{font};
+    toy_shaper font;
+    paragraph<toy_shaper> words{font};
     glyph_run run;
 
     explicit laid(text_view text, const layout_options& options = {}, const shape_options& how = {})
@@ -51,16 +51,16 @@ struct laid {
     }
 };
 
-using text_lines = std::vector<std::string>;
+using line_texts = std::vector<std::string>;
 
 }  // namespace
 
 namespace {
 
 template <class Text>
-concept can_be_set = requires(paragraph<toy_item_shaper>& p, Text&& text, std::span<const style_span> spans) {
+concept can_be_set = requires(paragraph<toy_shaper>& p, Text&& text, std::span<const style_span> spans) {
     p.set(static_cast<Text&&>(text));
-    p.set(static_cast<Text&&>(text), {}, spans);
+    p.set(static_cast<Text&&>(text), {.styles = spans});
 };
 
 }  // namespace
@@ -71,12 +71,12 @@ static_assert(!can_be_set<std::string> && !can_be_set<const std::u8string> && !c
 
 TEST_CASE("a paragraph that has been moved from has no text until it gets one", "[paragraph]")
 {
-    toy_item_shaper font;
-    paragraph<toy_item_shaper> words{font};
+    toy_shaper font;
+    paragraph<toy_shaper> words{font};
     glyph_run run;
     REQUIRE(words.set("one two"));
     REQUIRE(words.lay_out({.width = 2.0}, run));
-    paragraph<toy_item_shaper> others{std::move(words)};
+    paragraph<toy_shaper> others{std::move(words)};
     CHECK(others.lines().size() == 2);
     for (const wrap_mode wrap : {wrap_mode::word, wrap_mode::word_or_grapheme, wrap_mode::grapheme}) {
         REQUIRE(words.lay_out({.width = 1.0, .wrap = wrap, .ellipsis = ".."}, run));
@@ -92,22 +92,22 @@ TEST_CASE("a paragraph that has been moved from has no text until it gets one", 
 TEST_CASE("a paragraph's text fills lines of a width", "[paragraph]")
 {
     laid p{"one two three", {.width = 4.0}};
-    CHECK(p.lines() == text_lines{"one two ", "three"});
+    CHECK(p.lines() == line_texts{"one two ", "three"});
     CHECK(p.run.lines[0].advance == 3250.0);
     CHECK(p.run.lines[1].origin == point{0.0, -1000.0});
     CHECK(p.run.units_per_em == 1000.0);
     p.again({.width = 3.2});
-    CHECK(p.lines() == text_lines{"one ", "two ", "three"});
+    CHECK(p.lines() == line_texts{"one ", "two ", "three"});
     p.again({.width = 2.0});
-    CHECK(p.lines() == text_lines{"one ", "two ", "thre", "e"});
+    CHECK(p.lines() == line_texts{"one ", "two ", "thre", "e"});
     p.again({.width = 2.0, .wrap = wrap_mode::word});
-    CHECK(p.lines() == text_lines{"one ", "two ", "three"});
+    CHECK(p.lines() == line_texts{"one ", "two ", "three"});
     p.again({.width = 2.0, .wrap = wrap_mode::none});
-    CHECK(p.lines() == text_lines{"one two three"});
+    CHECK(p.lines() == line_texts{"one two three"});
     p.again({.width = 2.6, .wrap = wrap_mode::grapheme});
-    CHECK(p.lines() == text_lines{"one t", "wo th", "ree"});
+    CHECK(p.lines() == line_texts{"one t", "wo th", "ree"});
     p.again({});
-    CHECK(p.lines() == text_lines{"one two three"});
+    CHECK(p.lines() == line_texts{"one two three"});
 }
 
 TEST_CASE("every cluster is drawn exactly once, at any width and way of wrapping", "[paragraph]")
@@ -142,7 +142,7 @@ TEST_CASE("every cluster is drawn exactly once, at any width and way of wrapping
 TEST_CASE("a line that is read to the left ends with its hyphen on the left", "[paragraph]")
 {
     laid p{u"\u0627\u062F\u00AD\u062F\u0627", {.width = 1.6}};
-    REQUIRE(p.lines() == text_lines{"????", "??"});
+    REQUIRE(p.lines() == line_texts{"????", "??"});
     std::vector<cluster_id> clusters;
     for (const placed_glyph& g : p.run.glyphs) clusters.push_back(g.cluster);
     CHECK(clusters == std::vector<cluster_id>{2, 2, 1, 0, 4, 3});
@@ -152,16 +152,16 @@ TEST_CASE("a line that is read to the left ends with its hyphen on the left", "[
 
 TEST_CASE("no line ends between a space and a mark upon it", "[paragraph]")
 {
-    CHECK(laid{u"ab \u0301cd", {.width = 1.2, .wrap = wrap_mode::word}}.lines() == text_lines{"ab ?cd"});
+    CHECK(laid{u"ab \u0301cd", {.width = 1.2, .wrap = wrap_mode::word}}.lines() == line_texts{"ab ?cd"});
 }
 
 TEST_CASE("a text that ends with a break has an empty last line, however it is wrapped", "[paragraph]")
 {
     for (const wrap_mode wrap : {wrap_mode::none, wrap_mode::word, wrap_mode::word_or_grapheme, wrap_mode::grapheme}) {
-        CHECK(laid{"ab\n", {.wrap = wrap}}.lines() == text_lines{"ab", ""});
-        CHECK(laid{"ab\n\n", {.wrap = wrap}}.lines() == text_lines{"ab", "", ""});
+        CHECK(laid{"ab\n", {.wrap = wrap}}.lines() == line_texts{"ab", ""});
+        CHECK(laid{"ab\n\n", {.wrap = wrap}}.lines() == line_texts{"ab", "", ""});
     }
-    CHECK(laid{"ab\n", {.width = 1.0, .indent = 2.0}}.lines() == text_lines{"a", "b", ""});
+    CHECK(laid{"ab\n", {.width = 1.0, .indent = 2.0}}.lines() == line_texts{"a", "b", ""});
 }
 
 TEST_CASE("a layout does not depend on those before it", "[paragraph]")
@@ -223,7 +223,7 @@ TEST_CASE("white space at a line's end hangs beyond the width, on the side where
 TEST_CASE("justified lines fill the width by their spaces, but for a paragraph's last", "[paragraph]")
 {
     const laid p{"a b cd e f\ng hi", {.width = 3.2, .align = alignment::justify}};
-    CHECK(p.lines() == text_lines{"a b cd ", "e f", "g hi"});
+    CHECK(p.lines() == line_texts{"a b cd ", "e f", "g hi"});
     CHECK(p.run.lines[0].advance == 3200.0);
     CHECK(p.run.lines[1].advance == 1250.0);
     CHECK(p.run.lines[2].advance == 1750.0);
@@ -233,7 +233,7 @@ TEST_CASE("justified lines fill the width by their spaces, but for a paragraph's
 TEST_CASE("first lines of paragraphs are indented at their start", "[paragraph]")
 {
     const laid p{"ab cd\nef\xE2\x80\xA8gh", {.width = 1.5, .indent = 0.25}};
-    CHECK(p.lines() == text_lines{"ab ", "cd", "ef", "gh"});
+    CHECK(p.lines() == line_texts{"ab ", "cd", "ef", "gh"});
     for (const auto& [k, x] : {std::pair{0, 250.0}, {1, 0.0}, {2, 250.0}, {3, 0.0}})
         CHECK(p.run.lines[static_cast<std::size_t>(k)].origin.x == x);
     const laid left{u"\u05D0\u05D1", {.width = 2.0, .indent = 0.25}};
@@ -284,11 +284,11 @@ TEST_CASE("a hyphen never sticks out of a line in which something else fits", "[
 
 TEST_CASE("into the width that it was measured at a text fits, whatever is rounded", "[paragraph]")
 {
-    toy_item_shaper font;
+    toy_shaper font;
     paragraph words{font};
     glyph_run run;
     for (int k = 1; k < 200; ++k) {
-        REQUIRE(words.set("one two three\nfour and more words", {}, 0.01 * k));
+        REQUIRE(words.set("one two three\nfour and more words", {.letter_spacing = 0.01 * k}));
         REQUIRE(words.lay_out({.width = words.widths().widest}, run));
         CHECK(run.lines.size() == 2);
         REQUIRE(words.lay_out({.width = words.widths().narrowest}, run));
@@ -305,19 +305,19 @@ TEST_CASE("into the width that it was measured at a text fits, whatever is round
 TEST_CASE("what is dropped leaves an ellipsis at the end, in the middle or at the start", "[paragraph]")
 {
     laid p{"one two three\nfour", {.width = 4.0, .max_lines = 1, .ellipsis = ".."}};
-    CHECK(p.lines() == text_lines{"one tw.."});
+    CHECK(p.lines() == line_texts{"one tw.."});
     p.again({.width = 3.3, .max_lines = 2, .ellipsis = ".."});
-    CHECK(p.lines() == text_lines{"one two ", "thre.."});
+    CHECK(p.lines() == line_texts{"one two ", "thre.."});
     p.again({.width = 3.3, .max_lines = 2});
-    CHECK(p.lines() == text_lines{"one two ", "three"});
+    CHECK(p.lines() == line_texts{"one two ", "three"});
     p.again({.width = 4.0, .wrap = wrap_mode::none, .ellipsis = ".."});
-    CHECK(p.lines() == text_lines{"one tw..", "four"});
+    CHECK(p.lines() == line_texts{"one tw..", "four"});
     p.again({.width = 4.0, .wrap = wrap_mode::none, .ellipsis = "..", .elide = ellipsis_place::start});
-    CHECK(p.lines() == text_lines{"..three", "four"});
+    CHECK(p.lines() == line_texts{"..three", "four"});
     p.again({.width = 4.0, .wrap = wrap_mode::none, .ellipsis = "..", .elide = ellipsis_place::middle});
-    CHECK(p.lines() == text_lines{"one..ree", "four"});
+    CHECK(p.lines() == line_texts{"one..ree", "four"});
     p.again({.width = 9.0, .wrap = wrap_mode::none, .ellipsis = ".."});
-    CHECK(p.lines() == text_lines{"one two three", "four"});
+    CHECK(p.lines() == line_texts{"one two three", "four"});
     p.again({.width = 0.7, .wrap = wrap_mode::none, .ellipsis = ".."});
     CHECK(p.line(0) == "..");  // nothing else fits, nor does it
     for (const char* end : {"\n", "\n\n", "\n \n"}) {
@@ -362,7 +362,7 @@ TEST_CASE("text without words has lines, too", "[paragraph]")
     const laid breaks{"\r\n\n\xE2\x80\xA8"};
     CHECK(breaks.run.lines.size() == 4);
     const laid wide{"wide", {.width = 0.1}};
-    CHECK(wide.lines() == text_lines{"w", "i", "d", "e"});
+    CHECK(wide.lines() == line_texts{"w", "i", "d", "e"});
     const laid tabs{"\t\t", {.width = 0.5}};
     CHECK(tabs.run.lines.size() == 1);
 }
@@ -373,7 +373,7 @@ TEST_CASE("information separators end paragraphs, and are not drawn", "[paragrap
         "ab\x1C"
         "cd\x1D\x1E",
         {.indent = 0.5}};
-    CHECK(p.lines() == text_lines{"ab", "cd", "", ""});
+    CHECK(p.lines() == line_texts{"ab", "cd", "", ""});
     CHECK(p.run.lines[1].origin.x == 500.0);
 }
 
@@ -397,10 +397,10 @@ TEST_CASE("widths tell how narrow and how wide a text may be", "[paragraph]")
     CHECK(p.run.lines.size() == 2);
     p.again({.width = 5.999});
     CHECK(p.run.lines.size() == 3);
-    REQUIRE(p.words.set("one two", {}, 0.1));  // without the distance behind the last letter
+    REQUIRE(p.words.set("one two", {.letter_spacing = 0.1}));  // without the distance behind the last letter
     CHECK(p.words.widths().narrowest == 1.7);
     p.again({.width = 1.7});
-    CHECK(p.lines() == text_lines{"one ", "two"});
+    CHECK(p.lines() == line_texts{"one ", "two"});
 }
 
 TEST_CASE("a text is measured as it is laid out, without writing it", "[paragraph]")
@@ -514,14 +514,15 @@ TEST_CASE("a combined number is one grapheme, an em high, and no line ends in it
 
 TEST_CASE("a style that ends within a combined number is that of all of it, and is counted", "[paragraph][styles]")
 {
-    toy_item_shaper font;
+    toy_shaper font;
     shape_options how{.direction = direction::top_to_bottom};
     how.columns.combined_digits = 2;
     for (const std::uint32_t digit : {1u, 2u}) {
         paragraph words{font};
         const style_span span[] = {{digit, digit + 1, {.style = style_id{5}}}};
+        how.styles = span;
         glyph_run run;
-        REQUIRE(words.set(u"\u4E1612\u754C", how, span));
+        REQUIRE(words.set(u"\u4E1612\u754C", how));
         REQUIRE(words.lay_out({}, run));
         CHECK(words.shaped().styles.moved() == 1);
         for (std::size_t i = 0; i < 4; ++i)
@@ -531,7 +532,7 @@ TEST_CASE("a style that ends within a combined number is that of all of it, and 
 
 TEST_CASE("a paragraph refuses what makes no sense, and is empty then", "[paragraph]")
 {
-    toy_item_shaper font;
+    toy_shaper font;
     paragraph words{font};
     glyph_run run;
     REQUIRE(words.set("ab"));
@@ -539,7 +540,7 @@ TEST_CASE("a paragraph refuses what makes no sense, and is empty then", "[paragr
     CHECK(run.lines.empty());
     CHECK(words.lines().empty());
     REQUIRE(words.lay_out({}, run));
-    CHECK(words.set("ab", {}, std::numeric_limits<double>::quiet_NaN()) == error::bad_option);
+    CHECK(words.set("ab", {.letter_spacing = std::numeric_limits<double>::quiet_NaN()}) == error::bad_option);
     const error refused = words.set("ab!").error();
     CHECK(refused == error::font_library_failed);
     CHECK(refused.cluster == 2);
@@ -552,8 +553,8 @@ TEST_CASE("a paragraph refuses what makes no sense, and is empty then", "[paragr
 TEST_CASE("a paragraph is empty after a text that was refused, even if there is no memory for more", "[paragraph]")
 {
     test::counting_memory counted;
-    toy_item_shaper font;
-    paragraph<toy_item_shaper> words{font, counted.source()};
+    toy_shaper font;
+    paragraph<toy_shaper> words{font, counted.source()};
     glyph_run run;
     const std::string text{"a text of words"}, refused{"a text of more words than before, with a mark!"};
     REQUIRE(words.set(text));
@@ -595,8 +596,8 @@ TEST_CASE("a paragraph reports words that only a dictionary finds, where lines h
 TEST_CASE("laying out again allocates nothing, and shapes nothing but the shortest lines", "[paragraph]")
 {
     test::counting_memory counted;
-    toy_item_shaper font;
-    paragraph<toy_item_shaper> words{font, counted.source()};
+    toy_shaper font;
+    paragraph<toy_shaper> words{font, counted.source()};
     glyph_run run{counted.source()};
     REQUIRE(words.set(mixed));
     const auto all = [&] {
@@ -618,8 +619,8 @@ TEST_CASE("laying out again allocates nothing, and shapes nothing but the shorte
 TEST_CASE("a paragraph survives a memory that gives nothing, wherever it stops", "[paragraph]")
 {
     const auto use = [](memory source) {
-        toy_item_shaper font;
-        paragraph<toy_item_shaper> words{font, source};
+        toy_shaper font;
+        paragraph<toy_shaper> words{font, source};
         glyph_run run{source};
         error e = words.set(mixed).error();
         if (!e) e = words.lay_out({.width = 1.0, .wrap = wrap_mode::word_or_grapheme, .ellipsis = ".."}, run).error();
@@ -639,10 +640,10 @@ TEST_CASE("a layout for which memory fails leaves nothing behind for the next on
 {
     const layout_options options{.width = 1.0, .ellipsis = ".."};
     const laid fresh{mixed, options};
-    toy_item_shaper font;
+    toy_shaper font;
     test::counting_memory counted;
     {
-        paragraph<toy_item_shaper> words{font, counted.source()};
+        paragraph<toy_shaper> words{font, counted.source()};
         glyph_run run;
         REQUIRE(words.set(mixed));
         counted.requests = 0;
@@ -652,7 +653,7 @@ TEST_CASE("a layout for which memory fails leaves nothing behind for the next on
     REQUIRE(all > 2);
     for (std::size_t at = 1; at <= all; ++at) {
         test::counting_memory failing;
-        paragraph<toy_item_shaper> words{font, failing.source()};
+        paragraph<toy_shaper> words{font, failing.source()};
         glyph_run run;
         REQUIRE(words.set(mixed));
         failing.fail_at = failing.requests + at;
@@ -693,7 +694,7 @@ TEST_CASE("where no place is safe, a line's end is still shaped with few neighbo
     for (const std::size_t size : {1000u, 6000u}) {
         std::string text;
         while (text.size() < size) text += "abcd efghijk lmnop qr ";
-        toy_item_shaper font;
+        toy_shaper font;
         font.all_unsafe = true;
         paragraph words{font};
         glyph_run run;
@@ -708,13 +709,13 @@ TEST_CASE("where no place is safe, a line's end is still shaped with few neighbo
 
 TEST_CASE("styles say how parts of a column stand", "[paragraph][columns][styles]")
 {
-    toy_item_shaper font;
+    toy_shaper font;
     paragraph words{font};
     glyph_run run;
     const style_span spans[] = {{0, 1, {.column = column_style::sideways}},
                                 {2, 4, {.column = column_style::upright}},
                                 {4, 8, {.size = 2.0, .column = column_style::combined}}};
-    REQUIRE(words.set(u"\u4E16abc2024", {.direction = direction::top_to_bottom}, spans));
+    REQUIRE(words.set(u"\u4E16abc2024", {.direction = direction::top_to_bottom, .styles = spans}));
     REQUIRE(words.lay_out({}, run));
     REQUIRE(run.glyphs.size() == 8);
     const auto map = [&](std::size_t i) { return run.looks[run.glyphs[i].look].map; };

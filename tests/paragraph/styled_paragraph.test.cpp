@@ -4,7 +4,7 @@
 
 #include "support/catch.hpp"
 #include "support/counting_memory.hpp"
-#include "support/toy_item_shaper.hpp"
+#include "support/toy_shaper.hpp"
 
 #include <typemesh/paragraph/paragraph.hpp>
 
@@ -53,8 +53,8 @@ style_id style_drawn(const glyph_run& run, std::size_t glyph)
 
 TEST_CASE("colours move nothing: glyphs and places are the same to the bit", "[paragraph][styles]")
 {
-    test::toy_item_shaper font;
-    paragraph<test::toy_item_shaper> plain{font}, coloured{font};
+    test::toy_shaper font;
+    paragraph<test::toy_shaper> plain{font}, coloured{font};
     std::mt19937 random{3};
     for (int round = 0; round < 60; ++round) {
         const auto spans = random_spans(random, static_cast<std::uint32_t>(styled_letters.size()));
@@ -62,7 +62,7 @@ TEST_CASE("colours move nothing: glyphs and places are the same to the bit", "[p
         const std::size_t calls = font.calls;
         REQUIRE(plain.set(styled_letters));
         const std::size_t once = font.calls - calls;
-        REQUIRE(coloured.set(styled_letters, {}, spans));
+        REQUIRE(coloured.set(styled_letters, {.styles = spans}));
         CHECK(font.calls - calls == 2 * once);
         for (const double width : {2.0, 4.0, 1e3}) {
             glyph_run without, with;
@@ -80,10 +80,10 @@ TEST_CASE("colours move nothing: glyphs and places are the same to the bit", "[p
 
 TEST_CASE("a ligature over two styles has its first character's", "[paragraph][styles]")
 {
-    test::toy_item_shaper font;
-    paragraph<test::toy_item_shaper> words{font};
+    test::toy_shaper font;
+    paragraph<test::toy_shaper> words{font};
     const style_span spans[] = {{1, 2, {.style = style_id{7}}}, {2, 3, {.style = style_id{8}}}};
-    REQUIRE(words.set("xfi", {}, spans));
+    REQUIRE(words.set("xfi", {.styles = spans}));
     glyph_run run;
     REQUIRE(words.lay_out({}, run));
     REQUIRE(run.glyphs.size() == 2);
@@ -92,19 +92,19 @@ TEST_CASE("a ligature over two styles has its first character's", "[paragraph][s
     CHECK(style_drawn(run, 1) == style_id{7});
 
     const style_span sizes[] = {{1, 2, {.size = 2.0}}};  // which shape it apart
-    REQUIRE(words.set("xfi", {}, sizes));
+    REQUIRE(words.set("xfi", {.styles = sizes}));
     REQUIRE(words.lay_out({}, run));
     CHECK(run.glyphs.size() == 3);
 }
 
 TEST_CASE("sizes, rises, slants and distances do what they say", "[paragraph][styles]")
 {
-    test::toy_item_shaper font;
-    paragraph<test::toy_item_shaper> words{font};
+    test::toy_shaper font;
+    paragraph<test::toy_shaper> words{font};
     glyph_run run;
     const style_span spans[] = {{1, 3, {.size = 2.0, .letter_spacing = 0.25, .rise = 0.5, .slant = 0.125}},
                                 {3, 6, {.word_spacing = 0.125}}};
-    REQUIRE(words.set("abc d\te", {}, spans));
+    REQUIRE(words.set("abc d\te", {.styles = spans}));
     REQUIRE(words.lay_out({.tab_stops = {}}, run));
     REQUIRE(run.glyphs.size() == 6);
     const double places[] = {0.0, 500.0, 1750.0, 3000.0, 3375.0};
@@ -115,36 +115,36 @@ TEST_CASE("sizes, rises, slants and distances do what they say", "[paragraph][st
     CHECK(run.glyphs[5].origin.x == 5000.0);  // stops are those of plain spaces; that at 4000 is too near
 
     const style_span large[] = {{0, 7, {.size = 3.0}}};
-    REQUIRE(words.set("abc d\te", {}, large));
+    REQUIRE(words.set("abc d\te", {.styles = large}));
     REQUIRE(words.lay_out({}, run));
     CHECK(run.glyphs.back().origin.x == 7000.0);
 }
 
 TEST_CASE("a refused set of spans leaves an empty text", "[paragraph][styles]")
 {
-    test::toy_item_shaper font;
-    paragraph<test::toy_item_shaper> words{font};
+    test::toy_shaper font;
+    paragraph<test::toy_shaper> words{font};
     const style_span nested[] = {{0, 3, {}}, {1, 2, {}}}, other_face[] = {{0, 1, {.face = 1}}};
-    CHECK(words.set("abc", {}, nested) == error::overlapping_spans);
+    CHECK(words.set("abc", {.styles = nested}) == error::overlapping_spans);
     CHECK(words.shaped().text().size() == 0);
-    CHECK(words.set("abc", {}, other_face) == error::no_such_face);
+    CHECK(words.set("abc", {.styles = other_face}) == error::no_such_face);
     const style_span good[] = {{0, 1, {.style = style_id{1}}}};
-    REQUIRE(words.set("abc", {}, good));
+    REQUIRE(words.set("abc", {.styles = good}));
     REQUIRE(words.set("abc"));
     CHECK(words.shaped().styles.empty());
 }
 
 TEST_CASE("a styled text laid out again needs no memory", "[paragraph][styles]")
 {
-    test::toy_item_shaper font;
+    test::toy_shaper font;
     test::counting_memory memory;
-    paragraph<test::toy_item_shaper> words{font, memory.source()};
+    paragraph<test::toy_shaper> words{font, memory.source()};
     glyph_run run{memory.source()};
     const style_span spans[] = {{1, 4, {.size = 2.0, .decorations = decoration::underline}},
                                 {5, 20, {.letter_spacing = 0.1, .style = style_id{2}}}};
     for (int round = 0; round < 2; ++round) {
         if (round == 1) memory.requests = 0;
-        REQUIRE(words.set(styled_letters, {}, spans));
+        REQUIRE(words.set(styled_letters, {.styles = spans}));
         for (const double width : {2.0, 3.0, 7.0}) REQUIRE(words.lay_out({.width = width}, run));
     }
     CHECK(memory.requests == 0);
@@ -152,23 +152,23 @@ TEST_CASE("a styled text laid out again needs no memory", "[paragraph][styles]")
 
 TEST_CASE("a styled text whose memory fails is laid out as before once there is some", "[paragraph][styles]")
 {
-    test::toy_item_shaper font;
+    test::toy_shaper font;
     const style_span spans[] = {{1, 4, {.size = 2.0, .decorations = decoration::underline}},
                                 {5, 9, {.position = script_position::superscript, .style = style_id{2}}}};
-    paragraph<test::toy_item_shaper> fresh{font};
+    paragraph<test::toy_shaper> fresh{font};
     glyph_run wanted;
-    REQUIRE(fresh.set(styled_letters, {}, spans));
+    REQUIRE(fresh.set(styled_letters, {.styles = spans}));
     REQUIRE(fresh.lay_out({.width = 3.0}, wanted));
     bool failed = true;
     for (std::size_t at = 1; failed; ++at) {
         test::counting_memory failing{.fail_at = at, .fail_once = true};
-        paragraph<test::toy_item_shaper> words{font, failing.source()};
+        paragraph<test::toy_shaper> words{font, failing.source()};
         glyph_run run{failing.source()};
-        error e = words.set(styled_letters, {}, spans).error();
+        error e = words.set(styled_letters, {.styles = spans}).error();
         if (!e) e = words.lay_out({.width = 3.0}, run).error();
         failed = static_cast<bool>(e);
         if (failed) CHECK(e == error::out_of_memory);
-        REQUIRE(words.set(styled_letters, {}, spans));
+        REQUIRE(words.set(styled_letters, {.styles = spans}));
         REQUIRE(words.lay_out({.width = 3.0}, run));
         CHECK(same_styled_glyphs(run, wanted));
     }

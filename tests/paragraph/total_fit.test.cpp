@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "support/catch.hpp"
 #include "support/counting_memory.hpp"
-#include "support/toy_item_shaper.hpp"
+#include "support/toy_shaper.hpp"
 
 #include <typemesh/paragraph/paragraph.hpp>
 #include <typemesh/paragraph/total_fit.hpp>
@@ -272,7 +272,7 @@ TEST_CASE("a paragraph keeps the memory that total_fit needs", "[paragraph]")
 {
     std::string text;
     for (int k = 0; k < 200; ++k) text += k % 7 == 0 ? "longer\tones " : "of a fi\xC2\xAD\x66th ";
-    test::toy_item_shaper font;
+    test::toy_shaper font;
     test::counting_memory counted;
     paragraph words{font, counted.source(), unicode_analyser{counted.source()}, total_fit{.emergency_stretch = 0.1}};
     glyph_run run{counted.source()};
@@ -288,7 +288,7 @@ TEST_CASE("a paragraph keeps the memory that total_fit needs", "[paragraph]")
 
 TEST_CASE("words are parted with hyphens, as hyphen_penalty allows", "[paragraph]")
 {
-    test::toy_item_shaper font;
+    test::toy_shaper font;
     paragraph words{font, heap(), hyphenating{unicode_analyser{}, in_the_middle{}}, total_fit{.tolerance = 5.0}};
     glyph_run run;
     REQUIRE(words.set("a b cdef gh ij"));

@@ -2,8 +2,9 @@
 #pragma once
 
 #include "support/catch.hpp"
-#include "support/toy_item_shaper.hpp"
+#include "support/toy_shaper.hpp"
 
+#include <typemesh/paragraph/impl/line_pieces.hpp>
 #include <typemesh/paragraph/impl/text_pieces.hpp>
 #include <typemesh/unicode/unicode_analyser.hpp>
 
@@ -11,7 +12,7 @@ namespace test {
 
 /// A text shaped by the toy, and its pieces: what stands before a paragraph's lines.
 struct shaped_paragraph {
-    toy_item_shaper font;
+    toy_shaper font;
     typemesh::shaped_text shaped;
     typemesh::text_pieces pieces;
 
@@ -22,7 +23,9 @@ struct shaped_paragraph {
         REQUIRE_FALSE(unicode_analyser{}.analyse(text, {}, shaped.analysis));
         shape_options how;
         how.direction = d;
-        REQUIRE_FALSE(shaped.shape(font, text, how, letter_spacing));
+        how.letter_spacing = letter_spacing / 1000.0;
+        REQUIRE_FALSE(shaped.read(font, 1, text, how));
+        REQUIRE_FALSE(shaped.shape(font));
         REQUIRE_FALSE(pieces.find_words(shaped, font));
     }
 

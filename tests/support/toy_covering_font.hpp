@@ -3,7 +3,6 @@
 
 // A font with glyphs for some characters only, for what several fonts do together.
 
-#include <typemesh/layout/impl/mixed_line.hpp>
 #include <typemesh/layout/shaper.hpp>
 #include <typemesh/layout/plain_text.hpp>
 #include <typemesh/outline/outline_source.hpp>
@@ -80,32 +79,7 @@ struct toy_covering_font {
         if (item.to_the_left()) std::reverse(made.begin(), made.end());
         return glyphs.append(made) ? error{} : error{error::out_of_memory};
     }
-
-    typemesh::result<typemesh::point> shape(typemesh::text_view text, std::size_t first, std::size_t last,
-                                            const typemesh::shape_options& how, typemesh::glyph_run& run) noexcept
-    {
-        using namespace typemesh;
-        ++shaped;
-        mixed_line line;
-        buffer<text_item> cut;
-        buffer<shaped_glyph> glyphs;
-        if (error e = line.split(text, first, last, how, cut)) return e;
-        const std::size_t before = items;
-        for (const text_item& item : cut)
-            if (error e = shape(text, item, how, glyphs)) return e;
-        items = before;
-        double pen = 0.0;
-        for (const shaped_glyph& g : glyphs) {
-            const bool missing = typemesh::has(g.flags, glyph_flags::missing);
-            if (!run.glyphs.push_back({g.id, g.cluster, point{pen, 0} + g.offset, missing}))
-                return error::out_of_memory;
-            if (missing) run.note_missing(g.cluster);
-            pen += g.advance;
-        }
-        return point{pen, 0};
-    }
 };
-static_assert(typemesh::shaper<toy_covering_font> && typemesh::shaper<toy_covering_font> &&
-              typemesh::outline_source<toy_covering_font>);
+static_assert(typemesh::shaper<toy_covering_font> && typemesh::outline_source<toy_covering_font>);
 
 }  // namespace test

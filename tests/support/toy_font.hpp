@@ -51,18 +51,17 @@ public:
 
     [[nodiscard]] typemesh::line_metrics metrics(typemesh::direction) const noexcept { return {800.0, -200.0, 0.0}; }
 
-    typemesh::result<typemesh::point> shape(typemesh::text_view text, std::size_t first, std::size_t last,
-                                            const typemesh::shape_options&, typemesh::glyph_run& run) noexcept
+    typemesh::error shape(typemesh::text_view text, const typemesh::text_item& item, const typemesh::shape_options&,
+                          typemesh::buffer<typemesh::shaped_glyph>& glyphs) noexcept
     {
-        double pen = 0.0;
-        for (std::size_t i = first; i < last; ++i) {
-            typemesh::placed_glyph g{glyph_of(text.unit(i)), static_cast<typemesh::cluster_id>(i), {pen, 0}};
-            g.missing = g.id == 0;
-            if (g.missing) run.note_missing(g.cluster);
-            if (!run.glyphs.push_back(g)) return typemesh::error::out_of_memory;
-            pen += 600.0;
+        using namespace typemesh;
+        for (std::uint32_t k = item.first; k < item.last; ++k) {
+            const std::uint32_t i = item.to_the_left() ? item.first + item.last - 1 - k : k;
+            const glyph_id id = glyph_of(text.unit(i));
+            const glyph_flags flags = id == 0 ? glyph_flags::missing : glyph_flags::none;
+            if (!glyphs.push_back({id, i, 600.0, {}, 0, flags})) return error::out_of_memory;
         }
-        return typemesh::point{pen, 0};
+        return {};
     }
 
     static typemesh::glyph_id glyph_of(std::uint32_t character)

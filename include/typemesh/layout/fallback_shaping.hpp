@@ -11,6 +11,7 @@
 #include <typemesh/layout/shaped_glyph.hpp>
 #include <typemesh/layout/text_item.hpp>
 #include <typemesh/unicode/impl/grapheme_boundaries.hpp>
+#include <typemesh/unicode/text_range.hpp>
 #include <typemesh/unicode/text_view.hpp>
 #include <typemesh/unicode/utf.hpp>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// An shaper without a font, for what layout and paragraphs do of their own.
+// A shaper without a font.
 
 #include <typemesh/layout/shaper.hpp>
 #include <typemesh/unicode/utf.hpp>
@@ -15,7 +15,7 @@ namespace test {
 /// Combining marks belong to the letter before and have no width. "AV" is kerned by -100 on the A, "fi" is one glyph of
 /// 700 (of id 0xFB01): both are unsafe to break between. Between two of U+0628 there may be a tatweel. U+007F has no
 /// glyph, U+FFFF is missing, '!' is refused. Counts what it is asked.
-struct toy_item_shaper {
+struct toy_shaper {
     typemesh::line_metrics lines{700.0, -200.0, 100.0};
     bool all_unsafe = false;  // to break, before every glyph
     std::size_t calls = 0, units = 0;
@@ -57,6 +57,6 @@ struct toy_item_shaper {
         return glyphs.append(made) ? error{} : error{error::out_of_memory};
     }
 };
-static_assert(typemesh::shaper<toy_item_shaper>);
+static_assert(typemesh::shaper<toy_shaper>);
 
 }  // namespace test
