@@ -4,6 +4,7 @@
 #include "support/toy_covering_font.hpp"
 
 #include <typemesh/layout/fallback_shaping.hpp>
+#include <typemesh/layout/layout.hpp>
 #include <typemesh/unicode/unicode_analyser.hpp>
 
 #include <random>
@@ -32,11 +33,6 @@ struct toy_faces {
         for (shaped_glyph& g : glyphs.view().subspan(before)) g.face = item.face;
         return e;
     }
-    result<point> shape(text_view text, std::size_t first, std::size_t last, const shape_options& how,
-                        glyph_run& run) noexcept
-    {
-        return fonts[0].shape(text, first, last, how, run);
-    }
     double units_per_em() const noexcept { return fonts[0].units_per_em(); }
     double column_middle() const noexcept { return 200.0; }
     bool has_vertical_form(char32_t) const noexcept { return false; }
@@ -45,6 +41,22 @@ struct toy_faces {
         std::size_t all = 0;
         for (const toy_covering_font& f : fonts) all += f.items;
         return all;
+    }
+};
+
+/// A font of several faces.
+struct filling_font {
+    toy_faces faces;
+    fallback_shaping shaping{};
+
+    double units_per_em() const noexcept { return faces.units_per_em(); }
+    double column_middle() const noexcept { return faces.column_middle(); }
+    std::uint32_t face_count() const noexcept { return faces.face_count(); }
+    line_metrics metrics(direction) const noexcept { return {700.0, -200.0, 100.0}; }
+    error shape(text_view text, const text_item& item, const shape_options& how,
+                buffer<shaped_glyph>& glyphs) noexcept
+    {
+        return shaping.shape(faces, text, item, how, glyphs);
     }
 };
 
@@ -287,41 +299,27 @@ TEST_CASE("a grapheme has one face, and the same one in any part of the text", "
     }
 }
 
-TEST_CASE("a line with holes is the line of its items, one without is the first face's own", "[layout][fallback]")
+TEST_CASE("A line with holes has the glyphs of all faces, in its order and in columns", "[layout][fallback]")
 {
-    toy_faces faces{{toy_covering_font{U"ab "}, toy_covering_font{U"\u05D0\u05D1"}, toy_covering_font{U"c"}}};
-    fallback_shaping shaping;
+    filling_font font{{{toy_covering_font{U"ab "}, toy_covering_font{U"\u05D0\u05D1"}, toy_covering_font{U"c"}}}};
     glyph_run run;
-    const auto whole = shaping.shape(faces, u"xab ab", 1, 6, {}, run);
-    REQUIRE(whole);
-    CHECK(whole->x == 2500.0);
-    CHECK(faces.calls() == 0);
-    CHECK(run.looks.empty());
-    CHECK(run.glyphs[0].cluster == 1);
-
-    run.clear();
-    const auto mixed = shaping.shape(faces, u"xab \u05D0\u05D1!c", 1, 8, {}, run);
-    REQUIRE(mixed);
-    CHECK(mixed->x == 3500.0);
+    REQUIRE(layout(font, u"ab \u05D0\u05D1!c", {}, {}, run));
+    CHECK(run.lines[0].advance == 3500.0);
     std::vector<cluster_id> clusters;
     std::vector<std::uint32_t> looks;
     for (std::size_t i = 0; i < run.glyphs.size(); ++i) {
         clusters.push_back(run.glyphs[i].cluster);
         looks.push_back(run.looks[run.glyphs[i].look].face);
         CHECK(run.glyphs[i].origin == point{500.0 * static_cast<double>(i), 0.0});
-        CHECK(run.glyphs[i].missing == (run.glyphs[i].cluster == 6));
+        CHECK(run.glyphs[i].missing == (run.glyphs[i].cluster == 5));
     }
-    CHECK(clusters == std::vector<cluster_id>{1, 2, 3, 5, 4, 6, 7});
+    CHECK(clusters == std::vector<cluster_id>{0, 1, 2, 4, 3, 5, 6});
     CHECK(looks == std::vector<std::uint32_t>{0, 0, 0, 1, 1, 0, 2});
     CHECK(run.missing == 1);
-    CHECK(run.first_missing == 6);
+    CHECK(run.first_missing == 5);
 
-    run.clear();
-    shape_options down;
-    down.direction = direction::top_to_bottom;
-    const auto column = shaping.shape(faces, u"a\u05D0c", 0, 3, down, run);
-    REQUIRE(column);
-    CHECK(*column == point{0.0, -1500.0});
+    REQUIRE(layout(font, u"a\u05D0c", {.direction = direction::top_to_bottom}, {}, run));
+    CHECK(run.lines[0].advance == 1500.0);
     CHECK(run.glyphs[2].origin == point{-200.0, -1000.0});
     CHECK(run.glyphs[1].cluster == 1);
 }
@@ -329,34 +327,29 @@ TEST_CASE("a line with holes is the line of its items, one without is the first 
 TEST_CASE("fallback reports a memory that gives nothing, and keeps what it has", "[layout][fallback]")
 {
     const std::u16string text = u"ab\u05D0\u05D1 cc!";
+    const text_item all{.last = static_cast<std::uint32_t>(text.size())};
     toy_faces faces{{toy_covering_font{U"ab "}, toy_covering_font{U"\u05D0\u05D1"}, toy_covering_font{U"c"}}};
     test::counting_memory counted;
     fallback_shaping shaping{counted.source()};
-    glyph_run run{counted.source()};
-    REQUIRE(shaping.shape(faces, text, 0, text.size(), {}, run));
+    buffer<shaped_glyph> glyphs{counted.source()};
+    REQUIRE_FALSE(shaping.shape(faces, text, all, {}, glyphs));
     const std::size_t needed = counted.requests;
-    run.clear();
-    REQUIRE(shaping.shape(faces, text, 0, text.size(), {}, run));
+    glyphs.clear();
+    REQUIRE_FALSE(shaping.shape(faces, text, all, {}, glyphs));
     CHECK(counted.requests == needed);
     for (std::size_t at = 1; at <= needed; ++at) {
         test::counting_memory failing{.fail_at = at};
         fallback_shaping poor{failing.source()};
-        glyph_run none{failing.source()};
-        const auto shaped = poor.shape(faces, text, 0, text.size(), {}, none);
-        REQUIRE_FALSE(shaped);
-        CHECK(shaped.error() == error::out_of_memory);
+        buffer<shaped_glyph> none{failing.source()};
+        CHECK(poor.shape(faces, text, all, {}, none) == error::out_of_memory);
     }
 }
 
 TEST_CASE("what another face shapes lies on its side in a column, too", "[layout][columns]")
 {
-    toy_faces faces{{toy_covering_font{U"ab"}, toy_covering_font{U"\u4E00R"}}};
-    fallback_shaping shaping;
+    filling_font font{{{toy_covering_font{U"ab"}, toy_covering_font{U"\u4E00R"}}}};
     glyph_run run;
-    shape_options how{.direction = direction::top_to_bottom};
-    const std::u16string text = u"a\u4E00Rb";
-    const auto end = shaping.shape(faces, text, 0, text.size(), how, run);
-    REQUIRE(end);
+    REQUIRE(layout(font, u"a\u4E00Rb", {.direction = direction::top_to_bottom}, {}, run));
     REQUIRE(run.glyphs.size() == 4);
     point pen;
     for (std::size_t i = 0; i < 4; ++i) {
@@ -368,27 +361,5 @@ TEST_CASE("what another face shapes lies on its side in a column, too", "[layout
         CHECK(run.glyphs[i].origin.y <= pen.y);
         pen = run.glyphs[i].origin;
     }
-    CHECK(end->x == 0.0);
-    CHECK(end->y < pen.y);
-}
-
-TEST_CASE("a first shaping that is given up leaves no looks", "[layout][fallback]")
-{
-    struct looking_faces : toy_faces {
-        result<point> shape(text_view text, std::size_t first, std::size_t last, const shape_options& how,
-                            glyph_run& run) noexcept
-        {
-            if (!run.number_of({.style = style_id{77}})) return error::out_of_memory;
-            return toy_faces::shape(text, first, last, how, run);
-        }
-    };
-    looking_faces faces{{{toy_covering_font{U"ab"}, toy_covering_font{U"c"}}}};
-    fallback_shaping shaping;
-    glyph_run run;
-    REQUIRE(shaping.shape(faces, u"acb", 0, 3, {}, run));
-    REQUIRE(run.looks.size() == 2);
-    CHECK(run.looks[1] == look{.face = 1});
-    run.clear();
-    REQUIRE(shaping.shape(faces, u"ab", 0, 2, {}, run));
-    CHECK(run.looks.size() == 2);  // the first face's own, which nothing is taken from
+    CHECK(run.lines[0].advance > -pen.y);
 }

@@ -17,7 +17,7 @@ namespace typemesh::inline TYPEMESH_ABI {
 /// UAX #9 calls it the level of the paragraph. Letters keep their own direction: a Hebrew word reads to the left in a
 /// left-to-right line, too, but the full stop after it is on its right.
 enum class direction : std::uint8_t {
-    automatic,  ///< left-to-right or right-to-left: as the first letter, otherwise as the requested script
+    automatic,  ///< each paragraph reads as its first letter; without letters, left-to-right
     left_to_right,
     right_to_left,
     top_to_bottom,  ///< columns, each to the left of the previous one; in Mongolian to its right: column_progress
