@@ -275,7 +275,8 @@ TEST_CASE("a sink that is written past its end, or before it has begun, tells so
     const error e = small.begin({3, 1});
     CHECK(e == error::buffer_too_small);
     char words[200];
-    CHECK(std::string{describe(e, words)} == "The caller's buffer is too small for the mesh. (needed: 3 vertices)");
+    CHECK(std::string{describe(e, words)} ==
+          "The buffer is too small for the mesh: give a larger one. (needed: 3 vertices)");
 }
 
 TEST_CASE("a shaper whose glyphs come from elsewhere, or that does not count what is missing, is told so", "[asserts]")

@@ -188,7 +188,7 @@ TEST_CASE("a wrong shaper gets its sentence, wrong drawings and full disks their
         char words[200];
         CHECK(std::string{describe(plan->report().first_refusal, words)} ==
               std::string{"glyph "} + (text[1] == 'L' ? "2" : "3") +
-                  ", cluster 1: The outline is malformed: a contour must begin with move().");
+                  ", cluster 1: The outline is malformed: begin each contour with move().");
     }
     const auto plan = mesher.plan("I");
     REQUIRE(plan);
@@ -198,7 +198,8 @@ TEST_CASE("a wrong shaper gets its sentence, wrong drawings and full disks their
     const error e = plan->write(sink).error();
     CHECK(e == error::not_written);
     char words[200];
-    CHECK(std::string{describe(e, words)} == "The mesh could not be written to its end: the disk may be full.");
+    CHECK(std::string{describe(e, words)} ==
+          "The mesh could not be written to its end: check the free space on the disk.");
     const text_options options;
     CHECK(mesher.build("I", sink, options).error() == error::not_written);
     std::fclose(file);
