@@ -238,10 +238,11 @@ TEST_CASE("an extruder that emits more or fewer than it planned is told so, and 
     };
     using how = miscounting;
     CHECK(told_by(how{}) == sentences{});
-    CHECK(told_by(how{{}, 1}) == sentences{"an extruder emitted more vertices of a part than its plan() said"});
-    CHECK(told_by(how{{}, -1}) == sentences{"an extruder emitted fewer vertices of a part than its plan() said"});
-    CHECK(told_by(how{{}, 0, 1}) == sentences{"an extruder emitted more triangles of a part than its plan() said"});
-    CHECK(told_by(how{{}, 0, -1}) == sentences{"an extruder emitted fewer triangles of a part than its plan() said"});
+    CHECK(told_by(how{{}, 1}) == sentences{"an extruder emitted more vertices of a part than its plan() reported"});
+    CHECK(told_by(how{{}, -1}) == sentences{"an extruder emitted fewer vertices of a part than its plan() reported"});
+    CHECK(told_by(how{{}, 0, 1}) == sentences{"an extruder emitted more triangles of a part than its plan() reported"});
+    CHECK(told_by(how{{}, 0, -1}) ==
+          sentences{"an extruder emitted fewer triangles of a part than its plan() reported"});
     CHECK(told_by(how{{}, 0, 0, true}) ==
           sentences{"an extruder emitted a triangle with a corner that is not a vertex of its solid"});
 }
@@ -304,6 +305,6 @@ TEST_CASE("a shaper whose glyphs come from elsewhere, or that does not count wha
     };
     CHECK(told_by(0, true) == sentences{});
     CHECK(told_by(1, true) ==
-          sentences{"a shaper gave a glyph a cluster outside the range of text that it was to shape"});
+          sentences{"a shaper gave a glyph a cluster outside the range of text that it had to shape"});
     CHECK(told_by(0, false) == sentences{"a shaper must flag each missing glyph and count it in the run"});
 }

@@ -154,9 +154,9 @@ TEST_CASE("wrong discretisers, triangulators and extruders get their sentences",
           "a triangulator appended more or fewer triangles than the region's triangle_count()");
     CHECK(told_by(text_mesher{font}.with(stranger::tapering_twist{})) == "");
     CHECK(told_by(text_mesher{font}.with(counts_steps_as_levels{})) ==
-          "an extruder emitted more vertices of a part than its plan() said");
+          "an extruder emitted more vertices of a part than its plan() reported");
     CHECK(told_by(text_mesher{font}.with(forgets_the_back{})) ==
-          "an extruder emitted fewer triangles of a part than its plan() said");
+          "an extruder emitted fewer triangles of a part than its plan() reported");
     CHECK(told_by(text_mesher{font}.with(numbers_from_nought{})) ==
           "an extruder emitted a triangle with a corner that is not a vertex of its solid");
     const std::string outside = "an extruder emitted a vertex outside the bounds that it states";
@@ -175,7 +175,7 @@ TEST_CASE("a wrong shaper gets its sentence, wrong drawings and full disks their
     shaped_by by_line{wrong, paths};
     CHECK(told_by(text_mesher{by_line}, "II") == "");
     CHECK(told_by(text_mesher{by_line}, "II\nII") ==
-          "a shaper gave a glyph a cluster outside the range of text that it was to shape");
+          "a shaper gave a glyph a cluster outside the range of text that it had to shape");
 
     // Errors, not asserts: the file may be what is wrong, not the program.
     stranger::monospace_shaper shaper{100.0, 60.0, characters};

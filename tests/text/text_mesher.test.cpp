@@ -31,7 +31,7 @@ struct span2 {
     float low, high;
 };
 
-span2 extent(const full_mesh& m, float vec3::*axis)
+span2 extent(const full_mesh& m, float vec3::* axis)
 {
     span2 e{m.vertices.at(0).position.*axis, m.vertices.at(0).position.*axis};
     for (const auto& v : m.vertices) e = {std::fmin(e.low, v.position.*axis), std::fmax(e.high, v.position.*axis)};
@@ -330,10 +330,7 @@ static_assert(std::is_nothrow_move_constructible_v<text_plan<flat>> && !std::is_
 
 // A plan refers to its run, so a run that ends with the line is refused; text of any kind may end.
 template <class M, class Run>
-concept plans = requires(M& mesher, Run&& run)
-{
-    mesher.plan(std::forward<Run>(run));
-};
+concept plans = requires(M& mesher, Run&& run) { mesher.plan(std::forward<Run>(run)); };
 static_assert(plans<text_mesher<>, const glyph_run&> && plans<text_mesher<>, std::string>);
 static_assert(!plans<text_mesher<>, glyph_run>);
 

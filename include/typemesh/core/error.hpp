@@ -114,38 +114,29 @@ struct [[nodiscard]] error {
         case not_a_font: return "The data is not a font, or it is damaged: give another font file.";
         case no_such_face: return "There is no face with that number: count faces from 0, and choose one that exists.";
         case no_such_look: return "A glyph names a look that its glyph_run does not contain: add it to the looks.";
-        case other_units:
-            return "The glyph_run and the font have different units per em: use the font that shaped the run.";
-        case no_such_family:
-            return "No font of this family is installed or in the given collection: check the family's name.";
+        case other_units: return "The glyph_run and the font have different units per em: use the run's own font.";
+        case no_such_family: return "No font of this family is installed or given: check the family's name.";
         case no_such_style: return "The family has no font of this style: choose another style.";
         case no_font: return "The mesher has no font yet: give it one with use().";
         case not_a_shaper: return "The font only draws glyphs: give a font that shapes text, or a glyph_run.";
         case unlocked_cache:
-            return "Several workers share a glyph_cache without a lock: use glyph_cache<mutex_lock> or a lock of your "
-                   "own.";
+            return "Several workers share a glyph_cache without a lock: use for example glyph_cache<mutex_lock>.";
         case no_cache_key: return "A policy with data members has no cache_key(): add one, or build without a cache.";
         case no_outlines: return "The font has no outlines, only bitmaps: choose a font with outlines.";
         case unknown_glyph: return "The font has no such glyph or cannot load its outline: check the glyph's number.";
         case unknown_variation: return "The font has no such variation axis: choose one of its own axes.";
-        case bad_feature:
-            return "The tag of an OpenType feature is wrong: write four printable ASCII characters, for example liga.";
+        case bad_feature: return "An OpenType feature has a bad tag: write four printable ASCII characters.";
         case bad_outline: return "The outline is malformed: begin each contour with move().";
-        case outline_not_finite:
-            return "The outline contains a coordinate that is not a finite number: correct the font or the transform.";
+        case outline_not_finite: return "The outline contains NaN or infinity: correct the font or its transform.";
         case outline_beyond_grid: return "The outline is too large for the integer grid: make it smaller.";
-        case too_many_pieces:
-            return "The contours cross more often than max_pieces allows: raise max_pieces or leave out this glyph.";
-        case too_many_points:
-            return "The outline has more points than max_points allows: raise max_points or leave out this glyph.";
+        case too_many_pieces: return "The contours cross more often than max_pieces allows: raise max_pieces.";
+        case too_many_points: return "The outline has more points than max_points allows: raise max_points.";
         case crossing_contours: return "Contours of the outline cross, touch or overlap: resolve them first.";
         case nothing_left: return "Nothing is left of the glyph, which is too thin: take off less.";
-        case edges_not_moved:
-            return "The glyph's edges cross on the grid after any move: leave the edges of this glyph as they are.";
+        case edges_not_moved: return "The glyph's edges cross on the grid after any move: do not move them.";
         case bad_tolerance: return "The tolerance is not a positive finite number: give for example quality::high.";
         case bad_option: return "An option is outside its range: give a value within the documented range.";
-        case overlapping_spans:
-            return "Two spans of styles contain the same character: end one where the other begins.";
+        case overlapping_spans: return "Two spans of styles overlap: end one where the other begins.";
         case needs_shaping:
             return "A character map and kerning cannot set this script: shape the text with HarfBuzz or DirectWrite.";
         case font_library_failed: return "The font library refused the request: check the font.";

@@ -44,7 +44,7 @@ result<point> shape_segment(Shaper& shaper, text_view text, std::size_t first, s
     [[maybe_unused]] const std::size_t glyphs = run.glyphs.size(), missing = run.missing;
     const result<point> advance = shaper.shape(text, first, last, how, run);
     TYPEMESH_ASSERT(!advance || come_from(run, glyphs, first, last),
-                    "a shaper gave a glyph a cluster outside the range of text that it was to shape");
+                    "a shaper gave a glyph a cluster outside the range of text that it had to shape");
     TYPEMESH_ASSERT(!advance || missing_from(run, glyphs) == run.missing - missing,
                     "a shaper must flag each missing glyph and count it in the run");
     return advance;
