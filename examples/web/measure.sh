@@ -58,4 +58,4 @@ EOF
     node "$web/sizes.mjs" "$work/named.wasm"
 } >"$page.part"
 mv "$page.part" "$page"
-say "Written: $page"
+say "The page is written: $page"

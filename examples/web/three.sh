@@ -52,7 +52,7 @@ except (OSError, ValueError) as error:
     sys.exit(f"three.js could not be fetched: {error}")
 END
 
-say "Fetching three.js $version"
+say "This fetches three.js $version"
 file=$fresh/three-$version.tgz
 address=
 if command -v npm >/dev/null 2>&1; then
