@@ -7,7 +7,7 @@
 #   command:A,B  one of these programs      header:A,B  one of these headers      font:A  a font with this character
 #   pkg:A,B      one that pkg-config knows                     clang++:A   clang++ links a program with this option
 #   python:A     a module of python3
-# The column of Debian is tried, by every run of the tests; those of the other four are not: their names are from the lists
+# Every run of the tests tests Debian's column. The other four are untested: their names come from the lists
 # of those systems.
 needs() {
     cat <<'END'
@@ -262,7 +262,7 @@ install_with() {  # install_with MANAGER SUDO LOG PACKAGE...
     esac
 }
 
-# The end of a log, and whether it tells of a missing network.
+# The end of a log, and whether it reports a missing network.
 explain_failure() {  # explain_failure LOG SERVERS
     tail -n 5 "$1" >&2
     if grep -Eiq 'could not resolve|temporary failure|(unable|failed|could not) to connect|could not connect' "$1" ||

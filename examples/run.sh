@@ -107,7 +107,7 @@ other|0|10ffff||DejaVu Sans,Noto Sans
 END
 }
 
-# The scripts of a text, one line each in the order above: name, packages, families, and those of the code points that are its.
+# The scripts of a text, one line each in the order above: name, packages, families, and its own code points.
 scripts_of() {  # scripts_of CODE_POINT...
     local left=" $* " name first last packages families code found seen=
     while IFS='|' read -r name first last packages families; do

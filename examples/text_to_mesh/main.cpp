@@ -148,7 +148,7 @@ typemesh::result<void> write_letters(const options& o, const chosen_plan& plan, 
 }
 
 /// The indices glyph by glyph instead of part by part: STL has no indices, so a reader welds corners by their places.
-/// Letters are merged by default; with --no-merge two that touch in an edge are told apart only by which facets come
+/// Letters are merged by default; with --no-merge two that touch in an edge are distinguished only by which facets come
 /// together.
 std::vector<std::uint32_t> solid_by_solid(const chosen_plan& plan, const std::vector<std::uint32_t>& indices)
 {
@@ -183,7 +183,7 @@ std::string write_output(const options& o, const chosen_plan& plan, model& mesh,
 }
 
 /// The tolerance in em of the picture's own mesh, by the size at which it will be drawn; but the requested one where
-/// the picture is to show it. `bounds` are those of the text, one em large.
+/// the picture is to show it. `bounds` belong to the text, one em large.
 double picture_tolerance(const options& o, const typemesh::bounds3& bounds, const picture_options& look)
 {
     const bool shows_the_mesh = o.show_triangles || o.show_points || o.show_contours || o.show_normals;
@@ -214,7 +214,7 @@ std::string draw_picture(const options& o, font_set& font, const typemesh::glyph
     choose_policies(o, font.units_per_em(), mesher);
     typemesh::text_options how = text_options_of(o);
     how.size = 1.0;
-    typemesh::bounds3 bounds;  // of a mesh of the picture's size: those of the file's may be too small to be told apart
+    typemesh::bounds3 bounds;  // of a mesh of the picture's size: the file's bounds may be too small to differ
     if (const auto first = mesher.plan(page, how))
         bounds = first->bounds();
     else

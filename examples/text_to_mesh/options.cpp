@@ -113,13 +113,11 @@ void add_text_options(CLI::App& app, options& out, raw_values& raw)
     app.add_option("--text-file", out.text_file,
                    "read the text from a file, or from standard input with -; \\n is two letters there")
         ->type_name("FILE");
-    app.add_option(
-           "--batch", out.batch,
-           "read one text from each line (-: of standard input); in --output, {n} is its number, {text} the text")
+    app.add_option("--batch", out.batch,
+                   "make a mesh of each line of a file, or of standard input (-); {n} and {text} name the files")
         ->type_name("FILE");
-    app.add_option(
-           "-f,--font", out.font,
-           "a font file (TrueType, OpenType, collection, variable) or an installed family: \"DejaVu Sans:bold\"")
+    app.add_option("-f,--font", out.font,
+                   "a font file (TrueType, OpenType, collection) or an installed family: \"DejaVu Sans:bold\"")
         ->type_name("FONT");
     app.add_option("--fallback", out.fallback,
                    "another font for characters that the fonts before it lack; may be repeated")
@@ -340,7 +338,7 @@ void add_bevel_options(CLI::App& app, options& out, raw_values& raw)
         ->type_name("N");
     add_named<bevel_mode>(
         app, "--bevel-mode", out.bevel.mode,
-        "at thin strokes, make a ridge (clip, default), or narrower bevels: the letter's (fit) or all (fit_text)",
+        "thin strokes get a ridge (clip, default), or narrower bevels: one letter (fit), all (fit_text)",
         {{"clip", bevel_mode::clip}, {"fit", bevel_mode::fit}, {"fit_text", bevel_mode::fit_text}});
     app.add_flag("--bevel-out", out.bevel.outward, "put the bevels around the letters, which then grow");
     add_named<bevel_sides>(app, "--bevel-sides", out.bevel.sides, "the edges that are bevelled (default both)",
@@ -373,7 +371,7 @@ void add_weight_options(CLI::App& app, options& out)
 void add_output_options(CLI::App& app, options& out, raw_values& raw)
 {
     app.add_option("-o,--output", out.output,
-                   "write the mesh: .glb, .obj (with its .mtl), .stl, .ply or .3mf; -, with --format: standard output")
+                   "write the mesh: .glb, .obj (with .mtl), .stl, .ply or .3mf; - writes to standard output")
         ->type_name("FILE");
     app.add_option("--format", raw.format, "the format of --output, whatever its name is")
         ->check(one_of({"glb", "obj", "stl", "ply", "3mf"}));
@@ -386,9 +384,8 @@ void add_output_options(CLI::App& app, options& out, raw_values& raw)
         "a number from -180 to 180", [](double n) { return n >= -180.0 && n <= 180.0; },
         [&out](double n) { out.turn = static_cast<float>(n); })
         ->type_name("DEGREES");
-    app.add_option(
-           "--show", raw.show,
-           "draw these on the picture, joined by commas; except control and checker they show the mesh of --output")
+    app.add_option("--show", raw.show,
+                   "draw these on the picture, joined by commas; most of them show the mesh of --output")
         ->delimiter(',')
         ->check(one_of({"triangles", "points", "contours", "control", "normals", "checker"}))
         ->expected(1)

@@ -49,9 +49,11 @@ bool is_one_of(char32_t character, std::initializer_list<hb_unicode_general_cate
     return std::find(categories.begin(), categories.end(), own) != categories.end();
 }
 
+/// Skin tones of emoji are marks, too.
 bool is_mark(char32_t character)
 {
-    return is_one_of(character, {HB_UNICODE_GENERAL_CATEGORY_SPACING_MARK, HB_UNICODE_GENERAL_CATEGORY_ENCLOSING_MARK,
+    return (character >= 0x1F3FB && character <= 0x1F3FF) ||
+           is_one_of(character, {HB_UNICODE_GENERAL_CATEGORY_SPACING_MARK, HB_UNICODE_GENERAL_CATEGORY_ENCLOSING_MARK,
                                  HB_UNICODE_GENERAL_CATEGORY_NON_SPACING_MARK});
 }
 

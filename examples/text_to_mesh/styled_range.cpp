@@ -88,7 +88,7 @@ std::string take_setting(std::string_view setting, styled_range& out)
            (setting.empty() ? "nothing" : std::string{setting});
 }
 
-/// What a setting sets, of which a range has one; empty where it may have several.
+/// What a setting sets: a range has one setting of each kind; empty where it may have several.
 std::string what_is_set(std::string_view setting)
 {
     const std::string_view name = setting.substr(0, setting.find('='));

@@ -58,7 +58,8 @@ std::string text_fonts::open(const options& o)
             typemesh::harfbuzz_font::open(found.path.c_str(), {.face = found.face, .variations = found.variations});
         if (!font && first != nullptr && first->face && font.error() == typemesh::error::no_such_face)
             return "--face " + std::to_string(*first->face) + ": " + found.path + " has only " +
-                   std::to_string(font.error().count) + " faces, counted from 0.";
+                   std::to_string(font.error().count) + (font.error().count == 1 ? " face" : " faces") +
+                   ", counted from 0.";
         if (!font) return found.path + ": " + in_words(font.error());
         opened_.push_back(std::move(*font));
         return {};

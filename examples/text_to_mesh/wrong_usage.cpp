@@ -77,7 +77,8 @@ std::string in_words(const CLI::ParseError& wrong, CLI::App& app, int argc, char
     }
     const auto colon = said.find(':');
     if (dynamic_cast<const CLI::ArgumentMismatch*>(&wrong) == nullptr || colon == std::string::npos) {
-        const bool about_itself = colon != std::string::npos && said.compare(colon, 7, ": must ") == 0;
+        const bool about_itself = colon != std::string::npos &&
+                                  (said.compare(colon, 7, ": must ") == 0 || said.compare(colon, 6, ": may ") == 0);
         return about_itself ? said.substr(0, colon) + said.substr(colon + 1) : said;  // "--depth must be", one sentence
     }
     const bool lacks = said.find("missing", colon) != std::string::npos;

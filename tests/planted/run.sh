@@ -288,7 +288,7 @@ wait
 all=$(for name in $names; do cat "$rows/$name.row"; done)
 caught=$(say "$all" | grep -c '^caught')
 
-# The rows of the page are ordered by name; those of other bugs stay, unless their patch has gone.
+# The rows of the page are ordered by name; the rows of other bugs stay, unless their patch has gone.
 record_rows() {
     local name why by rest
     sed '/^| \[/d' "$page"

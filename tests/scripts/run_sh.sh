@@ -121,10 +121,10 @@ check "a text in quotes is meshed with an installed font" succeeds
 check "the text comes after --, the font before" called '<text_to_mesh>.*<--font></fonts/sans.ttf>.*<--><Hello world!>$'
 again && run examples/run.sh "Hello world!"
 check "the second run does as the first" called '<--><Hello world!>$'
-check "the second run does not tell of building anew" says_not 'This builds'
+check "the second run does not report another build" says_not 'This builds'
 anew && run examples/run.sh Hello World --depth 0.3
 check "words without quotes are one text" called '<--depth><0.3><--><Hello World>$'
-check "it is told that they are joined" says 'The text is "Hello World"'
+check "it reports that they are joined" says 'The text is "Hello World"'
 anew && run examples/run.sh -- --not-an-option
 check "after -- anything is text" called '<--><--not-an-option>$'
 for words in "--depth 0.3 Hello" "Hello --depth 0.3 World" "--strict Hello" "Hello --depth=0.3 World" "Hello --depth 0.3 -- World"; do
@@ -212,7 +212,7 @@ mv "$scratch/apt-get" "$bin/apt-get" && rm "$bin/dnf"
 for script in examples/run.sh tests/run.sh; do
     anew && touch "$tree/build" && run $script
     check "$script: a build folder that cannot be written is an error" fails
-    check "$script: it is told in one sentence" [ "$(grep -c . "$scratch/err")" = 1 ]
+    check "$script: it is reported in one sentence" [ "$(grep -c . "$scratch/err")" = 1 ]
     check "$script: the sentence names the folder" grep -q "a folder/build cannot be written" "$scratch/err"
     check "$script: nothing is begun" called_not 'apt-get|cmake'
     rm -f "$tree/build"
@@ -311,7 +311,7 @@ run tests/run.sh --all
 check "--all runs them" says '^passed: engines_run/a'
 rm -r "$tree/tests/engines_run"
 
-# --- machines, each of which counts as a test
+# --- machines; each counts as a test
 mkdir -p "$tree/tests/machines"
 machines() { cat >"$tree/tests/machines/run.sh" && anew && run tests/run.sh --only machines; }
 machines <<'END'
@@ -319,14 +319,14 @@ echo "s390x            good: all 22; tests: 6 rooms passed"
 echo "x87              BAD: 3 of 22, not 19 of \"grid\"; tests: -"
 echo "wasm             NOT COMPILED: no such header"
 echo "riscv64          skipped: riscv64 qemu is missing and cannot be installed"
-echo "The table: table.md"
+echo "The table is written: table.md"
 END
 check "machines that differ and that do not compile are failures" says '^1 passed, 2 failed$'
 check "a machine that is missing is named at the end" says '^skipped: machines/riscv64: riscv64 qemu is missing'
 check "the run has failed then" fails
 machines <<<'echo "s390x            good: all 22; tests: 6 rooms passed"; exit 1'
 check "machines whose run breaks off are a failure" says '^1 passed, 1 failed$'
-machines <<<'echo "s390x            good: all 22; tests: -"; echo "The table: table.md"'
+machines <<<'echo "s390x            good: all 22; tests: -"; echo "The table is written: table.md"'
 check "machines that are the same are none" says '^1 passed, 0 failed$'
 check "nothing is skipped then" says_not 'skipped'
 rm -r "$tree/tests/machines"
