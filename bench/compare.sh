@@ -1,9 +1,9 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
 #
-# The library of this tree beside another revision's, the same work in turns: times as shares of the other's, with their spread
-# over the rounds. By the processor's clock; the programs are instructions/kernels.cpp compiled against both. On a busy machine
-# instructions are better: bench/instructions.sh --beside REVISION.
+# Compares the library of this tree with another revision. Both do the same work in turns. It prints processor times as shares
+# of the other revision's times, with their spread over the rounds. The programs are instructions/kernels.cpp, compiled with
+# both. On a busy machine it is better to count instructions: bench/instructions.sh --beside REVISION.
 #
 #     bench/compare.sh REVISION                 every kernel, 9 rounds
 #     bench/compare.sh REVISION --rounds N KERNEL...
@@ -33,7 +33,7 @@ git -C "$typemesh_root" worktree add --force --detach "$work/tree" "$revision" >
     stop "No worktree of $revision could be made in $work/tree."
 trap 'git -C "$typemesh_root" worktree remove --force "$work/tree"' EXIT
 
-say "Building the kernels against both"
+say "This builds the kernels with both revisions"
 for tree in "$typemesh_root" "$work/tree"; do
     program=$work/ours
     [ "$tree" = "$typemesh_root" ] || program=$work/theirs

@@ -49,7 +49,7 @@ count() {  # count PROGRAM KERNEL UNIT
     awk -v a="$first" -v b="$second" -v n=$((more * units)) 'BEGIN { printf "%.1f", (b - a) / n }'
 }
 
-say "Building the kernels"
+say "This builds the kernels"
 compile "$work/now" "$typemesh_root/include"
 if [ -n "$beside" ]; then
     other=$work/tree
@@ -85,7 +85,7 @@ done <"$work/list"
 if [ -n "$renew" ]; then
     [ -z "$wanted" ] || stop "--renew counts all kernels: none was written."
     mv "$work/new.tsv" "$table"
-    say "Written: $table"
+    say "The table is written: $table"
     exit
 fi
 [ -n "$beside" ] || exit $failed

@@ -1,15 +1,15 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
 #
-# Installs what the benchmarks need, builds them, runs them all and writes their pages. README.md says what a part is.
+# Installs what the benchmarks need, builds them, runs them all and writes their pages. README.md explains the parts.
 #
 #     bench/run.sh                    everything, into docs/benchmarks/: within an hour on 2 cores
 #     bench/run.sh --quick            fewer runs, into build/bench/pages/: within five minutes
-#     bench/run.sh --only A,B         these parts alone: thesis, d3dx, peers, kernels, pictures. The pages hold what was measured
-#                                     before of the others
+#     bench/run.sh --only A,B         only these parts: thesis, d3dx, peers, kernels, pictures. For the other parts the pages
+#                                     keep what was measured before
 #     bench/run.sh --pages            measures nothing, writes the pages anew
 #
-# A part that fails is named, skipped and leaves the others alone; what it had printed is kept. All rows: build/bench/rows/.
+# A part that fails is named and skipped, and the others run; its output is kept. All rows: build/bench/rows/.
 set -eu
 typemesh_root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 . "$typemesh_root/cmake/setup.sh"
@@ -143,4 +143,4 @@ for part in $parts; do
     wait $teller 2>/dev/null || true
 done
 "$python" "$here/pages/render.py" "$work/rows" "$pages"
-say "Written: $pages/README.md"
+say "The pages are written: $pages/README.md"

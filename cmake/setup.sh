@@ -7,7 +7,7 @@
 #   command:A,B  one of these programs      header:A,B  one of these headers      font:A  a font with this character
 #   pkg:A,B      one that pkg-config knows                     clang++:A   clang++ links a program with this option
 #   python:A     a module of python3
-# The column of Debian is tried, by every run of the tests; those of the other four are not: their names are from the lists
+# Every run of the tests tests Debian's column. The other four are untested: their names come from the lists
 # of those systems.
 needs() {
     cat <<'END'
@@ -209,7 +209,7 @@ print_packages() {  # print_packages NEED...
         say "  vcpkg      vcpkg install $vcpkg   (then export VCPKG_ROOT, and" \
             "CMAKE_TOOLCHAIN_FILE=\$VCPKG_ROOT/scripts/buildsystems/vcpkg.cmake; tools from the system)"
     fi
-    say "The names for Debian are tried, the others are from the lists of those systems and untried." \
+    say "The names for Debian are tested. The other names come from the lists of those systems and are untested." \
         "What lies in a place of its own is found through CMAKE_PREFIX_PATH."
 }
 
@@ -226,27 +226,27 @@ install_missing() {  # install_missing NEED...
         dnf) column=4 ;;
         pacman) column=5 ;;
         brew) column=6 ;;
-        none) stop "Missing: $(column_of_missing 1 "$@")" "No package manager known here was found. Packages by system:" \
+        none) stop "These are missing: $(column_of_missing 1 "$@")" "This script can use no package manager of this system. The packages of each system are:" \
             "$(print_packages "$@")" ;;
     esac
     packages=$(column_of_missing $column "$@")
     sudo=
     if [ $manager != brew ] && ! sudo=$(as_administrator); then
-        stop "Missing: $(column_of_missing 1 "$@")" "Installing needs root or sudo, and there is neither. Please install:" \
+        stop "These are missing: $(column_of_missing 1 "$@")" "Installing needs root or sudo, and there is neither. Please install:" \
             "$(print_packages "$@")"
     fi
     case $packages in
-        *vcpkg:*) stop "Missing: $(column_of_missing 1 "$@")" "Please install:" "$(print_packages "$@")" ;;
+        *vcpkg:*) stop "These are missing: $(column_of_missing 1 "$@")" "Please install:" "$(print_packages "$@")" ;;
     esac
-    [ $manager = apt-get ] || say "With $manager this is untried: a name may be wrong."
-    say "Installing with $manager, usually one to five minutes: $packages"
+    [ $manager = apt-get ] || say "The names for $manager are untested: one of them may be wrong."
+    say "$manager installs these packages, usually in one to five minutes: $packages"
     log=$(mktemp)
     # shellcheck disable=SC2086  # lists of words
     with_progress "$log" install_with "$manager" "$sudo" "$log" $packages || true
     if [ -n "$(column_of_missing 1 "$@")" ]; then
         explain_failure "$log" "The package servers"
         rm -f "$log"
-        stop "$manager has not installed what is needed. Still missing: $(column_of_missing 1 "$@")"
+        stop "$manager has not installed what is needed. These are still missing: $(column_of_missing 1 "$@")"
     fi
     rm -f "$log"
 }
@@ -262,12 +262,12 @@ install_with() {  # install_with MANAGER SUDO LOG PACKAGE...
     esac
 }
 
-# The end of a log, and whether it tells of a missing network.
+# The end of a log, and whether it reports a missing network.
 explain_failure() {  # explain_failure LOG SERVERS
     tail -n 5 "$1" >&2
     if grep -Eiq 'could not resolve|temporary failure|(unable|failed|could not) to connect|could not connect' "$1" ||
         grep -Eiq 'network is unreachable|connection (refused|timed out)|ENOTFOUND|EAI_AGAIN|ECONNREFUSED|ETIMEDOUT' "$1"; then
-        say "$2 could not be reached: is there a network?" >&2
+        say "$2 could not be reached: check the network." >&2
     fi
 }
 
@@ -283,7 +283,7 @@ apt_install() {  # apt_install SUDO LOG PACKAGE...
         if apt-cache show --no-all-versions "$package" >/dev/null 2>&1; then
             known="$known $package"
         else
-            say "The package lists of this system know no package $package" | tee -a "$log" >&2
+            say "The package lists of this system have no package $package" | tee -a "$log" >&2
         fi
     done
     # shellcheck disable=SC2086  # a list of words
@@ -303,15 +303,15 @@ install_fonts() {  # install_fonts DEBIAN_PACKAGE...
     done
     [ -n "$missing" ] || return 0
     if ! command -v apt-get >/dev/null 2>&1 || ! sudo=$(as_administrator); then
-        say "These packages are not installed, tests that need them will say so (names of the Debian packages):$missing"
+        say "These Debian packages are not installed, and tests that need them will report it:$missing"
         return 0
     fi
-    say "Installing fonts and data with apt-get, usually a minute or two:$missing"
+    say "apt-get installs fonts and data, usually in a minute or two:$missing"
     log=$(mktemp)
     # shellcheck disable=SC2086
     if ! with_progress "$log" apt_install "$sudo" "$log" $missing; then
         explain_failure "$log" "The package servers"
-        say "Not all of them could be installed; tests that need them will say so:$missing" >&2
+        say "Not all of them could be installed, and tests that need them will report it:$missing" >&2
     fi
     rm -f "$log"
 }
@@ -327,13 +327,13 @@ install_unicode_data() {
     [ ! -e "$folder/BidiTest.txt" ] || return 0
     ! head -n 1 /usr/share/unicode/BidiTest.txt 2>/dev/null | grep -q -F "$version" || return 0
     scratch=$(mktemp -d)
-    say "Fetching the Unicode Character Database $version, usually some seconds"
+    say "This fetches the Unicode Character Database $version, usually in some seconds"
     if fetch_unicode_data "$version" "$scratch" >"$scratch/log" 2>&1; then
         mkdir -p "$typemesh_root/build"
         rm -rf "$folder"
         mv "$scratch/unicode" "$folder"
     else
-        say "It could not be had (Debian package unicode-data $version); tests that need it will say so:"
+        say "It could not be fetched (Debian package unicode-data $version), and tests that need it will report it:"
         tail -n 3 "$scratch/log" | sed 's,^,  ,'
     fi
     rm -rf "$scratch"
@@ -358,7 +358,7 @@ fetch_unicode_data() {  # fetch_unicode_data VERSION SCRATCH; leaves it in SCRAT
             done
         done
     done
-    say "No server of this system has it."
+    say "No package server of this system has it."
     return 1
 }
 
@@ -389,7 +389,7 @@ build_preset() {  # build_preset PRESET [TARGET...]
         cmake --build "$folder" --parallel "$(processors)" ${1:+--target "$@"} -- $go_on || status=$?
     if [ $status != 0 ]; then
         grep -E -A 12 '(^|: )(fatal )?error: |undefined reference|CMake Error' "$log" | head -n 120 >&2 || true
-        say "The build has failed; all its words are in $log" >&2
+        say "The build has failed: read its full output in $log" >&2
     fi
     return $status
 }

@@ -34,11 +34,12 @@ int main(int argc, char** argv)
     if (!made) return std::puts(made.error().message()), 1;
 
     std::FILE* file = std::fopen("flat_word.obj", "w");
-    if (file == nullptr) return std::puts("flat_word.obj cannot be written"), 1;
+    if (file == nullptr) return std::puts("flat_word.obj cannot be written: check the current folder"), 1;
     for (const vertex& v : vertices) std::fprintf(file, "v %g %g 0\n", double(v.x), double(v.y));
     for (std::size_t i = 0; i < indices.size(); i += 3)
         std::fprintf(file, "f %d %d %d\n", indices[i] + 1, indices[i + 1] + 1, indices[i + 2] + 1);
     const bool kept = std::ferror(file) == 0;
-    if (std::fclose(file) != 0 || !kept) return std::puts("flat_word.obj could not be written to its end"), 1;
+    if (std::fclose(file) != 0 || !kept)
+        return std::puts("flat_word.obj could not be written to its end: check the free space on the disk"), 1;
     std::printf("%u glyphs, %zu vertices, %zu triangles\n", made->glyphs, vertices.size(), indices.size() / 3);
 }

@@ -52,7 +52,7 @@ int main(int argc, char** argv)
     std::vector<std::uint32_t> indices;
     const auto made = mesher.build("red", typemesh::into(vertices, indices, engine::writer{0xFF0000FF}));
     if (!made) return std::puts(made.error().message()), 1;
-    if (vertices.empty()) return std::puts("The font has none of these letters."), 1;
+    if (vertices.empty()) return std::puts("The font has none of these letters: give another font."), 1;
 
     std::printf("%zu vertices of %zu bytes, the first normal is 0x%08x\n", vertices.size(), sizeof(engine::vertex),
                 vertices[0].normal);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // Policies of your own: a discretiser that gives every curve the same number of pieces, and a fan-shaped outline source
-// that needs no font at all. Both are plain structs; the concepts say what they must provide.
+// that needs no font at all. Both are plain structs; the concepts list what they must provide.
 //
 //     04_own_policy
 
@@ -16,7 +16,7 @@ struct equal_steps {
     static constexpr bool keeps_no_tolerance = true;  // a finer one would change nothing
     int pieces = 4;
 
-    /// What tells its glyphs apart in a glyph_cache.
+    /// What distinguishes its glyphs in a glyph_cache.
     typemesh::option_bits cache_key() const noexcept { return {pieces}; }
 
     template <class Curve, class Put>

@@ -47,7 +47,7 @@ int wmain(int argc, wchar_t** argv)
 {
     using namespace typemesh;
     IDWriteTextLayout* layout = make_layout(argc > 1 ? argv[1] : L"Hello world!", argc > 2 ? argv[2] : L"Segoe UI");
-    if (layout == nullptr) return std::puts("DirectWrite made no layout"), 1;
+    if (layout == nullptr) return std::puts("DirectWrite made no layout: check the name of the family"), 1;
 
     directwrite_text text;
     const auto read = text.read(layout);

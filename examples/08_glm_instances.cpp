@@ -49,7 +49,7 @@ int main(int argc, char** argv)
     std::vector<std::uint32_t> indices;
     if (const auto written = plan->write_meshes(typemesh::into(vertices, indices)); !written)
         return std::puts(written.error().message()), 1;
-    std::vector<glm::mat4> models;  // those of mesh 0 first, then those of mesh 1
+    std::vector<glm::mat4> models;  // first the places of mesh 0, then the places of mesh 1
     models.reserve(plan->glyphs().size());
     plan->write_instances([&](const typemesh::glyph_instance& i) noexcept {
         models.push_back(typemesh::translation_matrix(i.translation));

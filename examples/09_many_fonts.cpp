@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// A text in several scripts: each font has what those before it lack. Says which font draws what.
+// A text in several scripts: each font draws what the fonts before it lack. It prints which font draws what.
 //
 //     09_many_fonts TEXT FONT [FONT...]
 

@@ -51,6 +51,6 @@ int main(int argc, char** argv)
     for (const drawn_glyph& glyph : plan->glyphs()) {
         const float width = bevels.width_of(glyph.built->planned<bevelled>().form);
         std::printf("the letter at character %u has bevels %.4f em wide%s\n", glyph.cluster, static_cast<double>(width),
-                    glyph.built->is_narrowed() ? ", because wider ones were refused" : "");
+                    glyph.built->is_narrowed() ? ", because wider bevels were refused" : "");
     }
 }

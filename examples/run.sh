@@ -8,10 +8,10 @@ usage() {
     cat <<'END'
 usage: examples/run.sh [TEXT...] [option of text_to_mesh...]
 
-Installs what is missing, builds text_to_mesh, picks an installed font with the letters of TEXT ("Hello world!") and
-writes hello.glb and hello.png in the current directory. Words without quotes are joined to one text. Options come after
-the text and are passed on: examples/run.sh "Hello" --depth 0.3
-examples/run.sh "Hello" --help names them all.
+This script installs what is missing, builds text_to_mesh, chooses an installed font with the letters of TEXT
+("Hello world!") and writes hello.glb and hello.png in the current directory. Words without quotes become one text.
+Write options after the text, and text_to_mesh gets them: examples/run.sh "Hello" --depth 0.3
+examples/run.sh "Hello" --help lists all of them.
 END
 }
 
@@ -107,7 +107,7 @@ other|0|10ffff||DejaVu Sans,Noto Sans
 END
 }
 
-# The scripts of a text, one line each in the order above: name, packages, families, and those of the code points that are its.
+# The scripts of a text, one line each in the order above: name, packages, families, and its own code points.
 scripts_of() {  # scripts_of CODE_POINT...
     local left=" $* " name first last packages families code found seen=
     while IFS='|' read -r name first last packages families; do
@@ -182,7 +182,7 @@ explain_missing_font() {  # explain_missing_font CODE_POINT...
     if [ -n "$codes" ]; then
         for code in $codes; do rest=${rest/ $code / }; done
         # shellcheck disable=SC2046,SC2086  # lists of words
-        say "$(printf 'U+%s ' $(printf '%04X ' $(printf '0x%s ' $codes)))is no character: no font has it. Leave it out."
+        say "$(printf 'U+%s ' $(printf '%04X ' $(printf '0x%s ' $codes)))is not a character, and no font has it: leave it out."
         # shellcheck disable=SC2086
         [ -n "${rest// /}" ] && [ -z "$(font_with "" $rest)" ] || return 0
         # shellcheck disable=SC2086
@@ -199,10 +199,10 @@ explain_missing_font() {  # explain_missing_font CODE_POINT...
         # shellcheck disable=SC2086
         missing=$(without_font $codes)
         if [ -n "$missing" ]; then
-            say "Missing: $script,$missing"
+            say "No font has these: $script,$missing"
             undrawn=1
         else
-            say "Spread over several fonts: $script"
+            say "Several fonts together have these: $script"
         fi
         for package in $(say "$packages,fonts-noto-core,fonts-unifont" | tr , ' '); do
             if ! is_installed "$package"; then
@@ -214,13 +214,13 @@ explain_missing_font() {  # explain_missing_font CODE_POINT...
     done <<END
 $(scripts_of "$@")
 END
-    [ -z "$exhausted" ] || say "All Debian packages known here for these are installed: ${exhausted#, }."
+    [ -z "$exhausted" ] || say "The Debian packages of this script's list are already installed: ${exhausted#, }."
     if [ -n "$advice" ]; then
-        say "On Debian: sudo apt-get install$advice"
+        say "On Debian, run: sudo apt-get install$advice"
     elif [ -n "$covered" ] && [ -z "$undrawn" ]; then
         say "Make several texts of it: ${covered#; }."
     fi
-    say "Or name a font: examples/run.sh TEXT --font FILE"
+    say "Or give a font: examples/run.sh TEXT --font FILE"
 }
 
 case ${1:-} in -h | --help) usage && exit 0 ;; esac
@@ -240,7 +240,7 @@ while [ $# -gt 0 ]; do
     shift
 done
 [ $given != 0 ] || text="Hello world!"
-[ $given -le 1 ] || say "The text is \"$text\"; in quotes it keeps its blanks."
+[ $given -le 1 ] || say "The text is \"$text\": put it in quotes to keep its spaces."
 font=
 output=hello.glb
 picture=hello.png
@@ -294,12 +294,12 @@ if [ -z "$font" ]; then
     IFS='|' read -r _ _ families _ <<<"$(scripts_of ${codes[@]+"${codes[@]}"} 30)"
     IFS=$'\t' read -r font face family <<<"$(font_with "$families" ${codes[@]+"${codes[@]}"})"
     [ -n "$font" ] || stop "$(explain_missing_font ${codes[@]+"${codes[@]}"})"
-    say "Font: $family ($font)"
+    say "The font is $family ($font)"
     set -- --font "$font" --face "$face" "$@"
 fi
 
 if [ -n "$to_build" ]; then
-    [ -e "$program" ] || say "Building text_to_mesh, once; it usually takes one to three minutes."
+    [ -e "$program" ] || say "This builds text_to_mesh once, usually in one to three minutes."
     build_preset release text_to_mesh || exit 1
 fi
 # Written unless named by the caller already.
@@ -315,7 +315,7 @@ done
 for file in "$output" "$picture"; do
     case $file in
         "") ;;
-        /*) say "Wrote $file" ;;
-        *) say "Wrote $PWD/$file" ;;
+        /*) say "text_to_mesh has written $file" ;;
+        *) say "text_to_mesh has written $PWD/$file" ;;
     esac
 done

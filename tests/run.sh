@@ -8,23 +8,22 @@ usage() {
     cat <<'END'
 usage: tests/run.sh [--quick | --all] [--with TIER[,TIER...]] [--only TIER[,TIER...]] [--fail-fast]
 
-Installs what is missing, builds and runs the tests, those of the tier gcc by default. The tiers:
-  quick      some of the tests of each stage with g++, in five minutes on two cores; the end says what is left out
+This script installs what is missing, builds the tests and runs them: the tier gcc by default. The tiers are:
+  quick      some tests of each stage with g++, in five minutes on two cores; the last lines list what is left out
   gcc        all tests of the core and its adapters with g++
-  clang      the rooms that the tier sanitize does not build, with clang++; the benchmarks are built
-  sanitize   the tests of what touches memory most, under the address and undefined behaviour sanitizers of clang++ and g++
+  clang      the folders of tests that the tier sanitize does not build, with clang++; it also builds the benchmarks
+  sanitize   the tests that use much memory, under the address and undefined behaviour sanitizers of clang++ and g++
   tsan       the tests that use threads with g++ under the thread sanitizer
   windows    the tests of the core and of DirectWrite as Windows programs (mingw-w64), run under Wine
   external   other people's tools (admesh, OpenSCAD, gltf-validator) read what text_to_mesh writes
-  engines    engines themselves take what the recipes write and draw it: OpenGL, OpenSceneGraph, Irrlicht, OGRE, Qt, VTK;
+  engines    engines draw what the recipes write: OpenGL, OpenSceneGraph, Irrlicht, OGRE, Qt, VTK;
              Godot and three.js read what text_to_mesh writes
-  web        examples/web: the library as WebAssembly in node, its meshes those of a native program; the page in Chromium
+  web        examples/web: the library as WebAssembly in node, with the meshes of a native program; the page in Chromium
   packages   the Debian packages on a bare system, the source archive, the single headers, the recipes of vcpkg and Conan
-  machines   the same meshes on every machine: hashes of all stages, and tests of some rooms, by other compilers and on other
-             processors, under qemu, Wine and node
-  systems    the README's commands on bare systems of Debian 12, 13 and the next one; three hours. Not among --all
---with adds tiers, --only takes these alone, --quick takes quick, --all takes every other tier. --fail-fast ends the run
-with the first test that fails.
+  machines   hashes of all stages and some tests with other compilers and on other processors, under qemu, Wine and node
+  systems    the README's commands on bare systems of Debian 12, 13 and the next one; three hours; --all leaves it out
+--with adds tiers, --only runs only these, --quick runs quick, --all runs every other tier. --fail-fast ends the run after
+the first test that fails.
 END
 }
 
@@ -48,7 +47,7 @@ name_tiers() {  # name_tiers OPTION TIER,TIER...
             *) refuse "There is no tier \"$tier\". The tiers are: quick $all_tiers systems" ;;
         esac
     done
-    [ -n "$named" ] || refuse "$1 wants one or more tiers, with commas between: quick $all_tiers systems"
+    [ -n "$named" ] || refuse "$1 needs one or more tiers, with commas between them: quick $all_tiers systems"
 }
 
 only=
@@ -105,7 +104,7 @@ minutes_of() {  # minutes_of PRESET
 }
 
 build() {  # build PRESET [TARGET...]; a failed build counts as a failed test
-    say "Building $1, which takes $(minutes_of "$1") on two cores the first time; all its words: $typemesh_root/build/$1.log"
+    say "This builds $1, which takes $(minutes_of "$1") on two cores the first time. Its full output goes to $typemesh_root/build/$1.log"
     build_preset "$@" || count 0 1
 }
 
@@ -130,8 +129,8 @@ run_ctest() {  # run_ctest FOLDER LOG
 }
 
 tier_gcc() {
-    (install_missing clang-format) || say "Going on without it: the format of the sources is not checked."
-    (install_missing doxygen) || say "Going on without it: the reference is not built."
+    (install_missing clang-format) || say "The run continues without it: the format of the sources is not checked."
+    (install_missing doxygen) || say "The run continues without it: the reference is not built."
     test_preset gcc
     test_preset fast-math typemesh_tests
 }
@@ -211,8 +210,8 @@ install_npm() {  # install_npm FOLDER PACKAGE VERSION
 }
 
 tier_external() {
-    (install_missing admesh openscad node npm) || say "Going on without them: the tests that need them are skipped."
-    (install_missing lib3mf) || say "Going on without it: text_to_mesh writes no 3MF."
+    (install_missing admesh openscad node npm) || say "The run continues without them: the tests that need them are skipped."
+    (install_missing lib3mf) || say "The run continues without it: text_to_mesh writes no 3MF."
     mkdir -p "$typemesh_root/build/external"
     build gcc text_to_mesh  # which is there already, if that tier has run
     install_npm external gltf-validator 2.0.0-dev.3.10
@@ -222,8 +221,8 @@ tier_external() {
 # VTK, 750 MB with all that it needs, is taken where it is there already.
 tier_engines() {
     (install_missing xvfb opengl openscenegraph irrlicht ogre qt-quick3d qt-qml qt-shaders) ||
-        say "Going on without them: the tests that need them are skipped."
-    (install_missing godot3 node npm chromium) || say "Going on without them: the tests that need them are skipped."
+        say "The run continues without them: the tests that need them are skipped."
+    (install_missing godot3 node npm chromium) || say "The run continues without them: the tests that need them are skipped."
     mkdir -p "$typemesh_root/build/engines_run"
     build release text_to_mesh
     install_npm engines_run three 0.187.0
@@ -233,12 +232,12 @@ tier_engines() {
 # Scripts find the native program in TYPEMESH_MESH_HASH.
 tier_web() {
     install_missing emcc dpkg-source node npm
-    (install_missing chromium) || say "Going on without it: the page is not tried."
+    (install_missing chromium) || say "The run continues without it: the page is not tested."
     install_fonts fonts-dejavu-core fonts-liberation
     mkdir -p "$typemesh_root/build/web"
     build release mesh_hash
     export TYPEMESH_MESH_HASH=$typemesh_root/build/release/examples/mesh_hash
-    say "Building the module; all its words: $typemesh_root/build/web/build.log"
+    say "This builds the module. Its full output goes to $typemesh_root/build/web/build.log"
     if ! with_progress "$typemesh_root/build/web/build.log" logged "$typemesh_root/build/web/build.log" \
         "$typemesh_root/examples/web/build.sh"; then
         tail -n 20 "$typemesh_root/build/web/build.log"
@@ -249,7 +248,7 @@ tier_web() {
 }
 
 tier_packages() {
-    (install_missing debootstrap dpkg-shlibdeps pyflakes) || say "Going on without them: the tests that need them are skipped."
+    (install_missing debootstrap dpkg-shlibdeps pyflakes) || say "The run continues without them: the tests that need them are skipped."
     mkdir -p "$typemesh_root/build/packages"
     build release text_to_mesh
     if ! logged "$typemesh_root/build/packages/cpack.log" make_packages; then
@@ -267,18 +266,18 @@ tier_machines() {
     local log=$typemesh_root/build/machines.log words
     bash "$typemesh_root/tests/machines/run.sh" 2>&1 | tee "$log" || true
     count "$(grep -cE '^[^ ]+ +good: ' "$log")" "$(grep -cE '^[^ ]+ +(BAD|NOT COMPILED): ' "$log")"
-    grep -q '^The table: ' "$log" || count 0 1  # it has not come to its end
+    grep -q '^The table is written: ' "$log" || count 0 1  # it has not come to its end
     words=$(sed -nE 's,^([^ ]+) +(skipped: )(.*),\2machines/\1: \3,p' "$log")
     [ -z "$words" ] || skipped="$skipped$words
 "
 }
 
-# Each command on each system counts as one test; those of the next Debian are none.
+# Each command on each system counts as one test; on the next Debian none counts.
 tier_systems() {
     local log=$typemesh_root/build/systems.log
     bash "$typemesh_root/tests/systems/run.sh" 2>&1 | tee "$log" || true
     count "$(grep -cE '^(passed|[0-9]+ passed, 0 failed)$' "$log")" "$(grep -cE '^failed: (bookworm|trixie)' "$log")"
-    grep -q '^The table: ' "$log" || count 0 1  # it has not come to its end
+    grep -q '^The table is written: ' "$log" || count 0 1  # it has not come to its end
 }
 
 trap finish EXIT

@@ -182,7 +182,7 @@ int main(int argc, char** argv)
     }
     if (found.empty()) return 0;
     std::printf(
-        "\nThe greatest distance between mesh and outline, in cell heights: over all letters, over those of the "
+        "\nThe greatest distance between mesh and outline, in cell heights: over all letters, over the letters of the "
         "text\n");
     std::printf("%-27s %-6s %-40s %9s %9s %7s %7s %6s %8s\n", "font", "dev.", "maker", "letters", "hello", "worst",
                 "letters", "worse", "vert.");

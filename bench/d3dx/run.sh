@@ -116,7 +116,7 @@ one_protocol() {
     kill -9 $pid 2>/dev/null || true
     wait $pid 2>/dev/null || true
 }
-# The texts that a font stands in for, in a file; a crash is told, and the next mesh begins anew.
+# The texts that a font stands in for, in a file; a crash is printed, and the next mesh begins anew.
 time_protocol() {
     local first=0 crashes=0 crash
     texts_of "$(script_of "$3")" >"$build/texts.tsv"

@@ -9,7 +9,7 @@
 #     ARCHIVE   the release's archive, with one folder in it, as ADDRESS serves it
 #     FOLDER    gets ports/typemesh for vcpkg and recipes/typemesh for Conan; must not exist
 #
-# The version is that of the archive's headers. With `vcpkg x-add-version typemesh` vcpkg's registry then knows it.
+# The version comes from the archive's headers. With `vcpkg x-add-version typemesh` vcpkg's registry then has it.
 set -eu
 here=$(cd "$(dirname "$0")" && pwd)
 case ${1-} in -h | --help) sed -n '4,13s/^# \{0,1\}//p' "$0" && exit 0 ;; esac

@@ -14,7 +14,7 @@ include=$(cd "$(dirname "$0")/../../include" && pwd)
 mkdir -p "$folder"
 version=$(awk '/^#define TYPEMESH_VERSION_/ { v = v dot $3; dot = "." } END { print v }' "$include/typemesh/core/version.hpp")
 
-# Prints what stands in the headers named and in those that they include, but for the headers listed in the file `known`.
+# Prints the named headers and the headers that they include, except for the headers listed in the file `known`.
 join() {  # join KNOWN HEADER...
     awk -v include="$include" '
         function put(header,   line, path) {

@@ -29,7 +29,7 @@ struct place {
     float at[3];
 };
 
-/// Closed polylines and their points, as far as they are asked for; `put` gives the place of a grid point.
+/// Closed polylines and their points, as far as they are requested; `put` gives the place of a grid point.
 template <class Put>
 void add_loops(overlay& to, const options& o, std::span<const typemesh::grid_point> points,
                std::span<const std::uint32_t> starts, const Put& put)

@@ -87,7 +87,7 @@ std::string pending_file::prepare(const std::string& path, std::span<const unsig
     if (path.empty()) return "The name of the output file is empty.";
     if (path == standard_output) {
         path_ = "standard output";
-        if (is_terminal(stdout)) return path_ + " is a terminal, which shows no such files: send it into a file.";
+        if (is_terminal(stdout)) return path_ + " is a terminal, which cannot show this file: send it into a file.";
         take_bytes(stdout);
         device_ = stdout;
         for_device_.assign(bytes.begin(), bytes.end());

@@ -78,17 +78,17 @@ std::string refused_word(const std::string& name, std::string& word)
     const auto equals = word.find('=');
     if (equals == std::string::npos) {
         if (!is_constant(word) && word.find(' ') == std::string::npos)
-            return name + ": fontconfig knows no style \"" + word + "\"; bold, italic or light are such.";
+            return name + ": fontconfig has no style \"" + word + "\": use for example bold, italic or light.";
         word = style_words(word);
         return {};
     }
     const std::string key = word.substr(0, equals), value = word.substr(equals + 1);
     const FcObjectType* const type = FcNameGetObjectType(key.c_str());
     if (type == nullptr || type->type == FcTypeUnknown)
-        return name + ": fontconfig knows no \"" + key + "\"; --variation sets the axes of a variable font.";
+        return name + ": fontconfig has no property \"" + key + "\": set the axes of a variable font with --variation.";
     if ((type->type == FcTypeInteger || type->type == FcTypeDouble || type->type == FcTypeRange) &&
         !is_constant(value) && !decimal(value))
-        return name + ": fontconfig knows no " + key + " \"" + value + "\".";
+        return name + ": fontconfig has no " + key + " \"" + value + "\": use one of its names or a number.";
     return {};
 }
 
@@ -118,13 +118,13 @@ std::string find_family(const std::string& name, font_file& out)
     std::string words;
     if (std::string trouble = read_name(name, words); !trouble.empty()) return trouble;
     const auto fonts = typemesh::fontconfig_fonts::open();
-    if (!fonts) return name + " cannot be looked for: fontconfig finds no configuration.";
+    if (!fonts) return name + " cannot be found: fontconfig has no configuration.";
     typemesh::installed_font found;
     const auto match = fonts->find(words.c_str(), found, typemesh::family_names::aliases);
     if (match == typemesh::error::no_such_style)
-        return name + ": no installed font of this family has that " + match.error().option + "; `fc-list \"" +
-               name.substr(0, name.find(':')) + "\" style` lists the styles.";
-    if (!match) return name + " is neither a file nor an installed family; `fc-list : family` lists those.";
+        return name + ": no installed font of this family has that " + match.error().option +
+               ": list its styles with `fc-list \"" + name.substr(0, name.find(':')) + "\" style`.";
+    if (!match) return name + " is neither a file nor an installed family: list the families with `fc-list : family`.";
     out.path = found.path();
     const typemesh::font_options options = found.options();
     out.face = options.face;
@@ -138,9 +138,9 @@ std::string find_family(const std::string& name, font_file& out)
 std::string find_family(const std::string& name, font_file&)
 {
     return name +
-           " is no file, and this program was built without fontconfig, which finds families: "
+           " is not a file, and this program was built without fontconfig, which finds families: find the file with "
            "`fc-match --format '%{file}' \"" +
-           name + "\"` may tell the file.";
+           name + "\"`.";
 }
 
 #endif

@@ -12,7 +12,7 @@ namespace text_to_mesh {
 struct font_file {
     std::string path;
     unsigned face = 0;                            ///< in a collection
-    std::vector<typemesh::variation> variations;  ///< that make a variable font the style asked for
+    std::vector<typemesh::variation> variations;  ///< that give a variable font the requested style
 };
 
 /// Whether a name looks like a file's, or there is such a file.

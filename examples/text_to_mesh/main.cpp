@@ -148,7 +148,7 @@ typemesh::result<void> write_letters(const options& o, const chosen_plan& plan, 
 }
 
 /// The indices glyph by glyph instead of part by part: STL has no indices, so a reader welds corners by their places.
-/// Letters are merged by default; with --no-merge two that touch in an edge are told apart only by which facets come
+/// Letters are merged by default; with --no-merge two that touch in an edge are distinguished only by which facets come
 /// together.
 std::vector<std::uint32_t> solid_by_solid(const chosen_plan& plan, const std::vector<std::uint32_t>& indices)
 {
@@ -183,7 +183,7 @@ std::string write_output(const options& o, const chosen_plan& plan, model& mesh,
 }
 
 /// The tolerance in em of the picture's own mesh, by the size at which it will be drawn; but the requested one where
-/// the picture is to show it. `bounds` are those of the text, one em large.
+/// the picture is to show it. `bounds` belong to the text, one em large.
 double picture_tolerance(const options& o, const typemesh::bounds3& bounds, const picture_options& look)
 {
     const bool shows_the_mesh = o.show_triangles || o.show_points || o.show_contours || o.show_normals;
@@ -214,7 +214,7 @@ std::string draw_picture(const options& o, font_set& font, const typemesh::glyph
     choose_policies(o, font.units_per_em(), mesher);
     typemesh::text_options how = text_options_of(o);
     how.size = 1.0;
-    typemesh::bounds3 bounds;  // of a mesh of the picture's size: those of the file's may be too small to be told apart
+    typemesh::bounds3 bounds;  // of a mesh of the picture's size: the file's bounds may be too small to differ
     if (const auto first = mesher.plan(page, how))
         bounds = first->bounds();
     else
@@ -238,17 +238,18 @@ std::string refusal_in_words(const options& o, const typemesh::error& e)
     const std::string_view option = e.option;
     constexpr float narrow = 1e-4f;  // a ring is refused that is narrower than a few cells
     if (option == "outlined::width")
-        return o.outline.width < narrow ? "--outline: is too narrow for this font."
-                                        : "--outline: is too wide for this font.";
+        return o.outline.width < narrow ? "--outline is too narrow for this font: give a larger number."
+                                        : "--outline is too wide for this font: give a smaller number.";
     if (option != "width") return in_words(e);
-    return "--bevel: is too wide for this font.";
+    return "--bevel is too wide for this font: give a smaller number.";
 }
 
 /// Warns the user about a plan. Gives why nothing is written, or an empty string.
 std::string name_warnings(const options& o, const chosen_plan& plan, const font_set& fonts)
 {
     bool warned = name_missing_features(fonts, o.features, o.who);
-    warned = name_losses(plan.report(), o.family || !o.fallback.empty(), o.who) || warned;
+    const std::u32string missing = missing_characters(plan.run(), o.text, fonts);
+    warned = name_losses(plan.report(), o.family || !o.fallback.empty(), o.who, missing) || warned;
     if (!o.output.empty() && !o.instances) {
         const bool instances_help = o.kind == file_kind::glb && !o.merge;
         warned = name_flipped_triangles(flipped_triangles(plan), instances_help, o.who) || warned;
@@ -256,7 +257,7 @@ std::string name_warnings(const options& o, const chosen_plan& plan, const font_
     if (warned && o.strict) return "--strict: nothing is written.";
     if ((o.output.empty() && o.picture.empty()) || !plan.glyphs().empty()) return {};
     return plan.report().complete() ? "the text is blank: nothing is written."
-                                    : "nothing of the text can be drawn: nothing is written.";
+                                    : "no character of the text can be drawn: nothing is written.";
 }
 
 /// Where the glyphs of a run stand, to be put back after a mesh elsewhere.
@@ -311,8 +312,8 @@ typemesh::result<chosen_plan> placed_plan(const options& o, chosen_mesher& meshe
 std::string heights_lost(const options& o)
 {
     return o.place.at[2] != 0.0
-               ? "--origin: z is so large that 32-bit numbers cannot hold the depth of the letters."
-               : "32-bit numbers cannot hold so flat a bevel that far from z = 0; --anchor front helps.";
+               ? "--origin: z is so large that 32-bit numbers cannot hold the depth of the letters: give a smaller z."
+               : "32-bit numbers cannot hold so flat a bevel so far from z = 0: give --anchor front.";
 }
 
 /// One text with open fonts. Every call gives an empty string, or one sentence.

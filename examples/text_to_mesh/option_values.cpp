@@ -67,8 +67,8 @@ std::string read_profile(std::string_view written, typemesh::profile_points& out
             return "must be chamfer, round, concave, stepped, engraved or points such as 0,0;0.2,0.8;1,1, not " + given;
         const typemesh::profile_point p{static_cast<float>(*t), static_cast<float>(*h)};
         if (!points.empty() && p.t < points.back().t)
-            return "must not run back in t, as it does to " + std::string{written.substr(0, end)} + " in " + given;
-        if (!(p.h >= 0.0f && p.h <= 1.0f)) return "must have every h from 0 to 1, unlike " + given;
+            return "must have rising t, but t falls at " + std::string{written.substr(0, end)} + " in " + given;
+        if (!(p.h >= 0.0f && p.h <= 1.0f)) return "must have each h from 0 to 1, not " + given;
         points.push_back(p);
         if (end == std::string_view::npos) break;
         written.remove_prefix(end + 1);
@@ -77,7 +77,7 @@ std::string read_profile(std::string_view written, typemesh::profile_points& out
     if (points.size() > typemesh::profile_points::most)
         return "must have at most " + std::to_string(typemesh::profile_points::most) + " points, not " +
                std::to_string(points.size());
-    return out.is_valid() ? std::string{} : "must go from 0,0 to t = 1, unlike " + given;
+    return out.is_valid() ? std::string{} : "must begin at 0,0 and end at t = 1, not " + given;
 }
 
 bool read_box(std::string_view written, double& width, double& height)

@@ -109,56 +109,58 @@ void add_text_options(CLI::App& app, options& out, raw_values& raw)
 {
     using namespace typemesh;
     app.add_option("TEXT", out.text,
-                   "UTF-8; \\n starts a new line; - is standard input; begin with \\@ or \\- to mean @ or -");
+                   "in UTF-8; \\n starts a new line; - reads standard input; write \\@ or \\- to begin with @ or -");
     app.add_option("--text-file", out.text_file,
-                   "a file with the text, or - for standard input; \\n is two letters there")
+                   "read the text from a file, or from standard input with -; \\n is two letters there")
         ->type_name("FILE");
     app.add_option("--batch", out.batch,
-                   "a text a line, or - for standard input; in --output {n} is the line's number, {text} the text")
+                   "make a mesh of each line of a file, or of standard input (-); {n} and {text} name the files")
         ->type_name("FILE");
     app.add_option("-f,--font", out.font,
-                   "a file: TrueType, OpenType, collection, variable; or an installed family: \"DejaVu Sans:bold\"")
+                   "a font file (TrueType, OpenType, collection) or an installed family: \"DejaVu Sans:bold\"")
         ->type_name("FONT");
-    app.add_option("--fallback", out.fallback, "another, for what the font lacks; may come again")
+    app.add_option("--fallback", out.fallback,
+                   "another font for characters that the fonts before it lack; may be repeated")
         ->type_name("FONT")
         ->take_all()
         ->expected(1);
-    app.add_option("--family", raw.family, "instead of --font: a family, and any installed font for what it lacks")
+    app.add_option("--family", raw.family,
+                   "an installed family instead of --font; other installed fonts supply what it lacks")
         ->type_name("FAMILY");
     add_number(
-        app, "--face", "the face's number in a collection", "a whole number",
+        app, "--face", "the number of the face in a collection, from 0", "a whole number",
         [](double n) { return n >= 0.0 && n < 4294967296.0 && n == std::floor(n); },
         [&out](double n) { out.face = static_cast<unsigned>(n); })
         ->type_name("N");
-    app.add_option("--variation", raw.variations, "sets a variable font's axis: wght=700; may come again")
+    app.add_option("--variation", raw.variations, "set an axis of a variable font: wght=700; may be repeated")
         ->type_name("AXIS=VALUE")
         ->take_all()
         ->expected(1);
-    app.add_option("--feature", raw.features, "an OpenType feature: smcp, liga=0, -kern; may come again")
+    app.add_option("--feature", raw.features, "set an OpenType feature: smcp, liga=0, -kern; may be repeated")
         ->type_name("TAG[=N]")
         ->take_all()
         ->expected(1);
-    app.add_option("--language", out.language, "BCP 47: tr, zh-Hant")->type_name("L");
-    app.add_option("--script", out.script, "ISO 15924: Latn, Arab")->type_name("S");
+    app.add_option("--language", out.language, "the language of the text, by BCP 47: tr, zh-Hant")->type_name("L");
+    app.add_option("--script", out.script, "the script of the text, by ISO 15924: Latn, Arab")->type_name("S");
     add_named<direction>(
-        app, "--direction", out.direction, "found from the text by default",
+        app, "--direction", out.direction, "the direction of the text (default: found from the text)",
         {{"ltr", direction::left_to_right}, {"rtl", direction::right_to_left}, {"ttb", direction::top_to_bottom}});
     add_named<column_latin>(app, "--latin", out.columns.latin,
-                            "how Latin stands in columns, --direction ttb (default sideways)",
+                            "how Latin stands in columns, with --direction ttb (default sideways)",
                             {{"sideways", column_latin::sideways}, {"upright", column_latin::upright}});
     using typemesh::column_progress;
     add_named<column_progress>(app, "--columns", out.columns.progress,
-                               "on which side of a column the next one stands (default auto: right in Mongolian, else "
-                               "left)",
+                               "where the next column stands (default auto: right in Mongolian, otherwise left)",
                                {{"auto", column_progress::automatic},
                                 {"left", column_progress::leftwards},
                                 {"right", column_progress::rightwards}});
     add_number(
-        app, "--combine-digits", "in columns: numbers of so many digits or fewer take the room of one character",
+        app, "--combine-digits", "in columns, numbers of at most N digits take the room of one character",
         "a whole number from 0 to 255", [](double n) { return n >= 0.0 && n <= 255.0 && n == std::floor(n); },
         [&out](double n) { out.columns.combined_digits = static_cast<std::uint8_t>(n); })
         ->type_name("N");
-    add_named<alignment>(app, "--align", out.lines.align, "lines against each other, or in --width (default left)",
+    add_named<alignment>(app, "--align", out.lines.align,
+                              "align lines with each other, or within --width (default left)",
                               {{"left", alignment::left},
                                {"center", alignment::centre},
                                {"centre", alignment::centre},
@@ -169,13 +171,14 @@ void add_text_options(CLI::App& app, options& out, raw_values& raw)
                               {"centre"});
     add_number(
         app, "--letter-spacing",
-        "added between letters, in em; negative: closer (default: as much as they have become wider)",
+        "add space between letters, or remove it if negative (default: the growth of the letters)",
         "a number from -1000 to 1000", [](double n) { return n >= -1000.0 && n <= 1000.0; },
         [&raw](double n) { raw.letter_spacing = n; })
         ->type_name("EM");
     add_number(
-        app, "--line-spacing", "times the font's own distance between lines (default 1)", "a number from -1000 to 1000",
-        [](double n) { return n >= -1000.0 && n <= 1000.0; }, [&out](double n) { out.line_spacing = n; })
+        app, "--line-spacing", "multiply the font's own distance between lines by N (default 1)",
+        "a number from -1000 to 1000", [](double n) { return n >= -1000.0 && n <= 1000.0; },
+        [&out](double n) { out.line_spacing = n; })
         ->type_name("N");
 }
 
@@ -183,20 +186,20 @@ void add_line_options(CLI::App& app, options& out, raw_values& raw)
 {
     using namespace typemesh;
     add_number(
-        app, "--width", "lines end where the text is wider", "a positive number up to 1000000",
+        app, "--width", "end lines before they are wider than this", "a positive number up to 1000000",
         [](double n) { return n > 0.0 && n <= 1e6; }, [&out](double n) { out.lines.width = n; })
         ->type_name("EM");
     app.add_option("--fit", raw.fit,
-                   "the largest size at which what is seen fits into a box, wide x high, in the file's unit: 30x10")
+                   "find the largest size at which the text fits into a box, in the file's unit: 30x10")
         ->type_name("WxH");
     add_named<wrap_mode>(app, "--wrap", out.lines.wrap,
-                         "at words, within them where one is too long (default), at any letter, or nowhere",
+                         "end lines at words, also inside too long words (break, default), at any letter, or nowhere",
                          {{"word", wrap_mode::word},
                           {"break", wrap_mode::word_or_grapheme},
                           {"letter", wrap_mode::grapheme},
                           {"none", wrap_mode::none}});
     add_named<bool>(app, "--breaker", out.even_lines,
-                    "lines end as late as each can (default), or so that all are as even as possible",
+                    "fill each line (first_fit, default), or make all lines as even as possible (total_fit)",
                     {{"first_fit", false}, {"total_fit", true}});
     add_named<justification>(
         app, "--justify", out.lines.justify,
@@ -206,19 +209,20 @@ void add_line_options(CLI::App& app, options& out, raw_values& raw)
          {"letters", justification::letters},
          {"kashida", justification::kashida}});
     add_number(
-        app, "--indent", "of a paragraph's first line; negative: it hangs", "a number from -1000 to 1000",
-        [](double n) { return n >= -1000.0 && n <= 1000.0; }, [&out](double n) { out.lines.indent = n; })
+        app, "--indent", "indent the first line of each paragraph, or let it hang out if negative",
+        "a number from -1000 to 1000", [](double n) { return n >= -1000.0 && n <= 1000.0; },
+        [&out](double n) { out.lines.indent = n; })
         ->type_name("EM");
     add_number(
-        app, "--max-lines", "further lines are dropped", "a whole number from 1",
+        app, "--max-lines", "drop all lines after the first N", "a whole number from 1",
         [](double n) { return n >= 1.0 && n < 4294967296.0 && n == std::floor(n); },
         [&out](double n) { out.lines.max_lines = static_cast<std::uint32_t>(n); })
         ->type_name("N");
     app.add_option("--ellipsis", out.ellipsis,
-                   "shown for what is dropped, or does not fit; ... where the font lacks it")
+                   "show this for text that is dropped or does not fit; ... where the font lacks it")
         ->type_name("TEXT");
     add_named<ellipsis_place>(
-        app, "--elide", out.lines.elide, "where in its line (default end)",
+        app, "--elide", out.lines.elide, "where the ellipsis stands in its line (default end)",
         {{"end", ellipsis_place::end}, {"middle", ellipsis_place::middle}, {"start", ellipsis_place::start}});
     const auto complaint = [](std::string& given) {
         styled_range unused;
@@ -230,7 +234,7 @@ void add_line_options(CLI::App& app, options& out, raw_values& raw)
     };
     app.add_option_function<std::string>(
            "--colour,--color", [&out](const std::string& given) { out.colour = read_colour(given); },
-           "of all that no --style colours; .stl and .ply hold none")
+           "the colour of all text that no --style colours; .stl and .ply have no colours")
         ->type_name("COLOUR")
         ->check(CLI::Validator{[](std::string& given) {
                                    return read_colour(given) ? std::string{}
@@ -238,7 +242,7 @@ void add_line_options(CLI::App& app, options& out, raw_values& raw)
                                },
                                ""});
     app.add_option("--style", CLI::callback_t{take},
-                   "of code points, counted from 0: \"6..11:colour=red,underline,size=1.5\"; may come again")
+                   "style code points, counted from 0: \"6..11:colour=red,underline,size=1.5\"; may be repeated")
         ->type_name("A..B:SETTING,...")
         ->check(CLI::Validator{complaint, ""})
         ->take_all()
@@ -250,89 +254,94 @@ void add_line_options(CLI::App& app, options& out, raw_values& raw)
 void add_mesh_options(CLI::App& app, options& out, raw_values& raw)
 {
     add_number(
-        app, "--size", "how large an em is in the file (default 1; in .stl and .3mf 10 millimetres)",
+        app, "--size", "the size of an em in the file (default 1; in .stl and .3mf 10 millimetres)",
         "a number from 1e-30 to 1000000", [](double n) { return n >= 1e-30 && n <= 1e6; },
         [&raw](double n) { raw.size = n; })
         ->type_name("N");
-    app.add_option("--anchor", raw.anchor, "the place that comes to the origin, as in centre,bottom,base (see below)")
+    app.add_option("--anchor", raw.anchor,
+                   "the place of the text that moves to --origin, for example centre,bottom,base (see below)")
         ->type_name("PLACE,...");
-    app.add_option("--origin", raw.origin, "where that comes to, in the file's unit (default 0,0,0)")
+    app.add_option("--origin", raw.origin, "where --anchor moves to, in the file's unit (default 0,0,0)")
         ->type_name("X,Y[,Z]");
     add_number(
-        app, "--depth", "of the extrusion, in em, up to 1000; 0 makes a flat mesh (default 0.2)",
+        app, "--depth", "how deep the letters are, up to 1000; 0 makes a flat mesh (default 0.2)",
         "a number from 0 to 1000", [](double n) { return n >= 0.0 && n <= 1000.0; },
         [&out](double n) { out.depth = static_cast<float>(n); })
         ->type_name("EM");
     auto* named = add_named<preset>(
-        app, "--quality", out.quality, "largest distance to the curve: 1/100, 1/160, 1/800 (default high), 1/16000 em",
+        app, "--quality", out.quality,
+        "the largest distance to the curve: 1/100, 1/160, 1/800 (high, default) or 1/16000 em",
         {{"low", preset::low}, {"normal", preset::normal}, {"high", preset::high}, {"best", preset::best}});
     add_number(
-        app, "--tolerance", "the same as a number, for --discretiser certified", "a positive number",
+        app, "--tolerance", "the same distance as a number, with --discretiser certified", "a positive number",
         [](double n) { return n > 0.0; }, [&out](double n) { out.tolerance = n; })
         ->type_name("EM")
         ->excludes(named);
-    add_named<discretiser_name>(app, "--discretiser", out.discretiser,
-                                "how curves become lines (default certified); adaptive: the thesis' four, by --quality",
-                                {{"certified", discretiser_name::certified},
-                                 {"two_lines", discretiser_name::two_lines},
-                                 {"adaptive", discretiser_name::adaptive}});
+    add_named<discretiser_name>(
+        app, "--discretiser", out.discretiser,
+        "how curves become lines (default certified); adaptive uses the thesis' four, by --quality",
+        {{"certified", discretiser_name::certified},
+         {"two_lines", discretiser_name::two_lines},
+         {"adaptive", discretiser_name::adaptive}});
     add_named<triangulator_name>(
         app, "--triangulator", out.triangulator, "how faces become triangles (default monotone)",
         {{"monotone", triangulator_name::monotone}, {"delaunay", triangulator_name::delaunay}});
-    add_named<normals_name>(app, "--normals", out.normals, "of the sides (default curve)",
+    add_named<normals_name>(app, "--normals", out.normals, "the normals of the sides (default curve)",
                             {{"cap", normals_name::cap},
                              {"shared", normals_name::shared},
                              {"averaged", normals_name::averaged},
                              {"creased", normals_name::creased},
                              {"curve", normals_name::curve}});
     add_number(
-        app, "--crease", "edges that turn by more, 0 to 180, are hard (default 15, for creased 30)",
+        app, "--crease", "make edges hard that turn by more than this, 0 to 180 (default 15; with creased 30)",
         "a number from 0 to 180", [](double n) { return n >= 0.0 && n <= 180.0; },
         [&out](double n) { out.crease = static_cast<float>(n); })
         ->type_name("DEGREES");
-    app.add_option("--fill", raw.fill, "instead of the font's own rule")->check(one_of({"nonzero", "evenodd"}));
+    app.add_option("--fill", raw.fill, "the fill rule, instead of the font's own")
+        ->check(one_of({"nonzero", "evenodd"}));
     app.add_option("--uv", raw.uv, "texture coordinates: over the text's box, in em (default), or once round each edge")
         ->check(one_of({"box", "em", "cylindrical"}));
-    auto* merged = app.add_flag("--merge", out.merge,
-                                "letters that meet become one solid without inner walls (default but for plain .glb)");
-    app.add_flag("--no-merge", raw.no_merge, "each letter stays a solid of its own")->excludes(merged);
+    auto* merged =
+        app.add_flag("--merge", out.merge,
+                     "make one solid without inner walls of letters that meet (default except for plain .glb)");
+    app.add_flag("--no-merge", raw.no_merge, "keep each letter as a solid of its own")->excludes(merged);
     add_named<std::optional<typemesh::touching>>(
         app, "--touching", raw.corners,
-        "corners that touch: parted (default but for .glb), joined or kept; the first two imply --merge",
+        "part (default except for .glb), join or keep corners that touch; part and join imply --merge",
         {{"part", typemesh::touching::part}, {"join", typemesh::touching::join}, {"keep", typemesh::touching::keep}});
     app.add_flag("--instances", out.instances,
-                 "in .glb: each different letter once, unmerged, and a node for each place")
+                 "in .glb, store each different letter once, unmerged, with a node for each place")
         ->excludes(merged);
-    app.add_flag("--strict", out.strict, "every warning is an error, and nothing is written");
+    app.add_flag("--strict", out.strict, "treat every warning as an error, and write nothing");
 }
 
 void add_bevel_options(CLI::App& app, options& out, raw_values& raw)
 {
     using namespace typemesh;
     add_number(
-        app, "--bevel", "how wide bevels are; 0: none (default); letters that meet become one, as by --merge",
+        app, "--bevel", "the width of the bevels; 0 makes none (default); letters that meet become one, as by --merge",
         "a number from 0 to 1000", [](double n) { return n >= 0.0 && n <= 1000.0; },
         [&out](double n) { out.bevel.width = static_cast<float>(n); })
         ->type_name("EM");
     add_number(
-        app, "--bevel-depth", "how deep a bevel is, carved into the depth (default as it is wide)",
+        app, "--bevel-depth", "how far a bevel cuts into the depth (default: the bevel's width)",
         "a number from 0 to 1000", [](double n) { return n >= 0.0 && n <= 1000.0; },
         [&raw](double n) { raw.bevel_depth = n; })
         ->type_name("EM");
     app.add_option("--profile", raw.profile,
-                   "of the bevel: a name or, as shares of its width and depth, points: \"0,0;0.2,0.8;1,1\"")
+                   "the bevel's profile: a name, or points as shares of width and depth: \"0,0;0.2,0.8;1,1\"")
         ->type_name("{chamfer,round,concave,stepped,engraved,T,H;T,H;...}");
     add_number(
-        app, "--bevel-steps", "of a round or concave profile, up to 63; 0: by the quality (default)",
+        app, "--bevel-steps", "the steps of a round or concave profile, up to 63; 0 follows the quality (default)",
         "a whole number from 0 to 63", [](double n) { return n >= 0.0 && n <= 63.0 && n == std::floor(n); },
         [&raw](double n) { raw.bevel_steps = n; })
         ->type_name("N");
     add_named<bevel_mode>(
         app, "--bevel-mode", out.bevel.mode,
-        "where a stroke is thin: a ridge (clip, default); narrower, that letter (fit), all (fit_text)",
+        "thin strokes get a ridge (clip, default), or narrower bevels: one letter (fit), all (fit_text)",
         {{"clip", bevel_mode::clip}, {"fit", bevel_mode::fit}, {"fit_text", bevel_mode::fit_text}});
-    app.add_flag("--bevel-out", out.bevel.outward, "bevels are put on, round the letters, which grow");
-    add_named<bevel_sides>(app, "--bevel-sides", out.bevel.sides, "which edges are bevelled (default both)",
+    app.add_flag("--bevel-out", out.bevel.outward, "put the bevels around the letters, which then grow");
+    add_named<bevel_sides>(app, "--bevel-sides", out.bevel.sides, "the edges that are bevelled (default both)",
                            {{"front", bevel_sides::front}, {"back", bevel_sides::back}, {"both", bevel_sides::both}});
 }
 
@@ -340,43 +349,43 @@ void add_weight_options(CLI::App& app, options& out)
 {
     using namespace typemesh;
     add_number(
-        app, "--embolden", "how far edges move outwards, so that strokes become twice that wider; negative: thinner",
+        app, "--embolden", "move edges outwards by this, which widens strokes by twice as much; inwards if negative",
         "a number from -1 to 1", [](double n) { return n >= -1.0 && n <= 1.0; },
         [&out](double n) { out.embolden = static_cast<float>(n); })
         ->type_name("EM");
     add_number(
-        app, "--outline", "hollow letters: how wide the ring is; 0: none (default)", "a number from 0 to 1",
-        [](double n) { return n >= 0.0 && n <= 1.0; }, [&out](double n) { out.outline.width = static_cast<float>(n); })
+        app, "--outline", "make hollow letters with a ring of this width; 0 makes none (default)",
+        "a number from 0 to 1", [](double n) { return n >= 0.0 && n <= 1.0; },
+        [&out](double n) { out.outline.width = static_cast<float>(n); })
         ->type_name("EM");
     add_named<outline_place>(app, "--outline-place", out.outline.place,
-                             "the ring lies within the letter's edges (inner, default), around them, or half and half",
+                             "put the ring inside the letter's edges (inner, default), around them, or half and half",
                              {{"inner", outline_place::inner},
                               {"center", outline_place::centre},
                               {"centre", outline_place::centre},
                               {"outer", outline_place::outer}},
                              {"centre"});
-    app.add_flag("--outline-letter", out.outline.letter,
-                 "the letter within the ring is made, too, as parts of its own");
+    app.add_flag("--outline-letter", out.outline.letter, "also make the letter inside the ring, as parts of its own");
 }
 
 void add_output_options(CLI::App& app, options& out, raw_values& raw)
 {
     app.add_option("-o,--output", out.output,
-                   "the mesh: .glb, .obj (with its .mtl), .stl, .ply or .3mf; - with --format: standard output")
+                   "write the mesh: .glb, .obj (with .mtl), .stl, .ply or .3mf; - writes to standard output")
         ->type_name("FILE");
-    app.add_option("--format", raw.format, "what --output holds, whatever its name")
+    app.add_option("--format", raw.format, "the format of --output, whatever its name is")
         ->check(one_of({"glb", "obj", "stl", "ply", "3mf"}));
-    app.add_option("--picture", out.picture, "a picture of it, as fine as its pixels, or of the quality given")
+    app.add_option("--picture", out.picture, "write a picture, as fine as its pixels, or of the given quality")
         ->type_name("FILE.png");
-    add_named<shading>(app, "--shading", out.shading, "of the picture (default phong)",
+    add_named<shading>(app, "--shading", out.shading, "the shading of the picture (default phong)",
                        {{"flat", shading::flat}, {"gouraud", shading::gouraud}, {"phong", shading::phong}});
     add_number(
-        app, "--turn", "the picture's eye goes round to the right (default -26, less for a long line; 0 if flat)",
+        app, "--turn", "turn the view of the picture to the right (default -26, less for a long line; 0 if flat)",
         "a number from -180 to 180", [](double n) { return n >= -180.0 && n <= 180.0; },
         [&out](double n) { out.turn = static_cast<float>(n); })
         ->type_name("DEGREES");
     app.add_option("--show", raw.show,
-                   "on the picture, joined by commas; all but control and checker draw the mesh of --output")
+                   "draw these on the picture, joined by commas; most of them show the mesh of --output")
         ->delimiter(',')
         ->check(one_of({"triangles", "points", "contours", "control", "normals", "checker"}))
         ->expected(1)
@@ -405,10 +414,10 @@ std::string settle_profile(bevel_options& out, const raw_values& raw)
         if (raw.profile == name) out.profile = profile;
     if (out.profile == profile_name::points)
         if (const std::string trouble = read_profile(raw.profile, out.points); !trouble.empty())
-            return "--profile: " + trouble;
+            return "--profile " + trouble;
     if (!raw.bevel_steps) return {};
     if (out.profile != profile_name::round && out.profile != profile_name::concave)
-        return "--bevel-steps: is for --profile round or concave";
+        return "--bevel-steps needs --profile round or concave";
     out.steps = static_cast<unsigned>(*raw.bevel_steps);
     return {};
 }
@@ -428,15 +437,15 @@ std::string settle_bevel(options& out, const raw_values& raw)
     const auto width = static_cast<double>(out.bevel.width);
     if (std::string trouble = settle_profile(out.bevel, raw); !trouble.empty()) return trouble;
     if (width == 0.0)
-        return raw.of_a_bevel.empty() || raw.bevel_given ? std::string{} : raw.of_a_bevel + ": is for --bevel";
-    if (out.depth == 0.0f) return "--bevel: is for solids, and --depth 0 makes a flat mesh";
-    if (raw.normals_given) return "--normals: is not for --bevel, whose sides and bevels have those of the curves";
+        return raw.of_a_bevel.empty() || raw.bevel_given ? std::string{} : raw.of_a_bevel + " needs --bevel";
+    if (out.depth == 0.0f) return "--bevel needs a solid, but --depth 0 makes a flat mesh: give a larger --depth";
+    if (raw.normals_given) return "--normals does not work with --bevel, which takes all normals from the curves";
     out.bevel.depth = static_cast<float>(raw.bevel_depth.value_or(width));
     const bool both = out.bevel.sides == typemesh::bevel_sides::both, leaves_some = reaches_down(out.bevel);
     const double bevels = (both ? 2.0 : 1.0) * static_cast<double>(out.bevel.depth);
     const auto depth = static_cast<double>(out.depth);
     if (bevels < depth || (bevels <= depth && !leaves_some)) return {};
-    return std::string{raw.bevel_depth ? "--bevel-depth" : "--bevel, where --bevel-depth is not given"} + ": must be " +
+    return std::string{raw.bevel_depth ? "--bevel-depth" : "--bevel without --bevel-depth"} + " must be " +
            (leaves_some ? "less than " : "at most ") + (both ? "half of " : "") + "--depth " + written(out.depth) +
            ", not " + written(out.bevel.depth);
 }
@@ -446,9 +455,9 @@ std::string settle_weight(options& out, const raw_values& raw)
 {
     using typemesh::outline_place;
     const auto width = static_cast<double>(out.outline.width), bolder = static_cast<double>(out.embolden);
-    if (width == 0.0 && !raw.of_an_outline.empty()) return raw.of_an_outline + ": is for --outline";
+    if (width == 0.0 && !raw.of_an_outline.empty()) return raw.of_an_outline + " needs --outline";
     if (out.outline.letter && out.bevel.outward && out.bevel.width > 0.0f)
-        return "--bevel-out: is not for --outline-letter, into which the ring would grow";
+        return "--bevel-out does not work with --outline-letter, because the ring would grow into the letter";
     const double around = out.outline.place == outline_place::outer    ? width
                           : out.outline.place == outline_place::centre ? 0.5 * width
                                                                        : 0.0;
@@ -469,21 +478,23 @@ std::string settle_lines(options& out, const raw_values& raw)
     };
     const alignment align = out.lines.align;
     if (given("--fit") && !read_box(raw.fit, out.fit_width, out.fit_height))
-        return "--fit: must be two positive numbers up to 1000000, such as 30x10, not " + raw.fit;
+        return "--fit must be two positive numbers up to 1000000, such as 30x10, not " + raw.fit;
     for (const char* other : {"--width", "--ellipsis"})
-        if (given("--fit") && given(other)) return std::string{other} + ": is not for --fit, which shows all text";
-    if (given("--fit") && raw.size) return "--size: is not for --fit, which finds it";
+        if (given("--fit") && given(other))
+            return std::string{other} + " does not work with --fit, which shows all text";
+    if (given("--fit") && raw.size) return "--size does not work with --fit, which finds the size";
     const bool boxed = given("--width") || given("--fit");
-    if (!boxed && align == alignment::justify) return "--align: justify is for --width or --fit";
-    if (align != alignment::justify && given("--justify")) return "--justify: is for --align justify";
+    if (!boxed && align == alignment::justify) return "--align justify needs --width or --fit";
+    if (align != alignment::justify && given("--justify")) return "--justify needs --align justify";
     for (const char* option : {"--wrap", "--breaker"})
-        if (!boxed && given(option)) return std::string{option} + ": is for --width or --fit";
-    if (out.lines.wrap == typemesh::wrap_mode::none && given("--breaker")) return "--breaker: is not for --wrap none";
+        if (!boxed && given(option)) return std::string{option} + " needs --width or --fit";
+    if (out.lines.wrap == typemesh::wrap_mode::none && given("--breaker"))
+        return "--breaker does not work with --wrap none";
     if (!given("--width") && !given("--max-lines") && given("--ellipsis"))
-        return "--ellipsis: is for --width or --max-lines";
+        return "--ellipsis needs --width or --max-lines";
     out.ellipsis = with_line_breaks(out.ellipsis);
-    if (out.ellipsis.find('\n') != std::string::npos) return "--ellipsis: must be one line";
-    if (!given("--ellipsis") && given("--elide")) return "--elide: is for --ellipsis";
+    if (out.ellipsis.find('\n') != std::string::npos) return "--ellipsis must be one line";
+    if (!given("--ellipsis") && given("--elide")) return "--elide needs --ellipsis";
     const bool plain =
         align == alignment::left || align == alignment::centre || align == alignment::right;
     out.page = !raw.of_a_page.empty() || (raw.align_given && !plain);
@@ -498,22 +509,22 @@ std::string settle_lines(options& out, const raw_values& raw)
 std::string refused_columns(const options& o, const raw_values& raw)
 {
     if (o.direction == typemesh::direction::top_to_bottom) return {};
-    if (!raw.of_columns.empty()) return raw.of_columns + ": is for --direction ttb";
+    if (!raw.of_columns.empty()) return raw.of_columns + " needs --direction ttb";
     for (const styled_range& r : o.styles)
         if (r.style.column != typemesh::column_style::automatic)
-            return "--style: upright, sideways and combined are for --direction ttb";
+            return "--style: upright, sideways and combined need --direction ttb";
     return {};
 }
 
 /// Chooses between --font and --family. Gives an empty string, or what is wrong.
 std::string settle_font(options& out, const raw_values& raw)
 {
-    if (raw.family.empty() && out.font.empty()) return "--font is missing, or --family";
-    if (!raw.family.empty() && !out.font.empty()) return "--family: is not for --font, which names the font already";
+    if (raw.family.empty() && out.font.empty()) return "there is no font: give --font or --family";
+    if (!raw.family.empty() && !out.font.empty()) return "--family does not work with --font: give one of them";
     out.family = !raw.family.empty();
     if (out.family) out.font = raw.family;
     for (const std::string& name : out.fallback)
-        if (name.empty()) return "--fallback: must be a font, not an empty name";
+        if (name.empty()) return "--fallback must be a font, not an empty name";
     return {};
 }
 
@@ -523,7 +534,7 @@ std::string refused_faces(const options& o)
     const std::size_t fonts = o.fallback.size() + 1;
     for (const styled_range& r : o.styles)
         if (r.style.face >= fonts)
-            return "font=" + std::to_string(r.style.face + 1) + ", but there " +
+            return "font=" + std::to_string(r.style.face + 1) + " needs another --fallback, because there " +
                    (fonts == 1 ? "is only 1 font" : "are only " + std::to_string(fonts) + " fonts");
     return {};
 }
@@ -534,28 +545,30 @@ std::string settle_files(options& out, const raw_values& raw)
     const bool piped = out.output == standard_output;
     out.kind = kind_of(out.output);
     if (!raw.format.empty()) {
-        if (out.output.empty()) return "--format: is for --output";
+        if (out.output.empty()) return "--format needs --output";
         const file_kind wanted = kind_of_format(raw.format);
         if (out.kind != file_kind::unknown && out.kind != wanted)
-            return "--format: is " + raw.format + ", but the name is " + out.output;
+            return "--format is " + raw.format + ", but the name of --output is " + out.output;
         if (wanted == file_kind::obj && out.output.ends_with(".mtl"))
-            return "--output: must not end in .mtl, for the materials of an .obj file are named so";
+            return "--output must not end in .mtl, because the materials of an .obj file have such a name";
         out.kind = wanted;
     }
-    if (piped && raw.format.empty()) return "--output: - is standard output, for which --format says what it holds";
+    if (piped && raw.format.empty()) return "--output - needs --format, because standard output has no file name";
     if (!out.output.empty() && (out.kind == file_kind::unknown || out.kind == file_kind::png))
-        return "--output: must end in .glb, .obj, .stl, .ply or .3mf, not " + out.output;
+        return "--output must end in .glb, .obj, .stl, .ply or .3mf, not " + out.output;
     if (!out.picture.empty() && out.picture != standard_output && kind_of(out.picture) != file_kind::png)
-        return "--picture: must end in .png, not " + out.picture;
+        return "--picture must end in .png, not " + out.picture;
     if (out.output.empty() && out.picture.empty() && !out.stats)
-        return "nothing to do: give --output, --picture or --stats";
+        return "there is nothing to do: give --output, --picture or --stats";
     const bool pictured = out.picture == standard_output;
-    if (piped && pictured) return "--picture: - is standard output, which has the mesh";
+    if (piped && pictured)
+        return "--picture - is standard output, which already contains the mesh: write one of them to a file";
     if ((piped || pictured) && out.stats)
-        return std::string{"--stats: prints on standard output, which has the "} + (piped ? "mesh" : "picture");
+        return std::string{"--stats prints on standard output, which already contains the "} +
+               (piped ? "mesh" : "picture") + ": write it to a file";
     if (is_printed(out.kind) && out.depth == 0.0f)
-        return std::string{"--depth: must be more than 0 in a ."} + (out.kind == file_kind::stl ? "stl" : "3mf") +
-               " file, which holds solids";
+        return std::string{"--depth must be more than 0 in a ."} + (out.kind == file_kind::stl ? "stl" : "3mf") +
+               " file, which contains solids";
     return {};
 }
 
@@ -566,9 +579,9 @@ std::string settle_place(options& out, const raw_values& raw)
         const bool anchor = option == std::string_view{"--anchor"};
         const std::string& given = anchor ? raw.anchor : raw.origin;
         if (given.empty()) continue;
-        if (out.output.empty()) return std::string{option} + ": is for --output";
+        if (out.output.empty()) return std::string{option} + " needs --output";
         const std::string trouble = anchor ? read_anchor(given, out.place) : read_origin(given, out.place);
-        if (!trouble.empty()) return std::string{option} + ": " + trouble;
+        if (!trouble.empty()) return std::string{option} + " " + trouble;
     }
     if (out.place.z == placing::depth::automatic && is_printed(out.kind)) out.place.z = placing::depth::base;
     return {};
@@ -578,10 +591,10 @@ std::string settle_place(options& out, const raw_values& raw)
 std::string settle_source(options& out, const raw_values& raw)
 {
     const bool file = !out.text_file.empty(), batch = !out.batch.empty();
-    if (!raw.text_given && !file && !batch) return "TEXT is missing, or --text-file, or --batch";
+    if (!raw.text_given && !file && !batch) return "there is no text: give TEXT, --text-file or --batch";
     if (raw.text_given && (file || batch))
-        return std::string{file ? "--text-file" : "--batch"} + ": is not for TEXT, which is the text already";
-    if (file && batch) return "--batch: is not for --text-file";
+        return std::string{file ? "--text-file" : "--batch"} + " does not work with TEXT: give one of them";
+    if (file && batch) return "--batch does not work with --text-file: give one of them";
     if (batch) return refused_patterns(out);
     if (file) return {};
     if (out.text == standard_output) {
@@ -589,8 +602,8 @@ std::string settle_source(options& out, const raw_values& raw)
         return {};
     }
     if (out.text.starts_with('@'))
-        return "TEXT: a file is read by --text-file " + out.text.substr(1) +
-               "; a text that begins with @ is written \\" + out.text;
+        return "TEXT begins with @: give --text-file " + out.text.substr(1) + " for a file, or \\" + out.text +
+               " for this text";
     if (out.text.starts_with("\\@") || out.text == "\\-") out.text.erase(0, 1);
     out.text = with_line_breaks(out.text);
     const std::string trouble = refused_ranges(out.styles, out.text);
@@ -603,16 +616,16 @@ std::string settle(options& out, const raw_values& raw)
     using namespace typemesh;
     for (const std::string& v : raw.variations) {
         const auto read = read_variation(v);
-        if (!read) return "--variation: must be of the form wght=700, not " + v;
+        if (!read) return "--variation must have the form wght=700, not " + v;
         out.variations.push_back(*read);
     }
     for (const std::string& f : raw.features) {
         const auto read = read_feature(f);
-        if (!read) return "--feature: must be of the form liga, -liga or liga=0, not " + f;
+        if (!read) return "--feature must have the form liga, -liga or liga=0, not " + f;
         out.features.push_back(*read);
     }
     if (!out.script.empty() && out.script.size() != 4)
-        return "--script: must be four letters, such as Latn, not " + out.script;
+        return "--script must be four letters, such as Latn, not " + out.script;
     if (raw.uv == "box") out.uv = texture_mapping::box;
     if (raw.uv == "cylindrical") out.uv = texture_mapping::cylindrical;
     if (!raw.fill.empty()) out.fill = raw.fill == "nonzero" ? fill_rule::non_zero : fill_rule::even_odd;
@@ -634,14 +647,14 @@ std::string settle(options& out, const raw_values& raw)
 
     if (std::string trouble = settle_files(out, raw); !trouble.empty()) return trouble;
     if (std::string trouble = settle_place(out, raw); !trouble.empty()) return trouble;
-    if (out.picture.empty() && !raw.show.empty()) return "--show: is for --picture";
-    if (out.picture.empty() && raw.shading_given) return "--shading: is for --picture";
-    if (out.picture.empty() && out.turn) return "--turn: is for --picture";
+    if (out.picture.empty() && !raw.show.empty()) return "--show needs --picture";
+    if (out.picture.empty() && raw.shading_given) return "--shading needs --picture";
+    if (out.picture.empty() && out.turn) return "--turn needs --picture";
     if (out.discretiser != discretiser_name::certified && raw.tolerance_given)
-        return "--tolerance: is for --discretiser certified; adaptive goes by --quality, two_lines by neither";
+        return "--tolerance needs --discretiser certified: adaptive uses --quality, and two_lines uses neither";
     if (out.discretiser == discretiser_name::two_lines && out.quality_given)
-        return "--quality: is not for --discretiser two_lines, which makes two lines of every curve";
-    if (out.instances && out.kind != file_kind::glb) return "--instances: is for --output FILE.glb";
+        return "--quality does not work with --discretiser two_lines, which makes two lines of every curve";
+    if (out.instances && out.kind != file_kind::glb) return "--instances needs --output FILE.glb";
     out.size = raw.size.value_or(is_printed(out.kind) ? 10.0 : 1.0);
     using typemesh::touching;
     out.corners = raw.corners.value_or(wants_two_faces(out.kind) ? touching::part : touching::keep);
@@ -656,7 +669,7 @@ std::string settle(options& out, const raw_values& raw)
 
 std::optional<int> parse(int argc, char** argv, options& out)
 {
-    CLI::App app{"Makes a 3D mesh of a text, and a picture of it.", "text_to_mesh"};
+    CLI::App app{"Makes a 3D mesh and a picture of a text.", "text_to_mesh"};
     app.formatter(std::make_shared<plain_help>());
     app.set_help_flag("-h,--help", "print this and exit");
     app.footer(
@@ -665,8 +678,8 @@ std::optional<int> parse(int argc, char** argv, options& out)
         "font=N (1: --font, 2: the first --fallback); in columns upright, sideways, combined.\n"
         "Places of --anchor: left, centre, right (default: where --align has it); baseline (default), bottom, middle, "
         "top;\n"
-        "front (default), halfway, base (default in .stl and .3mf: it lies on z = 0).\n"
-        "A tab, but no \\t, leads to the next tab stop.\n"
+        "front (default), halfway, base (default in .stl and .3mf, which puts it on z = 0).\n"
+        "A tab moves to the next tab stop; \\t does not.\n"
         "\n"
         "Examples:\n"
         "  text_to_mesh Hello -f \"DejaVu Sans:bold\" -o hello.glb\n"
@@ -685,7 +698,8 @@ std::optional<int> parse(int argc, char** argv, options& out)
     add_output_options(app, out, raw);
 
     const auto complain = [](const std::string& sentence) {
-        std::fprintf(stderr, "text_to_mesh: %s\nRun with --help for more information.\n", sentence.c_str());
+        std::fprintf(stderr, "text_to_mesh: %s%s\nRun text_to_mesh --help for all options.\n", sentence.c_str(),
+                     sentence.ends_with('?') ? "" : ".");
         return 2;
     };
     try {
@@ -698,7 +712,7 @@ std::optional<int> parse(int argc, char** argv, options& out)
     raw.text_given = app.count("TEXT") > 0;
     for (const auto& [option, value] : {std::pair{"--text-file", &out.text_file}, std::pair{"--batch", &out.batch}})
         if (app.count(option) > 0 && value->empty())
-            return complain(std::string{option} + ": must be a file's name, or -");
+            return complain(std::string{option} + " must be a file's name or -");
     raw.align_given = app.count("--align") > 0;
     raw.of_a_page.erase(std::remove_if(raw.of_a_page.begin(), raw.of_a_page.end(),
                                        [&app](const std::string& option) { return app.count(option) == 0; }),

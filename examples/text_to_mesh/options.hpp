@@ -42,14 +42,14 @@ struct outline_options {
     bool letter = false;  ///< the letter is made, too
 };
 
-/// What the command line asks for.
+/// What the command line requests.
 struct options {
     std::string who = "text_to_mesh: ";  ///< begins a sentence on standard error; of a batch it names the line
     std::string text;
     std::string text_file;  ///< instead of it, "-" is standard input; empty: none
     std::string batch;      ///< likewise, a text a line
     std::string font;       ///< a file's name or a family's
-    bool family = false;    ///< it is that of --family: other installed fonts stand in for it
+    bool family = false;    ///< it is the font of --family: other installed fonts stand in for it
     std::vector<std::string> fallback;
     std::optional<unsigned> face;  ///< in a collection
     std::vector<typemesh::variation> variations;
@@ -89,7 +89,7 @@ struct options {
     bool instances = false;
     typemesh::touching corners = typemesh::touching::keep;
 
-    std::string output;  ///< "-" is standard output; of a batch a pattern, as that of the picture: see file_name()
+    std::string output;  ///< "-" is standard output; of a batch a pattern, as `picture` is: see file_name()
     file_kind kind = file_kind::unknown;  ///< of the output
     std::string picture;
     text_to_mesh::shading shading = text_to_mesh::shading::phong;

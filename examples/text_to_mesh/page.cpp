@@ -58,7 +58,7 @@ public:
         if (!(high > 0.0)) high = 1.0;
         trial natural = laid_out(high, page);
         if (natural.error) return in_words(natural.error);
-        if (!natural.whole) return "--fit: the text demands more lines than --max-lines.";
+        if (!natural.whole) return "--fit: the text needs more lines than --max-lines allows.";
         trial best = natural;
         bool wide = natural.across > natural.along;  // lines are too long for the box
         while (wide && lines_.wrap != typemesh::wrap_mode::none && high > low + 1e-6 * high) {
@@ -106,14 +106,14 @@ private:
     ink ink_;
 };
 
-/// Tells what an ellipsis lacks. Gives whether it did.
+/// Prints what an ellipsis lacks. Gives whether it lacks something.
 bool name_ellipsis_losses(const options& o, font_set& font)
 {
     typemesh::glyph_run run;
     if (!typemesh::layout(font, o.ellipsis, shape_options_of(o), {}, run)) return false;  // the page fails likewise
-    if (run.invalid_units > 0) std::fprintf(stderr, "%s--ellipsis: is not valid UTF-8.\n", o.who.c_str());
+    if (run.invalid_units > 0) std::fprintf(stderr, "%s--ellipsis is not valid UTF-8.\n", o.who.c_str());
     if (run.missing > 0)
-        std::fprintf(stderr, "%s--ellipsis: the font has no glyph for it; three full stops are drawn instead.\n",
+        std::fprintf(stderr, "%s--ellipsis: the font has no glyph for it, so three full stops are drawn.\n",
                      o.who.c_str());
     return run.invalid_units > 0 || run.missing > 0;
 }
@@ -134,8 +134,9 @@ std::string lay_out_lines(const options& o, const Breaker& breaker, font_set& fo
     if (!set) return in_words(set.error());
     bool warned = !o.ellipsis.empty() && name_ellipsis_losses(o, font);
     if (const std::uint32_t moved = words.shaped().styles.moved(); moved != 0) {
-        std::fprintf(stderr, "%s--style: %u %s inside a character or a combined number; the whole of it is styled.\n",
-                     o.who.c_str(), moved, moved == 1 ? "end stands" : "ends stand");
+        std::fprintf(stderr,
+                     "%s--style: %u %s inside a character or a combined number, so the whole of it is styled.\n",
+                     o.who.c_str(), moved, moved == 1 ? "end lies" : "ends lie");
         warned = true;
     }
     return warned && o.strict ? "--strict: nothing is written." : std::string{};

@@ -10,7 +10,7 @@ namespace text_to_mesh {
 /// The usual colours of the faces, of the sides and of the bevels, in sRGB: of pictures and of the materials of files.
 inline constexpr unsigned char face_rgb[3] = {240, 104, 64}, side_rgb[3] = {206, 70, 48}, bevel_rgb[3] = {248, 146, 84};
 
-/// Those of the letter within a ring.
+/// The colours of the letter within a ring.
 inline constexpr unsigned char letter_face_rgb[3] = {250, 232, 208}, letter_side_rgb[3] = {222, 196, 166};
 
 /// The colour of a part by its name: see model::part.

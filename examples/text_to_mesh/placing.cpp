@@ -43,7 +43,7 @@ std::string read_anchor(std::string_view written, placing& out)
         const auto comma = rest.find(',');
         const std::size_t axis = take(rest.substr(0, comma), out);
         if (axis == 3) return std::string{forms} + std::string{written};
-        if (given[axis]) return "may have one word for each direction, unlike " + std::string{written};
+        if (given[axis]) return "may have only one word for each direction, not " + std::string{written};
         given[axis] = true;
         if (comma == std::string_view::npos) return {};
         rest.remove_prefix(comma + 1);

@@ -7,7 +7,7 @@ namespace text_to_mesh {
 
 /// The same mesh with one vertex instead of several at a place, where triangles of a solid meet along their edges. Solids that
 /// only touch, in points or in edges met by more than two triangles, keep vertices of their own. Normals and texture
-/// coordinates are those of any of the vertices that became one.
+/// coordinates come from any of the vertices that became one.
 [[nodiscard]] model sewn(const model& mesh);
 
 }  // namespace text_to_mesh

@@ -81,14 +81,14 @@ std::string take_setting(std::string_view setting, styled_range& out)
     if (name == "language") return out.language = value, std::string{};
     if (name == "feature") {
         const auto read = read_feature(value);
-        if (!read) return "feature must be of the form liga, -liga or liga=0, not " + std::string{value};
+        if (!read) return "feature must have the form liga, -liga or liga=0, not " + std::string{value};
         return out.features.push_back(*read), std::string{};
     }
-    return "must hold settings such as colour=red, underline or size=1.5, not " +
+    return "must contain settings such as colour=red, underline or size=1.5, not " +
            (setting.empty() ? "nothing" : std::string{setting});
 }
 
-/// What a setting sets, of which a range has one; empty where it may have several.
+/// What a setting sets: a range has one setting of each kind; empty where it may have several.
 std::string what_is_set(std::string_view setting)
 {
     const std::string_view name = setting.substr(0, setting.find('='));
@@ -129,7 +129,7 @@ std::string read_styled_range(std::string_view written, styled_range& out)
     const auto first = read_place(range.substr(0, dots));
     const auto last = dots == std::string_view::npos ? std::nullopt : read_place(range.substr(dots + 2));
     if (colon == std::string_view::npos || !first || !last)
-        return "must be of the form 6..11:colour=red,underline, not " + std::string{written};
+        return "must have the form 6..11:colour=red,underline, not " + std::string{written};
     if (*first >= *last) return "must end after its beginning, not " + std::string{range};
     out.first = *first;
     out.last = *last;
@@ -139,7 +139,7 @@ std::string read_styled_range(std::string_view written, styled_range& out)
         const std::string_view setting = rest.substr(0, comma);
         if (std::string trouble = take_setting(setting, out); !trouble.empty()) return trouble;
         if (std::string what = what_is_set(setting); !what.empty()) {
-            if (std::find(set.begin(), set.end(), what) != set.end()) return "may set " + what + " once only";
+            if (std::find(set.begin(), set.end(), what) != set.end()) return "may set " + what + " only once";
             set.push_back(std::move(what));
         }
         if (comma == std::string_view::npos) return {};

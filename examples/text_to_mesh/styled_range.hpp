@@ -14,10 +14,10 @@
 
 namespace text_to_mesh {
 
-/// What one --style asks for.
+/// What one --style requests.
 struct styled_range {
     std::size_t first = 0, last = 0;  ///< characters of the text, from 0, the last one not included
-    typemesh::text_style style;       ///< but for the three below
+    typemesh::text_style style;       ///< except for the three below
     std::vector<typemesh::feature> features;
     std::string language;
     std::optional<rgb_colour> colour;

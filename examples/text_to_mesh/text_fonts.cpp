@@ -13,7 +13,7 @@ namespace text_to_mesh {
 std::string installed_fallback::open(const std::string& like)
 {
     auto fonts = typemesh::fontconfig_fonts::open();
-    if (!fonts) return "--family: fontconfig finds no configuration.";
+    if (!fonts) return "--family: fontconfig has no configuration.";
     fonts_.emplace(std::move(*fonts));
     found_.emplace(*fonts_, like.c_str());
     return {};
@@ -31,7 +31,7 @@ typemesh::result<typemesh::harfbuzz_font*> installed_fallback::font_for(typemesh
 
 std::string installed_fallback::open(const std::string&)
 {
-    return "--family: this program was built without fontconfig, which finds families; --font takes a file.";
+    return "--family: this program was built without fontconfig, which finds families: give a file with --font.";
 }
 
 typemesh::result<typemesh::harfbuzz_font*> installed_fallback::font_for(typemesh::text_view, typemesh::text_range,
@@ -44,7 +44,7 @@ typemesh::result<typemesh::harfbuzz_font*> installed_fallback::font_for(typemesh
 
 std::string text_fonts::open(const options& o)
 {
-    if (o.family && is_a_file(o.font)) return "--family: must be an installed family, not the file " + o.font;
+    if (o.family && is_a_file(o.font)) return "--family must be an installed family, not the file " + o.font;
     if (o.family)
         if (std::string trouble = installed_.open(o.font); !trouble.empty()) return trouble;
     const auto open_one = [this](const std::string& name, const options* first) -> std::string {
@@ -58,7 +58,8 @@ std::string text_fonts::open(const options& o)
             typemesh::harfbuzz_font::open(found.path.c_str(), {.face = found.face, .variations = found.variations});
         if (!font && first != nullptr && first->face && font.error() == typemesh::error::no_such_face)
             return "--face " + std::to_string(*first->face) + ": " + found.path + " has only " +
-                   std::to_string(font.error().count) + ", counted from 0.";
+                   std::to_string(font.error().count) + (font.error().count == 1 ? " face" : " faces") +
+                   ", counted from 0.";
         if (!font) return found.path + ": " + in_words(font.error());
         opened_.push_back(std::move(*font));
         return {};

@@ -35,7 +35,7 @@ private:
 
 using font_set = typemesh::font_list<typemesh::harfbuzz_font, installed_fallback>;
 
-/// The fonts that a text is set in: that of --font or --family, those of --fallback and, with --family, whatever else
+/// The fonts that a text is set in: the font of --font or --family, the fonts of --fallback and, with --family, whatever else
 /// is installed.
 class text_fonts {
 public:

@@ -37,7 +37,7 @@ std::string read_all(const std::string& path, std::string& out)
     for (std::size_t count = 1; count != 0 && out.size() <= max_bytes; out.append(some, count))
         count = std::fread(some, 1, sizeof some, file);
     std::string trouble = std::ferror(file) != 0 ? refused() : std::string{};
-    if (out.size() > max_bytes) trouble = name + " holds more than 64 MB, which is no text to make a mesh of.";
+    if (out.size() > max_bytes) trouble = name + " contains more than 64 MB, which is too much for one mesh: split it.";
     if (!piped) std::fclose(file);
     if (!trouble.empty()) return trouble;
     if (out.starts_with("\xEF\xBB\xBF")) out.erase(0, 3);
@@ -86,7 +86,7 @@ std::string refused_patterns(const options& o)
     for (const auto& [option, pattern] : {std::pair{"--output", &o.output}, std::pair{"--picture", &o.picture}}) {
         if (pattern->empty()) continue;
         if (pattern->find("{n}") == std::string::npos && pattern->find("{text}") == std::string::npos)
-            return std::string{option} + ": must hold {n} or {text} for --batch, as in \"tags/{n}.stl\", unlike " +
+            return std::string{option} + " must contain {n} or {text} for --batch, for example tags/{n}.stl, not " +
                    *pattern;
     }
     return {};
@@ -127,7 +127,7 @@ std::string read_texts(const options& o, std::vector<text_job>& out)
         }
         out.push_back(std::move(job));
     }
-    return out.empty() ? "--batch: there is no line that is not blank." : std::string{};
+    return out.empty() ? "--batch: every line is blank." : std::string{};
 }
 
 }  // namespace text_to_mesh

@@ -169,7 +169,8 @@ namespace text_to_mesh {
 
 std::string write_3mf(const model&, const std::string& path, file_set&)
 {
-    return path + " cannot be written: this program was built without lib3mf (Debian: lib3mf-dev).";
+    return path +
+           " cannot be written: this program was built without lib3mf (Debian: lib3mf-dev); choose another format.";
 }
 
 }  // namespace text_to_mesh

@@ -26,7 +26,7 @@ std::size_t distance(const std::string& a, const std::string& b)
     return d[a.size()][b.size()];
 }
 
-/// "--fnot is not an option; is --font meant?", of the first argument of which something like it is true; else nothing.
+/// "--fnot is not an option: did you mean --font?", about the first argument that needs it; else nothing.
 std::string unknown_option(CLI::App& app, int argc, char** argv)
 {
     bool is_value = false;  // of the option before it
@@ -53,7 +53,7 @@ std::string unknown_option(CLI::App& app, int argc, char** argv)
                 if (way < nearest) meant = "--" + other, nearest = way;
             }
         }
-        return name + " is not an option" + (meant.empty() ? "" : "; is " + meant + " meant?");
+        return name + " is not an option" + (meant.empty() ? "" : ": did you mean " + meant + "?");
     }
     return {};
 }
@@ -67,18 +67,22 @@ std::string in_words(const CLI::ParseError& wrong, CLI::App& app, int argc, char
         const std::vector<std::string> left = app.remaining();
         const std::string unexpected = left.size() > 1 && left[0] == "--" ? left[1] : left[0];
         return unexpected + (unexpected[0] == '-' ? " is not an option"
-                                                  : " was not expected; a text of several words stands in quotes");
+                                                  : " was not expected: put a text of several words in quotes");
     }
     const std::string said = wrong.what();
     constexpr std::string_view unconverted = "Could not convert: ";
-    if (said.rfind(unconverted, 0) == 0) {  // what stands behind the = of a flag; values of others are read by checks
+    if (said.rfind(unconverted, 0) == 0) {  // what stands after the = of a flag; values of others are read by checks
         const std::string option = said.substr(unconverted.size());
-        return option.substr(0, option.find(' ')) + ": takes no value";
+        return option.substr(0, option.find(' ')) + " takes no value";
     }
     const auto colon = said.find(':');
-    if (dynamic_cast<const CLI::ArgumentMismatch*>(&wrong) == nullptr || colon == std::string::npos) return said;
+    if (dynamic_cast<const CLI::ArgumentMismatch*>(&wrong) == nullptr || colon == std::string::npos) {
+        const bool about_itself = colon != std::string::npos &&
+                                  (said.compare(colon, 7, ": must ") == 0 || said.compare(colon, 6, ": may ") == 0);
+        return about_itself ? said.substr(0, colon) + said.substr(colon + 1) : said;  // "--depth must be", one sentence
+    }
     const bool lacks = said.find("missing", colon) != std::string::npos;
-    return said.substr(0, colon) + (lacks ? ": needs a value" : ": may be given once only");
+    return said.substr(0, colon) + (lacks ? " needs a value" : " may be given only once");
 }
 
 }  // namespace text_to_mesh

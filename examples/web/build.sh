@@ -8,10 +8,10 @@ usage() {
     cat <<'EOF'
 usage: examples/web/build.sh [FLAG...]
 
-Compiles typemesh and HarfBuzz to WebAssembly, as examples/web/package/typemesh.wasm, with Debian's emscripten; HarfBuzz is
-compiled from its source package. FLAG...: of the compiler, for all sources alike, instead of those that make a small module without
-losing speed where it counts. TYPEMESH_WEB_BUILD: the folder to work in, build/web
-by default. TYPEMESH_WEB_OUTPUT: another file than the package's. TYPEMESH_WEB_NAMES: any word, to keep the functions' names.
+This script compiles typemesh and HarfBuzz to WebAssembly, into examples/web/package/typemesh.wasm, with Debian's emscripten. It
+compiles HarfBuzz from its source package. Each FLAG goes to the compiler for all sources. The default flags make a small and fast
+module. TYPEMESH_WEB_BUILD is the folder to work in (build/web). TYPEMESH_WEB_OUTPUT is another output file. If
+TYPEMESH_WEB_NAMES is any word, the functions keep their names.
 EOF
 }
 case ${1:-} in -h | --help) usage && exit 0 ;; esac
@@ -81,18 +81,18 @@ compile_changed() {  # compile_changed FLAG...
 changed=()
 for source in "${sources[@]}"; do is_compiled "$source" || changed+=("$source"); done
 if [ ${#changed[@]} -gt 0 ]; then
-    say "Compiling to WebAssembly${*:+ with $*}, which takes some minutes: ${#changed[@]} files"
+    say "This compiles to WebAssembly${*:+ with $*}, which takes some minutes: ${#changed[@]} files"
     log=$objects/log taken=$objects/taken
     rm -rf "$taken" && mkdir "$taken" && : >"$log"
     with_progress "$log" logged "$log" compile_changed "$@" || {
         grep -vE '^\[[0-9]+/[0-9]+\] ' "$log" | head -n 60 >&2 || true
-        stop "The build has failed; all its words are in $log"
+        stop "The build has failed: read its full output in $log"
     }
     rm -rf "$taken"
     say "  ${#changed[@]} of ${#changed[@]} are compiled"
 fi
 
-say "Linking, usually half a minute"
+say "This links the module, usually in half a minute"
 exports=$(sed -nE 's/^TYPEMESH_WEB_EXPORT [^(]*[ *](web_[a-z_]+)\(.*/_\1/p' "$web/exports.cpp" | tr '\n' ,)
 smaller=  # linked for speed and then optimised for size: both alone are larger or slower
 [ $# -gt 0 ] || { set -- -O3 && smaller=yes; }

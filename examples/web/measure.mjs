@@ -43,14 +43,14 @@ for (const [label, text, options] of cases) {
     const least = meshers.map(() => Infinity);
     for (let round = 0; round < 3; ++round) { // in turns, so that other work of the machine meets all alike
         const command = [text, '--font', file, '--time', String(milliseconds / 3), ...words(options)];
-        const told = JSON.parse(execFileSync(program, command, { encoding: 'utf8' }));
-        native = Math.min(native, told.microseconds);
-        vertices = told.vertices;
+        const native_run = JSON.parse(execFileSync(program, command, { encoding: 'utf8' }));
+        native = Math.min(native, native_run.microseconds);
+        vertices = native_run.vertices;
         meshers.forEach((mesher, i) => {
             const end = performance.now() + milliseconds / 3;
             do least[i] = Math.min(least[i], mesher.mesh(text).statistics.microseconds);
             while (performance.now() < end);
-            if (mesher.mesh(text).hash() !== told.hash) throw new Error(`${label}: another mesh than the native one`);
+            if (mesher.mesh(text).hash() !== native_run.hash) throw new Error(`${label}: the mesh differs from the native one`);
         });
     }
     for (const one of least) cells.push(`${round(one)} | ${(one / native).toFixed(2)}`);

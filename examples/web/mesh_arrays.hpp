@@ -11,7 +11,7 @@
 
 namespace typemesh_web {
 
-/// The names of parts, as typemesh::part counts them; those of a ring come before those of the letter within it.
+/// The names of parts, as typemesh::part counts them; the parts of a ring come before the parts of the letter within it.
 inline constexpr const char* part_names[] = {"front",      "back",         "side",        "front_bevel",
                                              "back_bevel", "letter_front", "letter_back", "letter_side"};
 

@@ -35,7 +35,7 @@ std::string open(const char* path, std::vector<shared_font>& fonts)
     const std::string content{std::istreambuf_iterator<char>{file}, {}};
     if (content.empty()) return std::string{path} + " cannot be read.";
     auto* bytes = static_cast<std::byte*>(std::malloc(content.size()));
-    if (bytes == nullptr) return "there is no memory for a font.";
+    if (bytes == nullptr) return "There is no memory for a font.";
     std::copy_n(reinterpret_cast<const std::byte*>(content.data()), content.size(), bytes);
     auto font = typemesh::harfbuzz_font::open(std::span<const std::byte>{bytes, content.size()});
     if (!font) return std::free(bytes), std::string{path} + ": " + font.error().message();
@@ -88,7 +88,7 @@ int main(int argc, char** argv)
         } else if (i == 1) {
             text = word;
         } else if (!set_by_name(how, word)) {
-            return refuse("there is no such option or value: " + std::string{word});
+            return refuse("There is no such option or value: " + std::string{word});
         }
     }
     if (fonts.empty()) return refuse("usage: mesh_hash TEXT --font FILE [--time MILLISECONDS] [OPTION=VALUE...]");

@@ -8,9 +8,9 @@ usage() {
     cat <<'END'
 usage: examples/web/run.sh [--build | PORT]
 
-Builds the live page into build/web/site, and serves it at http://localhost:PORT/ (8000) until you press Ctrl-C; --build only builds.
-Installs what is missing if it may: Debian's emscripten, HarfBuzz's source, fonts, python3. Fetches three.js from npm's registry,
-with npm or without. The folder needs no network afterwards, and any server of files will do.
+This script builds the live page into build/web/site and serves it at http://localhost:PORT/ (8000) until you press Ctrl-C.
+--build only builds. It installs what is missing if it may: Debian's emscripten, HarfBuzz's source, fonts, python3. It fetches
+three.js from npm's registry, with npm or without. Afterwards the folder needs no network, and any file server can serve it.
 END
 }
 port=8000
@@ -63,7 +63,7 @@ for folder in controls exporters utils; do cp -R "$parts/three/examples/jsm/$fol
 # The fonts that are there, the first one being what the page begins with.
 names=
 while IFS='|' read -r name file; do
-    [ -e "/usr/share/fonts/$file" ] || { say "Without $name: Debian's package of it is missing." && continue; }
+    [ -e "/usr/share/fonts/$file" ] || { say "The page has no $name, because its Debian package is not installed." && continue; }
     cp "/usr/share/fonts/$file" "$site/fonts/"
     names="$names${names:+,}\"$name\":\"fonts/$(basename "$file")\""
 done <<'END'
@@ -77,8 +77,8 @@ Sawarabi Mincho (Japanese)|truetype/sawarabi-mincho/sawarabi-mincho-medium.ttf
 END
 [ -n "$names" ] || stop "None of the fonts is there."
 printf '{%s}\n' "$names" >"$site/fonts.json"
-say "The page: $site"
+say "The page is in $site"
 [ -n "$port" ] || exit 0
 need_port  # again, for the minutes are over
-say "Serving it at http://localhost:$port/  (Ctrl-C ends)"
+say "It is served at http://localhost:$port/ until you press Ctrl-C"
 exec python3 -m http.server --bind 127.0.0.1 --directory "$site" "$port"

@@ -128,7 +128,7 @@ constexpr option table[] = {
     {"letterSpacing", kind::number, "", "", [](settings& to, double n) { to.letter_spacing = n; }},
     {"lineSpacing", kind::number, "", "1", set_number<&options::line_spacing>},
     {"indent", kind::number, "", "0", set_inner_number<&options::lines, &paragraph::indent>},
-    {"mostLines", kind::number, "", "", set_inner_number<&options::lines, &paragraph::max_lines>},
+    {"maxLines", kind::number, "", "", set_inner_number<&options::lines, &paragraph::max_lines>},
     {"ellipsis", kind::string, "", "", nullptr, [](settings& to, std::u16string_view s) { to.ellipsis = s; }},
     {"features", kind::features},
     {"language", kind::string, "", "", nullptr, set_ascii<&options::language>},

@@ -5,7 +5,7 @@
 #
 # Fetches three.js from npm's registry and unpacks it as FOLDER/three. npm does it where it is installed. Elsewhere python3 does,
 # for Debian's npm needs hundreds of packages; the registry's address is then the one of NPM_CONFIG_REGISTRY or of an .npmrc, or
-# that of Debian's package npm, which is fetched for it and not installed. What arrives is compared with the sum below.
+# the npm of Debian's package npm, which is fetched for it and not installed. What arrives is compared with the sum below.
 set -eu
 typemesh_root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
 . "$typemesh_root/cmake/setup.sh"
@@ -52,7 +52,7 @@ except (OSError, ValueError) as error:
     sys.exit(f"three.js could not be fetched: {error}")
 END
 
-say "Fetching three.js $version"
+say "This fetches three.js $version"
 file=$fresh/three-$version.tgz
 address=
 if command -v npm >/dev/null 2>&1; then

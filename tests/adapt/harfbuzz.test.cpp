@@ -477,7 +477,7 @@ TEST_CASE("a font that does not open says why", "[adapt][harfbuzz]")
 {
     CHECK(harfbuzz_font::open("/no/such/font.ttf").error() == error::unreadable_file);
     CHECK(std::string{harfbuzz_font::open("/no/such/font.ttf").error().message()} ==
-          "The font file cannot be opened or read.");
+          "The font file cannot be opened or read: check its path and its permissions.");
     CHECK(harfbuzz_font::open(TYPEMESH_TEST_DATA "/workload/README.md").error() == error::not_a_font);
     CHECK(harfbuzz_font::open(std::span<const std::byte>{}).error() == error::not_a_font);
     const auto words = bytes_of(TYPEMESH_TEST_DATA "/workload/README.md");

@@ -77,7 +77,7 @@ TEST_CASE("a plan whose workers have built another, and chunks of another plan, 
     (void)of_other->size();
     CHECK(asserted() == "");
     (void)plan->size();
-    CHECK(asserted() == "this text_plan is stale: its glyph_workers has built another since");
+    CHECK(asserted() == "this text_plan is stale: its glyph_workers has built another plan since");
 
     text_chunks chunks;
     CHECK(chunks.cut(*of_other));
@@ -95,7 +95,7 @@ TEST_CASE("an error is not read as a value without a word", "[asserts]")
     (void)failed.error();
     CHECK(asserted() == "");
     result<int> nothing{error{}};
-    CHECK(asserted() == "a result without a value must carry an error");
+    CHECK(asserted() == "a result without a value must have an error");
 }
 
 TEST_CASE("a workspace that is moved while it is borrowed from is told so", "[asserts]")

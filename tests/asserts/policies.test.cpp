@@ -238,10 +238,11 @@ TEST_CASE("an extruder that emits more or fewer than it planned is told so, and 
     };
     using how = miscounting;
     CHECK(told_by(how{}) == sentences{});
-    CHECK(told_by(how{{}, 1}) == sentences{"an extruder emitted more vertices of a part than its plan() said"});
-    CHECK(told_by(how{{}, -1}) == sentences{"an extruder emitted fewer vertices of a part than its plan() said"});
-    CHECK(told_by(how{{}, 0, 1}) == sentences{"an extruder emitted more triangles of a part than its plan() said"});
-    CHECK(told_by(how{{}, 0, -1}) == sentences{"an extruder emitted fewer triangles of a part than its plan() said"});
+    CHECK(told_by(how{{}, 1}) == sentences{"an extruder emitted more vertices of a part than its plan() reported"});
+    CHECK(told_by(how{{}, -1}) == sentences{"an extruder emitted fewer vertices of a part than its plan() reported"});
+    CHECK(told_by(how{{}, 0, 1}) == sentences{"an extruder emitted more triangles of a part than its plan() reported"});
+    CHECK(told_by(how{{}, 0, -1}) ==
+          sentences{"an extruder emitted fewer triangles of a part than its plan() reported"});
     CHECK(told_by(how{{}, 0, 0, true}) ==
           sentences{"an extruder emitted a triangle with a corner that is not a vertex of its solid"});
 }
@@ -275,7 +276,8 @@ TEST_CASE("a sink that is written past its end, or before it has begun, tells so
     const error e = small.begin({3, 1});
     CHECK(e == error::buffer_too_small);
     char words[200];
-    CHECK(std::string{describe(e, words)} == "The caller's buffer is too small for the mesh. (needed: 3 vertices)");
+    CHECK(std::string{describe(e, words)} ==
+          "The buffer is too small for the mesh: give a larger one. (needed: 3 vertices)");
 }
 
 TEST_CASE("a shaper whose glyphs come from elsewhere, or that does not count what is missing, is told so", "[asserts]")
@@ -303,6 +305,6 @@ TEST_CASE("a shaper whose glyphs come from elsewhere, or that does not count wha
     };
     CHECK(told_by(0, true) == sentences{});
     CHECK(told_by(1, true) ==
-          sentences{"a shaper gave a glyph a cluster outside the range of text that it was to shape"});
+          sentences{"a shaper gave a glyph a cluster outside the range of text that it had to shape"});
     CHECK(told_by(0, false) == sentences{"a shaper must flag each missing glyph and count it in the run"});
 }

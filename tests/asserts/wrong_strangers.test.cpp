@@ -154,9 +154,9 @@ TEST_CASE("wrong discretisers, triangulators and extruders get their sentences",
           "a triangulator appended more or fewer triangles than the region's triangle_count()");
     CHECK(told_by(text_mesher{font}.with(stranger::tapering_twist{})) == "");
     CHECK(told_by(text_mesher{font}.with(counts_steps_as_levels{})) ==
-          "an extruder emitted more vertices of a part than its plan() said");
+          "an extruder emitted more vertices of a part than its plan() reported");
     CHECK(told_by(text_mesher{font}.with(forgets_the_back{})) ==
-          "an extruder emitted fewer triangles of a part than its plan() said");
+          "an extruder emitted fewer triangles of a part than its plan() reported");
     CHECK(told_by(text_mesher{font}.with(numbers_from_nought{})) ==
           "an extruder emitted a triangle with a corner that is not a vertex of its solid");
     const std::string outside = "an extruder emitted a vertex outside the bounds that it states";
@@ -175,7 +175,7 @@ TEST_CASE("a wrong shaper gets its sentence, wrong drawings and full disks their
     shaped_by by_line{wrong, paths};
     CHECK(told_by(text_mesher{by_line}, "II") == "");
     CHECK(told_by(text_mesher{by_line}, "II\nII") ==
-          "a shaper gave a glyph a cluster outside the range of text that it was to shape");
+          "a shaper gave a glyph a cluster outside the range of text that it had to shape");
 
     // Errors, not asserts: the file may be what is wrong, not the program.
     stranger::monospace_shaper shaper{100.0, 60.0, characters};
@@ -188,7 +188,7 @@ TEST_CASE("a wrong shaper gets its sentence, wrong drawings and full disks their
         char words[200];
         CHECK(std::string{describe(plan->report().first_refusal, words)} ==
               std::string{"glyph "} + (text[1] == 'L' ? "2" : "3") +
-                  ", cluster 1: The outline is malformed: a contour must begin with move().");
+                  ", cluster 1: The outline is malformed: begin each contour with move().");
     }
     const auto plan = mesher.plan("I");
     REQUIRE(plan);
@@ -198,7 +198,8 @@ TEST_CASE("a wrong shaper gets its sentence, wrong drawings and full disks their
     const error e = plan->write(sink).error();
     CHECK(e == error::not_written);
     char words[200];
-    CHECK(std::string{describe(e, words)} == "The mesh could not be written to its end: the disk may be full.");
+    CHECK(std::string{describe(e, words)} ==
+          "The mesh could not be written to its end: check the free space on the disk.");
     const text_options options;
     CHECK(mesher.build("I", sink, options).error() == error::not_written);
     std::fclose(file);

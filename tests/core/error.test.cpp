@@ -11,16 +11,19 @@ using namespace typemesh;
 
 TEST_CASE("every error has a sentence of its own", "[core][error]")
 {
+    const std::string unknown = error{static_cast<error::kind>(200)}.message();
+    CHECK(unknown == "The error's code is unknown: check where the error was made.");
     std::set<std::string> sentences;
     for (int code = error::none; code <= error::refused_by_user; ++code) {
         const std::string words = error{static_cast<error::kind>(code)}.message();
         INFO(words);
         CHECK(words.size() > 5);
         CHECK(words.back() == '.');
-        CHECK(words != "Unknown error.");
+        CHECK(words != unknown);
+        CHECK(words.find('.') == words.size() - 1);
+        if (code != error::none) CHECK(words.find(": ") < words.size());  // what is wrong: what to do
         CHECK(sentences.insert(words).second);
     }
-    CHECK(std::string{error{static_cast<error::kind>(200)}.message()} == "Unknown error.");
 }
 
 TEST_CASE("only error::none is no error", "[core][error]")
@@ -31,6 +34,17 @@ TEST_CASE("only error::none is no error", "[core][error]")
         CHECK(error{static_cast<error::kind>(code)});
     CHECK(error{error::too_large} == error::too_large);
     CHECK(!(error{error::too_large} == error::none));
+}
+
+TEST_CASE("200 characters suffice for a description of every error", "[core][error]")
+{
+    char room[300];
+    for (int code = error::none; code <= error::refused_by_user; ++code) {
+        error e = error{static_cast<error::kind>(code), UINT64_MAX}.at(0xfffffffe, 0xfffffffe);
+        if (code == error::buffer_too_small) e.option = "vertices";
+        INFO(describe(e, room));
+        CHECK(std::strlen(describe(e, room)) < 200);
+    }
 }
 
 TEST_CASE("an error keeps what is said of its place", "[core][error]")
@@ -46,20 +60,22 @@ TEST_CASE("a description names glyph, cluster, count and option where they are k
 {
     char room[300];
     CHECK(std::string{describe(error{error::crossing_contours}.at(37, 4), room)} ==
-          "glyph 37, cluster 4: Contours of the outline cross, touch or overlap.");
+          "glyph 37, cluster 4: Contours of the outline cross, touch or overlap: resolve them first.");
     CHECK(std::string{describe(error{error::unknown_glyph}.at(37, no_cluster), room)}.rfind("glyph 37: ", 0) == 0);
     CHECK(std::string{describe(error{error::needs_shaping}.at(no_glyph, 9), room)}.rfind("cluster 9: ", 0) == 0);
     CHECK(std::string{describe(error{error::no_such_face, 2}, room)} ==
-          "There is no face with that number in the font file or among the given fonts. (faces: 2)");
+          "There is no face with that number: count faces from 0, and choose one that exists. (faces: 2)");
     CHECK(std::string{describe(error{error::font_library_failed, 22}, room)} ==
-          "The font library refused the request. (its error: 22)");
+          "The font library refused the request: check the font. (its error: 22)");
     CHECK(std::string{describe(error::short_of("indices", 720), room)} ==
-          "The caller's buffer is too small for the mesh. (needed: 720 indices)");
-    CHECK(std::string{describe(error::no_axis("wdth"), room)} == "The font has no such variation axis. (wdth)");
+          "The buffer is too small for the mesh: give a larger one. (needed: 720 indices)");
+    CHECK(std::string{describe(error::no_axis("wdth"), room)} ==
+          "The font has no such variation axis: choose one of its own axes. (wdth)");
     CHECK(error::no_axis("wdth").count == 0x77647468);
-    CHECK(std::string{describe(error::bad("depth"), room)} == "An option is outside its range. (depth)");
+    CHECK(std::string{describe(error::bad("depth"), room)} ==
+          "An option is outside its range: give a value within the documented range. (depth)");
     CHECK(error::bad("depth") == error::bad_option);
-    CHECK(std::string{describe(error{}, room)} == "No error.");
+    CHECK(std::string{describe(error{}, room)} == "There is no error.");
 }
 
 TEST_CASE("a description is cut where it does not fit, and always ended", "[core][error]")

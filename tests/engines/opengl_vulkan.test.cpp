@@ -54,7 +54,7 @@ TEMPLATE_TEST_CASE("OpenGL gets one interleaved vertex of 24 bytes, counter-cloc
     obeys(mesh, *plan, packed(opengl));
 }
 
-TEST_CASE("OpenGL is told of four attributes, each where the vertex has it, the first vertex' place added", "[engines]")
+TEST_CASE("OpenGL gets four attributes, each where the vertex has it, the first vertex' place added", "[engines]")
 {
     std::vector<std::size_t> offsets;
     engines::opengl::describe(

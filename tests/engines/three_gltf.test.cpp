@@ -238,8 +238,9 @@ TEMPLATE_TEST_CASE("a quantised glTF file gives the same mesh back through its n
     }
 }
 
-TEST_CASE("of a long line a box for each letter turns over a tenth of what a box for all does, and it is told how many",
-          "[engines]")
+TEST_CASE(
+    "of a long line a box for each letter turns over a tenth of what a box for all does, and the number is reported",
+    "[engines]")
 {
     bench b;
     const std::string line =

@@ -13,7 +13,7 @@ printf 'config_version=4\n' >"$project/project.godot"
 cp "$here/godot.gd" "$project/check.gd"
 "$TYPEMESH_TEXT_TO_MESH" --font "$font" --output "$project/text.glb" --stats -- 'Lå&g' >"$scratch/stats" || fail "text_to_mesh failed"
 cp "$project/text.glb" "$project/packed.glb"
-# Godot packs normals into bytes unless it is told not to.
+# Godot packs normals into bytes unless an option forbids it.
 cat >"$project/text.glb.import" <<'END'
 [remap]
 

@@ -90,17 +90,17 @@ for shown in contours points control; do
     expect 0 "" "سلام" --font $arabic --depth 0 --show $shown --merge --picture whole.png
     expect 0 "" "سلام" --font $arabic --depth 0 --merge --picture bare.png
     that "$shown are drawn on merged letters" differ whole.png bare.png
-    [ $shown = control ] || that "$shown of merged letters are those of the whole" differ apart.png whole.png
+    [ $shown = control ] || that "$shown of merged letters belong to the whole" differ apart.png whole.png
 done
 
-# A picture is as fine as its pixels unless a quality is asked for or its lines are shown; the mesh keeps its own.
+# A picture is as fine as its pixels unless a quality is given or its lines are shown; the mesh keeps its own.
 for quality in "" "--quality high" "--tolerance 0.00125" "--show triangles" "--quality high --show triangles"; do
     # shellcheck disable=SC2086  # words
     expect 0 "" "سلام" --font $arabic $quality --output fine.glb --picture "fine$quality.png"
     mv fine.glb "mesh$quality.glb"
 done
 that "the picture of the default quality is finer than the mesh" differ fine.png "fine--quality high.png"
-that "a quality that is asked for is drawn" cmp -s "fine--quality high.png" "fine--tolerance 0.00125.png"
+that "a given quality is drawn" cmp -s "fine--quality high.png" "fine--tolerance 0.00125.png"
 that "triangles are shown as they are" cmp -s "fine--show triangles.png" "fine--quality high --show triangles.png"
 that "the mesh keeps its quality beside a picture" cmp -s mesh.glb "mesh--quality high.glb"
 
@@ -134,7 +134,7 @@ that "columns go to the right" differ columns_left.glb columns_right.glb
 expect 0 "" "قال 2024 hello" --font $arabic --output mixed.glb
 expect 0 "" "قال 2024 hello" --font $arabic --align start --output start.glb
 that "without a width, what is read to the left ends at x = 0" differ mixed.glb start.glb
-if [ -n "$icu" ]; then  # lines end between words, as where these are told apart by U+200B
+if [ -n "$icu" ]; then  # lines end between words, as where U+200B separates these
     thai=/usr/share/fonts/opentype/tlwg/Purisa.otf
     expect 0 "" "กินข้าวกินปลากินข้าว" --font $thai --width 3 --output thai.obj
     expect 0 "" "กิน​ข้าว​กิน​ปลา​กิน​ข้าว" --font $thai --width 3 --output parted.obj
@@ -142,7 +142,7 @@ if [ -n "$icu" ]; then  # lines end between words, as where these are told apart
     that "Thai is broken between its words" cmp -s <(grep '^v ' thai.obj) <(grep '^v ' parted.obj)
     that "and is not one line" differ <(grep '^v ' thai.obj) <(grep '^v ' one_line.obj)
 else
-    expect 0 "no dictionary tells where the words end in 2 runs of Thai.*at byte 4 of the text" "one ภาษา two ລາວ" --font $sans --width 6 --output thai.glb
+    expect 0 "no dictionary for the words of 2 runs of Thai.*at byte 4 of the text" "one ภาษา two ລາວ" --font $sans --width 6 --output thai.glb
     that "the text that was not broken is built" test -s thai.glb
 fi
 
@@ -163,17 +163,17 @@ that "a colour moves nothing" cmp -s red.stl plain.stl
 for setting in overline strike-through superscript subscript rise=0.2 letter-spacing=0.1 word-spacing=0.5 language=tr feature=-kern; do
     expect 0 "" "AV wo" --font $sans --style 1..4:$setting --picture styled.png
 done
-expect 0 "1 end stands inside a character" "$(printf 'e\xCC\x81x')" --font $sans --style 0..1:colour=red --output moved.glb
+expect 0 "1 end lies inside a character" "$(printf 'e\xCC\x81x')" --font $sans --style 0..1:colour=red --output moved.glb
 expect 1 "--strict: nothing is written" "$(printf 'e\xCC\x81x')" --font $sans --style 0..1:colour=red --output x.glb --strict
 expect 2 "--style: 0..3 and 2..4 overlap" abcd --font $sans --stats --style 0..3:underline --style 2..4:underline
 expect 2 "--style: 2..9 ends after the text, which has 4 code points" abcd --font $sans --stats --style 2..9:underline
-expect 2 "--style: must end after its beginning, not 3..2" abcd --font $sans --stats --style 3..2:underline
-expect 2 "--style: must end after its beginning, not 3..3" abcd --font $sans --stats --style 3..3:underline
+expect 2 "--style must end after its beginning, not 3..2" abcd --font $sans --stats --style 3..2:underline
+expect 2 "--style must end after its beginning, not 3..3" abcd --font $sans --stats --style 3..3:underline
 expect 2 "underline or size=1.5, not nothing" abcd --font $sans --stats --style 0..3:
 for range in 1 1..2 x..2:underline 1..:underline -1..2:underline; do
-    expect 2 "--style: must be of the form" abcd --font $sans --stats "--style=$range"
+    expect 2 "--style must have the form" abcd --font $sans --stats "--style=$range"
 done
-expect 2 "--style: must hold settings such as" abcd --font $sans --stats --style 1..2:wavy
+expect 2 "--style must contain settings such as" abcd --font $sans --stats --style 1..2:wavy
 expect 2 "--style: colour must be" abcd --font $sans --stats --style 1..2:colour=#12345
 for size in 0 1e-300 1001; do
     expect 2 "--style: size must be a number from 0.001 to 1000, not $size" abcd --font $sans --stats --style 1..2:size=$size
@@ -183,21 +183,21 @@ for setting in colour language feature font rise; do
 done
 for twice in "colour=red,color=blue/colour" "underline,underline/underline" "superscript,subscript/superscript or subscript" \
     "combined,upright/upright, sideways or combined" "size=2,size=3/size"; do
-    expect 2 "--style: may set ${twice#*/} once only" abcd --font $sans --stats --style "1..2:${twice%/*}"
+    expect 2 "--style may set ${twice#*/} only once" abcd --font $sans --stats --style "1..2:${twice%/*}"
 done
 expect 0 "" abcd --font $sans --stats --style 1..2:feature=-liga,feature=-kern
 for digit in 1..2 2..3; do
-    expect 0 "--style: 1 end stands inside a character or a combined number" a12b --font $sans --direction ttb --combine-digits 2 --style $digit:colour=red --output digit.obj
+    expect 0 "--style: 1 end lies inside a character or a combined number" a12b --font $sans --direction ttb --combine-digits 2 --style $digit:colour=red --output digit.obj
     that "a combined number has one style" [ "$(grep -c usemtl.front_red digit.obj)" = 1 ]
     expect 1 "--strict: nothing" a12b --font $sans --direction ttb --combine-digits 2 --style $digit:colour=red --output digit.obj --strict
 done
 expect 0 "" a12b --font $sans --direction ttb --combine-digits 2 --style 1..3:colour=red --output digit.obj --strict
 for option in "--latin upright" "--combine-digits 2" "--columns right"; do
     # shellcheck disable=SC2086  # words
-    expect 2 "${option% *}: is for --direction ttb" ab --font $sans --stats $option
+    expect 2 "${option% *} needs --direction ttb" ab --font $sans --stats $option
 done
 for word in upright sideways combined; do
-    expect 2 "--style: upright, sideways and combined are for --direction ttb" ab --font $sans --stats --style 0..1:$word
+    expect 2 "--style: upright, sideways and combined need --direction ttb" ab --font $sans --stats --style 0..1:$word
     expect 0 "" ab --font $sans --stats --style 0..1:$word --direction ttb
 done
 expect 0 "" سلام --font $arabic --quality normal --style 1..2:size=1 --output plain.stl
@@ -205,11 +205,11 @@ expect 0 "" سلام --font $arabic --quality normal --style 1..2:colour=red --o
 expect 0 "" سلام --font $arabic --quality normal --picture plain.png
 that "what holds no colours is merged without them" cmp -s plain.stl red.stl
 that "the picture is coloured" differ plain.png red.png
-expect 2 "--style: font=2, but there is only 1 font" abcd --font $sans --stats --style 1..2:font=2
+expect 2 "--style: font=2 needs another --fallback, because there is only 1 font" abcd --font $sans --stats --style 1..2:font=2
 expect 0 "" abcd --font $sans --fallback $arabic --stats --style 1..2:font=2
 expect 2 "--style: font must be a whole number" abcd --font $sans --stats --style 1..2:font=0
-for width in 0 -1 nan x 1e7; do expect 2 "--width: must be a positive number" x --font $sans --stats --width $width; done
-expect 2 "--max-lines: must be a whole number" x --font $sans --stats --max-lines 0
+for width in 0 -1 nan x 1e7; do expect 2 "--width must be a positive number" x --font $sans --stats --width $width; done
+expect 2 "--max-lines must be a whole number" x --font $sans --stats --max-lines 0
 expect 0 "" "one two three" --font $sans --fit 30x10 --stats
 expect 0 "" "one two three" --font $sans --fit 30x1e1 --align justify --output fitted.glb
 expect 0 "" "one two three" --font $sans --fit 60x20 --align justify --output larger.glb
@@ -224,7 +224,7 @@ for box in 10x20 20x10; do
     that "columns fit into $box" within "${box%x*}" "${box#*x}" column.obj
 done
 for box in 30 x 0x1 -1x2 30x 30x10x1 1x1e7 "3 x 4"; do
-    expect 2 "--fit: must be two positive numbers" x --font $sans --stats --fit "$box"
+    expect 2 "--fit must be two positive numbers" x --font $sans --stats --fit "$box"
 done
 grown() {  # grown WIDTH OPTION...
     expect 0 "" "nnnnnnnn" --font $sans --fit "$1x90" --output grown.obj "${@:2}"
@@ -235,17 +235,17 @@ grown 10 --outline 0.2 --outline-place outer
 grown 10 --outline 0.2 --outline-place centre --embolden 0.02
 grown 10 --bevel 0.1 --bevel-out
 grown 0.1 --outline 0.9 --outline-place outer
-expect 2 "--size: is not for --fit" x --font $sans --stats --fit 3x1 --size 2
-expect 2 "--width: is not for --fit" x --font $sans --stats --fit 3x1 --width 2
-expect 1 "--fit: the text demands more lines" "$(printf 'a\nb')" --font $sans --stats --fit 3x1 --max-lines 1
-expect 2 "--align: justify is for --width" x --font $sans --stats --align justify
-expect 2 "--justify: is for --align justify" x --font $sans --stats --width 9 --justify letters
-expect 2 "--justify: must be auto, spaces, letters or kashida, not words" x --font $sans --stats --width 9 --align justify --justify words
-expect 2 "--wrap: is for --width or --fit" x --font $sans --stats --wrap word
-expect 2 "--ellipsis: is for" x --font $sans --stats --ellipsis x
-expect 2 "--ellipsis: must be one line" x --font $sans --stats --width 3 --ellipsis 'a\nb'
-for wrong in 茶/"the font has no glyph for it; three full stops" $'\xFF/is not valid UTF-8'; do
-    expect 0 "--ellipsis: ${wrong#*/}" "one two" --font $sans --width 2 --max-lines 1 --ellipsis "${wrong%%/*}" --output elided.glb
+expect 2 "--size does not work with --fit" x --font $sans --stats --fit 3x1 --size 2
+expect 2 "--width does not work with --fit" x --font $sans --stats --fit 3x1 --width 2
+expect 1 "--fit: the text needs more lines" "$(printf 'a\nb')" --font $sans --stats --fit 3x1 --max-lines 1
+expect 2 "--align justify needs --width" x --font $sans --stats --align justify
+expect 2 "--justify needs --align justify" x --font $sans --stats --width 9 --justify letters
+expect 2 "--justify must be auto, spaces, letters or kashida, not words" x --font $sans --stats --width 9 --align justify --justify words
+expect 2 "--wrap needs --width or --fit" x --font $sans --stats --wrap word
+expect 2 "--ellipsis needs --width or --max-lines" x --font $sans --stats --ellipsis x
+expect 2 "--ellipsis must be one line" x --font $sans --stats --width 3 --ellipsis 'a\nb'
+for wrong in 茶/": the font has no glyph for it, so three full stops" $'\xFF/ is not valid UTF-8'; do
+    expect 0 "--ellipsis${wrong#*/}" "one two" --font $sans --width 2 --max-lines 1 --ellipsis "${wrong%%/*}" --output elided.glb
     expect 1 "--strict: nothing" "one two" --font $sans --width 2 --max-lines 1 --ellipsis "${wrong%%/*}" --output x.glb --strict
 done
 expect 0 "" "aaa bb cc ddddd" --font $sans --width 3.2 --breaker first_fit --output first.obj
@@ -255,10 +255,10 @@ that "the first fit is the default" cmp -s <(grep -v ^mtllib first.obj) <(grep -
 that "lines are more even" differ <(grep -v ^mtllib first.obj) <(grep -v ^mtllib total.obj)
 expect 0 "" "aaa bb cc ddddd" --font $sans --fit 4x3 --breaker total_fit --stats
 that "the time to shape a paragraph is counted" grep -q '"shape":[1-9]' out
-expect 2 "--breaker: is for --width or --fit" x --font $sans --stats --breaker total_fit
-expect 2 "--breaker: is not for --wrap none" x --font $sans --stats --width 3 --wrap none --breaker total_fit
-expect 2 "breaker: must be first_fit or total_fit, not even" x --font $sans --stats --width 3 --breaker even
-expect 2 "--elide: is for --ellipsis" x --font $sans --stats --width 3 --elide start
+expect 2 "--breaker needs --width or --fit" x --font $sans --stats --breaker total_fit
+expect 2 "--breaker does not work with --wrap none" x --font $sans --stats --width 3 --wrap none --breaker total_fit
+expect 2 "breaker must be first_fit or total_fit, not even" x --font $sans --stats --width 3 --breaker even
+expect 2 "--elide needs --ellipsis" x --font $sans --stats --width 3 --elide start
 
 # Many fonts: what one lacks the next one has, and the text of the first is as without them.
 many="Tea شاي 茶!"
@@ -274,8 +274,8 @@ that "what the first font has is its own" cmp -s first.glb first_of_two.glb
 expect 1 "--fallback: Nope is n" x --font $sans --stats --fallback Nope
 expect 1 "--fallback: nope.ttf: The font file cannot be opened" x --font $sans --stats --fallback nope.ttf
 expect 2 "--fallback" x --font $sans --stats --fallback
-expect 2 "--family: is not for --font" x --font $sans --stats --family Amiri
-expect 1 "--family: must be an installed family, not the file" x --stats --family $sans
+expect 2 "--family does not work with --font" x --font $sans --stats --family Amiri
+expect 1 "--family must be an installed family, not the file" x --stats --family $sans
 
 expect 0 "" "$(printf 'a\tb')" --font $sans --strict --output tab.glb  # a tab is no missing character
 expect 0 "" "你好" --font /usr/share/fonts/truetype/wqy/wqy-microhei.ttc --face 1 --output face.glb
@@ -283,7 +283,7 @@ expect 0 "" "Bold" --font "$inter" --variation wght=900 --output bold.glb
 expect 0 "" "Bold" --font "$inter" --variation wght=100 --output thin.glb
 that "weights differ" [ "$(cksum <bold.glb)" != "$(cksum <thin.glb)" ]
 expect 0 "" --help
-that "the help asks for one of the things to do" grep -qF "(--output FILE | --picture FILE.png | --stats)" out
+that "the help names the things to do" grep -qF "(--output FILE | --picture FILE.png | --stats)" out
 that "the help names every option" grep -q -- --triangulator out
 that "the help speaks no word of the library's own" sh -c '! grep -E "TEXT TEXT|REQUIRED|Excludes|TEXT:|OPTIONS\]" out'
 that "the help lists what --style takes" grep -q "strike-through.*superscript" out
@@ -350,7 +350,7 @@ expect 0 "" "banana bandana" --font $sans --output flat.glb
 expect 0 "" "banana bandana" --font $sans --output instances.glb --instances
 that "letters that come again are written once" [ "$(wc -c <instances.glb)" -lt "$(($(wc -c <flat.glb) / 2))" ]
 that "there is a node for each letter" [ "$(grep -ao '"translation"' instances.glb | wc -l)" = 13 ]
-expect 2 "--instances: is for" x --font $sans --output x.obj --instances
+expect 2 "--instances needs --output FILE.glb" x --font $sans --output x.obj --instances
 expect 2 "excludes" x --font $sans --output x.glb --instances --merge
 
 # Bevels: five parts in every format, and letters that meet become one.
@@ -366,7 +366,7 @@ for part in front back side front_bevel back_bevel; do
     that "there is a material $part" grep -qx "newmtl $part" bevelled.mtl
     that "the GLB has a material $part" grep -qa "\"name\":\"$part\"" bevelled.glb
 done
-that "the PLY's triangles know their parts" [ "$(grep -aoE 'comment part [0-9] [a-z_]+' bevelled.ply | cut -d' ' -f3- | tr '\n' ' ')" = "0 front 1 back 2 side 3 front_bevel 4 back_bevel " ]
+that "the PLY's triangles have their parts" [ "$(grep -aoE 'comment part [0-9] [a-z_]+' bevelled.ply | cut -d' ' -f3- | tr '\n' ' ')" = "0 front 1 back 2 side 3 front_bevel 4 back_bevel " ]
 that "a bevel is carved into the depth" larger "$(widest bevelled.obj 4)" "$(widest plain.obj 4)" 0
 that "a bevel is carved into the width" larger "$(widest bevelled.obj 2)" "$(widest plain.obj 2)" 0
 expect 0 "" "Rag" --font $sans --output front.obj "${bevels[@]}" --bevel-sides front
@@ -425,7 +425,7 @@ expect 0 "" "HIL" --font $sans --output tight.obj --embolden 0.02 --letter-spaci
 that "--letter-spacing says otherwise" larger "$(widest bold.obj 2)" "$(widest tight.obj 2)" 0.08
 expect 0 "" "HIL" --font $sans --output light.obj --embolden -0.01
 that "a negative --embolden makes them thinner" larger "$(widest upright.obj 2)" "$(widest light.obj 2)" 0.06
-expect 0 "1 of 2 glyphs left out; the first: glyph [0-9]+, at byte 1 of the text: Nothing is left of the glyph" "Ii" --font $sans --output gone.obj --embolden -0.044
+expect 0 "1 of 2 glyphs is left out; the first is glyph [0-9]+, at byte 1 of the text: Nothing is left of the glyph" "Ii" --font $sans --output gone.obj --embolden -0.044
 expect 0 "" "HIL" --font $sans --output hollow.obj --outline 0.02
 that "a ring within the letter keeps its size" [ "$(widest hollow.obj 2)" = "$(widest upright.obj 2)" ]
 for place in centre outer; do
@@ -462,7 +462,7 @@ for kind in stl obj ply glb; do
 done
 expect 0 "" "▚" --font $mono --stats
 that "statistics alone move nothing" corners 0
-expect 2 "--touching: must be part, join or keep, not apart" x --font $sans --touching apart --stats
+expect 2 "--touching must be part, join or keep, not apart" x --font $sans --touching apart --stats
 expect 0 "" "▚▚" --font $mono --touching part --output letters.glb --instances
 
 # 3MF where lib3mf is there, else a sentence.
@@ -499,7 +499,7 @@ if "$program" x --font $sans --output probe.3mf >out 2>err; then
         that "a ring and its letter are closed solids in a 3MF" closed_3mf framed.xml
         that "a bevelled 3MF is painted by five parts" [ "$(grep -cE '<base name="[a-z_]+" displaycolor="#[0-9A-F]{6}(FF)?" />' bevelled.xml)" = 5 ]
     fi
-    expect 2 "--depth: must be more than 0" x --font $sans --output x.3mf --depth 0
+    expect 2 "--depth must be more than 0" x --font $sans --output x.3mf --depth 0
     for small in "--depth 1e-11" "--size 1e-9" "--depth 1e-6 --size 1e-6"; do
         # shellcheck disable=SC2086  # words
         expect 1 "^text_to_mesh: small.3mf cannot be written: --depth or --size is too small.*\.$" x --font $sans --output small.3mf $small
@@ -531,7 +531,7 @@ if "$program" x --font "Liberation Sans" --output family.glb >out 2>err; then
     expect 0 "" x --font monospace --output mono.glb
     expect 1 "has that (style|slant)" x --font "Liberation Sans:Semi Condensed" --output x.glb
     for words in blod zzz wght=700 weight=blod bold:zzz; do
-        expect 1 "^text_to_mesh: Liberation Sans:$words: fontconfig knows no .*\.$" x --font "Liberation Sans:$words" --output x.glb
+        expect 1 "^text_to_mesh: Liberation Sans:$words: fontconfig has no .*\.$" x --font "Liberation Sans:$words" --output x.glb
     done
     for words in style=Blod light condensed; do
         expect 1 "^text_to_mesh: Liberation Sans:$words: no installed font of this family has that .*\.$" x --font "Liberation Sans:$words" --output x.glb
@@ -552,8 +552,10 @@ fi
 for text in "" " " "\\n\\n" "$(printf '\t')"; do
     expect 1 "^text_to_mesh: the text is blank: nothing is written.$" "$text" --font $sans --output blank.glb --picture blank.png
 done
-expect 1 "nothing of the text can be drawn: nothing is written" "日本" --font $sans --output blank.glb
-that "what is missing comes first" grep -q "no glyph for 2 of 2 characters" err
+expect 1 "no character of the text can be drawn: nothing is written" "日本" --font $sans --output blank.glb
+that "what is missing comes first, by number and as it is" grep -q "no glyph for 2 of 2 characters (U+65E5 日, U+672C 本); the first is at byte 0 of the text. Give another --font, or add a font with --fallback.$" err
+expect 0 "no font has a glyph for 1 of 3 characters .U\+8336 茶.; .* Add another font with --fallback\.$" "a茶b" --font $sans --fallback $arabic --stats
+expect 0 "for 2 of 4 characters .U\+0915 क, U\+094D.; the first is at byte 1 " "aक्b" --font $sans --stats
 that "a blank text leaves no file" [ ! -e blank.glb ]
 expect 0 "" " " --font $sans --stats
 
@@ -561,8 +563,8 @@ expect 0 "" " " --font $sans --stats
 expect 0 "the font has no feature zzzz" x --font $sans --feature zzzz --output feature.glb
 expect 0 "" x --font $sans --feature zzzz=0 --feature kern --stats
 long=$(printf 'Hamburgefonstiv %.0s' $(seq 30))
-expect 0 "[0-9]+ triangles of each face are turned over or flat.*; shorter lines help\.$" "$long" --letter-spacing 8 --font "$awami" --touching keep --output long.ply
-expect 0 "shorter lines help, and so does --instances\.$" "$long" --letter-spacing 8 --font "$awami" --output long.glb
+expect 0 "[0-9]+ triangles of each face are turned over or flat.*: make the lines shorter\.$" "$long" --letter-spacing 8 --font "$awami" --touching keep --output long.ply
+expect 0 "make the lines shorter, or give --instances\.$" "$long" --letter-spacing 8 --font "$awami" --output long.glb
 expect 1 "--strict: nothing is written" "$long" --letter-spacing 8 --font "$awami" --touching keep --output strict.ply --strict
 expect 0 "" "$long" --letter-spacing 8 --font "$awami" --output told_apart.ply --strict
 expect 1 "--strict: nothing is written" x --font $sans --feature zzzz --output strict.ply --strict
@@ -573,7 +575,7 @@ that "warnings stand in one line each" lines 0
 # On a terminal each step is shown in one line that is gone at the end; nothing of it is seen elsewhere.
 if command -v script >/dev/null 2>&1 && script -qec true /dev/null >/dev/null 2>&1; then
     script -qec "'$program' Hello --font $sans --output seen.glb" /dev/null >terminal </dev/null
-    that "a terminal is told what goes on" grep -q "writing seen.glb" terminal
+    that "a terminal shows what goes on" grep -q "writing seen.glb" terminal
     that "the line is gone before the size is printed" grep -qE $'\033\\[Kseen.glb: [0-9.]+ x [0-9.]+ x 0.2\r?$' terminal
 fi
 
@@ -592,9 +594,9 @@ expect 1 "cannot be opened or read" x --font /nowhere/font.ttf --output x.glb
 that "one line is enough" lines 1
 head -c 2000 /dev/urandom >noise.ttf
 expect 1 "not a font" x --font noise.ttf --output x.glb
-expect 1 "--face 7: .* has only 1, counted from 0" x --font $sans --face 7 --output x.glb
-expect 2 "--fallback: must be a font, not an empty name" x --font $sans --fallback "" --output x.glb
-expect 2 "size: must be a number from 1e-30 to 1000000, not 1e-40" x --font $sans --output x.glb --size 1e-40
+expect 1 "--face 7: .* has only 1 face, counted from 0" x --font $sans --face 7 --output x.glb
+expect 2 "--fallback must be a font, not an empty name" x --font $sans --fallback "" --output x.glb
+expect 2 "size must be a number from 1e-30 to 1000000, not 1e-40" x --font $sans --output x.glb --size 1e-40
 expect 1 "no such variation axis" x --font $sans --variation wght=700 --output x.glb
 expect 1 "cannot be written" x --font $sans --output /nowhere/x.glb
 that "nothing was half-written" sh -c '! ls -A | grep -F .part'
@@ -605,45 +607,45 @@ expect 2 "--font" x --output x.glb
 expect 2 "nothing to do" x --font $sans
 expect 2 "^text_to_mesh: two was not expected" one --font $sans --output x.glb -- two
 expect 2 "must end in .*3mf, not x.fbx" x --font $sans --output x.fbx
-expect 2 "^text_to_mesh: --quality: must be low, normal, high or best, not superb$" x --font $sans --output x.glb --quality superb
+expect 2 "^text_to_mesh: --quality must be low, normal, high or best, not superb\.$" x --font $sans --output x.glb --quality superb
 that "what to do comes after what is wrong" lines 2
-expect 2 "align: must be left, center, right, start, end or justify, not middle" x --font $sans --output x.glb --align middle
-expect 2 "show: must be .*checker, not trangles" x --font $sans --output x.glb --show points,trangles
+expect 2 "align must be left, center, right, start, end or justify, not middle" x --font $sans --output x.glb --align middle
+expect 2 "show must be .*checker, not trangles" x --font $sans --output x.glb --show points,trangles
 expect 2 "excludes" x --font $sans --output x.glb --quality low --tolerance 0.1
-expect 2 "--tolerance: is for --discretiser certified" x --font $sans --output x.glb --discretiser adaptive --tolerance 0.1
-expect 2 "--tolerance: is for --discretiser certified" x --font $sans --output x.glb --discretiser two_lines --tolerance 0.1
-expect 2 "--quality: is not for --discretiser two_lines" x --font $sans --output x.glb --discretiser two_lines --quality low
-expect 2 "--show: is for --picture" x --font $sans --output x.glb --show points
-expect 2 "--shading: is for --picture" x --font $sans --output x.glb --shading flat
-expect 2 "--turn: is for --picture" x --font $sans --output x.glb --turn 10
-expect 2 "turn: must be a number from -180 to 180, not 181" x --font $sans --picture x.png --turn 181
-expect 2 "feature: must be .*, not ligatures" x --font $sans --output x.glb --feature ligatures
-expect 2 "variation: must be .*, not bold" x --font $sans --output x.glb --variation bold
-expect 2 "nonsense is not an option$" x --font $sans --output x.glb --nonsense
-expect 2 "--fnot is not an option; is --font meant\?" x --fnot $sans --output x.glb
-expect 2 "--ouptut is not an option; is --output meant\?" x --font $sans --ouptut=x.glb
+expect 2 "--tolerance needs --discretiser certified" x --font $sans --output x.glb --discretiser adaptive --tolerance 0.1
+expect 2 "--tolerance needs --discretiser certified" x --font $sans --output x.glb --discretiser two_lines --tolerance 0.1
+expect 2 "--quality does not work with --discretiser two_lines" x --font $sans --output x.glb --discretiser two_lines --quality low
+expect 2 "--show needs --picture" x --font $sans --output x.glb --show points
+expect 2 "--shading needs --picture" x --font $sans --output x.glb --shading flat
+expect 2 "--turn needs --picture" x --font $sans --output x.glb --turn 10
+expect 2 "turn must be a number from -180 to 180, not 181" x --font $sans --picture x.png --turn 181
+expect 2 "feature must have the form .*, not ligatures" x --font $sans --output x.glb --feature ligatures
+expect 2 "variation must have the form .*, not bold" x --font $sans --output x.glb --variation bold
+expect 2 "nonsense is not an option\.$" x --font $sans --output x.glb --nonsense
+expect 2 "--fnot is not an option: did you mean --font\?" x --fnot $sans --output x.glb
+expect 2 "--ouptut is not an option: did you mean --output\?" x --font $sans --ouptut=x.glb
 expect 0 "" x --font $sans --output --fnot.glb  # a value may look like an option
 that "a value may look like an option" test -s ./--fnot.glb
 expect 2 "-q is not an option" x --font $sans --output x.glb -q
-expect 2 "^text_to_mesh: y was not expected; .*quotes" x y --font $sans --output x.glb
-expect 2 "output: needs a value" x --font $sans --output
-expect 2 "font: may be given once only" x --font $sans --font $sans --output x.glb
-expect 2 "tolerance: must be a positive number, not -1" x --font $sans --output x.glb --tolerance -1
-expect 2 "tolerance: must be a positive number, not abc" x --font $sans --output x.glb --tolerance abc
-expect 2 "depth: must be a number from 0 to 1000, not nan" x --font $sans --output x.glb --depth nan
-expect 2 "face: must be a whole number, not -1" x --font $sans --output x.glb --face -1
-expect 2 "depth: must be a number from 0 to 1000, not 0x10" x --font $sans --output x.glb --depth 0x10
-expect 2 "depth: must be a number from 0 to 1000, not \+1" x --font $sans --output x.glb --depth +1
-expect 2 "depth: must be a number from 0 to 1000, not 1 $" x --font $sans --output x.glb --depth "1 "
-expect 2 "depth: must be a number from 0 to 1000, not 1e999" x --font $sans --output x.glb --depth 1e999
-expect 2 "tolerance: must be a positive number, not inf" x --font $sans --output x.glb --tolerance inf
-expect 2 "size: must be a number from 1e-30 to 1000000, not 0" x --font $sans --output x.glb --size 0
-expect 2 "letter-spacing: must be a number from -1000 to 1000, not wide" x --font $sans --output x.glb --letter-spacing wide
-expect 2 "line-spacing: must be a number from -1000 to 1000, not nan" x --font $sans --output x.glb --line-spacing nan
-expect 2 "face: must be a whole number, not 0x0" x --font $sans --output x.glb --face 0x0
-expect 2 "variation: must be .*, not wght=0x10" x --font $sans --output x.glb --variation wght=0x10
-expect 2 "feature: must be .*, not liga= 1" x --font $sans --output x.glb --feature "liga= 1"
-expect 2 "crease: must be a number from 0 to 180, not 200" x --font $sans --output x.glb --crease 200
+expect 2 "^text_to_mesh: y was not expected: .*quotes" x y --font $sans --output x.glb
+expect 2 "output needs a value" x --font $sans --output
+expect 2 "font may be given only once" x --font $sans --font $sans --output x.glb
+expect 2 "tolerance must be a positive number, not -1" x --font $sans --output x.glb --tolerance -1
+expect 2 "tolerance must be a positive number, not abc" x --font $sans --output x.glb --tolerance abc
+expect 2 "depth must be a number from 0 to 1000, not nan" x --font $sans --output x.glb --depth nan
+expect 2 "face must be a whole number, not -1" x --font $sans --output x.glb --face -1
+expect 2 "depth must be a number from 0 to 1000, not 0x10" x --font $sans --output x.glb --depth 0x10
+expect 2 "depth must be a number from 0 to 1000, not \+1" x --font $sans --output x.glb --depth +1
+expect 2 "depth must be a number from 0 to 1000, not 1 \.$" x --font $sans --output x.glb --depth "1 "
+expect 2 "depth must be a number from 0 to 1000, not 1e999" x --font $sans --output x.glb --depth 1e999
+expect 2 "tolerance must be a positive number, not inf" x --font $sans --output x.glb --tolerance inf
+expect 2 "size must be a number from 1e-30 to 1000000, not 0" x --font $sans --output x.glb --size 0
+expect 2 "letter-spacing must be a number from -1000 to 1000, not wide" x --font $sans --output x.glb --letter-spacing wide
+expect 2 "line-spacing must be a number from -1000 to 1000, not nan" x --font $sans --output x.glb --line-spacing nan
+expect 2 "face must be a whole number, not 0x0" x --font $sans --output x.glb --face 0x0
+expect 2 "variation must have the form .*, not wght=0x10" x --font $sans --output x.glb --variation wght=0x10
+expect 2 "feature must have the form .*, not liga= 1" x --font $sans --output x.glb --feature "liga= 1"
+expect 2 "crease must be a number from 0 to 180, not 200" x --font $sans --output x.glb --crease 200
 
 
 # Names of parts by their colours, which equal colours share; one colour for all.
@@ -651,7 +653,7 @@ expect 0 "" "abcabc" --font $sans --style 0..1:colour=red --style 2..3:colour=#d
 that "equal colours have one name, and each colour its own" [ "$(grep -c '^usemtl' named.obj) $(grep '^usemtl front' named.obj | sort | tr '\n' ' ')" = "9 usemtl front_000001 usemtl front_blue usemtl front_red " ]
 expect 0 "" "abcabc" --font $sans --colour blue --output blue.obj
 that "--colour is for all" [ "$(grep '^usemtl' blue.obj | tr '\n' ' ')" = "usemtl front_blue usemtl back_blue usemtl side_blue " ]
-expect 2 "colour: must be #2060c0, or black, .*, not mauve" x --font $sans --output x.glb --colour mauve
+expect 2 "colour must be #2060c0, or black, .*, not mauve" x --font $sans --output x.glb --colour mauve
 expect 0 "" "e fee" --font $sans --instances --style 0..1:colour=red --style 3..5:colour=red,underline --output styled.glb
 that "instances have colours" grep -aq '"name":"front_red"' styled.glb
 that "every node has a name" [ "$(grep -ao '"nodes":\[{.*}\],"scene"' styled.glb | grep -o '"name"' | wc -l)" = 6 ]
@@ -665,7 +667,7 @@ for way in "- -" "--text-file -" "--text-file two.txt"; do
     printf '\xEF\xBB\xBFa\r\nb\r\n' >two.txt
     # shellcheck disable=SC2086  # words
     expect 0 "" ${way#- } -f $sans --output lines2.glb <two.txt
-    that "the text of $way is that of the argument" cmp -s lines.glb lines2.glb
+    that "the text of $way equals the argument" cmp -s lines.glb lines2.glb
 done
 printf 'a\\nb' >two.txt
 expect 0 "" --text-file two.txt -f $sans -o literal.glb
@@ -681,16 +683,16 @@ expect 0 "" x -f $sans --picture piped.png
 that "standard output has the same picture" cmp -s piped piped.png
 if [ -c /dev/full ]; then
     "$program" x -f $sans -o - --format stl >/dev/full 2>err
-    that "a full standard output is told" grep -q "^text_to_mesh: standard output cannot be written: No space left on device\.$" err
+    that "a full standard output is reported" grep -q "^text_to_mesh: standard output cannot be written: No space left on device\.$" err
 fi
-expect 2 "--output: - is standard output, for which --format" x -f $sans -o -
-expect 2 "--stats: prints on standard output, which has the mesh" x -f $sans -o - --format stl --stats
-expect 2 "--picture: - is standard output, which has the mesh" x -f $sans -o - --format stl --picture -
-expect 2 "--format: is stl, but the name is x.glb" x -f $sans -o x.glb --format stl
-expect 2 "--output: must not end in .mtl" x -f $sans -o x.mtl --format obj
+expect 2 "--output - needs --format" x -f $sans -o -
+expect 2 "--stats prints on standard output, which already contains the mesh" x -f $sans -o - --format stl --stats
+expect 2 "--picture - is standard output, which already contains the mesh" x -f $sans -o - --format stl --picture -
+expect 2 "--format is stl, but the name of --output is x.glb" x -f $sans -o x.glb --format stl
+expect 2 "--output must not end in .mtl" x -f $sans -o x.mtl --format obj
 expect 0 "" x -f $sans -o x.dat --format stl
 that "--format makes up for a name" cmp -s x.dat piped.stl
-expect 2 "^text_to_mesh: TEXT: a file is read by --text-file names.txt; a text that begins with @ is written .@names.txt$" @names.txt -f $sans -o x.glb
+expect 2 "^text_to_mesh: TEXT begins with @: give --text-file names.txt for a file, or .@names.txt for this text\.$" @names.txt -f $sans -o x.glb
 for text in @x -; do
     printf %s "$text" >text.txt
     expect 0 "" "\\$text" -f $sans -o escaped.glb
@@ -698,20 +700,20 @@ for text in @x -; do
     that "a backslash makes letters of $text" cmp -s escaped.glb own.glb
 done
 expect 1 "nowhere.txt cannot be read: No such file" --text-file nowhere.txt -f $sans -o x.glb
-[ -c /dev/zero ] && expect 1 "/dev/zero holds more than 64 MB" --text-file /dev/zero -f $sans -o x.glb
+[ -c /dev/zero ] && expect 1 "/dev/zero contains more than 64 MB" --text-file /dev/zero -f $sans -o x.glb
 expect 1 "taken cannot be read: Is a directory" --batch taken -f $sans -o "{n}.glb"
-expect 2 "--text-file: is not for TEXT" x --text-file two.txt -f $sans -o x.glb
-expect 2 "--batch: is not for --text-file" --batch two.txt --text-file two.txt -f $sans -o "{n}.glb"
-expect 2 "--output: must hold .n. or .text. for --batch" --batch two.txt -f $sans -o x.glb
-expect 2 "TEXT is missing, or --text-file, or --batch" -f $sans -o x.glb
+expect 2 "--text-file does not work with TEXT" x --text-file two.txt -f $sans -o x.glb
+expect 2 "--batch does not work with --text-file" --batch two.txt --text-file two.txt -f $sans -o "{n}.glb"
+expect 2 "--output must contain .n. or .text. for --batch" --batch two.txt -f $sans -o x.glb
+expect 2 "there is no text: give TEXT, --text-file or --batch" -f $sans -o x.glb
 mkdir tags && printf 'Anna\n\n \nB/o:b\n@c\n../d\n' >names.txt
 expect 0 "" --batch names.txt -f $sans -o "tags/{n} {text}.stl" --picture "tags/{n}.png"
 that "a batch makes a file a line" [ "$(cd tags && printf '%s,' *)" = "1 Anna.stl,1.png,4 B_o_b.stl,4.png,5 @c.stl,5.png,6 _._d.stl,6.png," ]
 that "and says how large each is" [ "$(grep -cE '^tags/[0-9] .*\.stl: [0-9.]+ x [0-9.]+ x 2 mm$' out)" = 4 ]
 expect 0 "" Anna -f $sans -o alone.stl
-that "a line's file is that of the text alone" cmp -s alone.stl "tags/1 Anna.stl"
+that "a line's file equals the file of its text" cmp -s alone.stl "tags/1 Anna.stl"
 expect 1 "^text_to_mesh: --batch: lines 2 and 3 would both make x.glb\.$" --batch - -f $sans -o "{text}.glb" < <(printf 'y\nx\nx\n')
-expect 1 "^text_to_mesh: --batch: there is no line that is not blank" --batch - -f $sans -o "{n}.glb" < <(printf '\n \n')
+expect 1 "^text_to_mesh: --batch: every line is blank" --batch - -f $sans -o "{n}.glb" < <(printf '\n \n')
 expect 1 "^text_to_mesh: line 2: --style: 0..2 ends after the text" --batch - -f $sans -o "row{n}.glb" --style 0..2:underline < <(printf 'ab\nc\nde\n')
 that "one bad line leaves the others" [ "$(ls row?.glb | tr '\n' ' ')" = "row1.glb row3.glb " ]
 expect 0 "^text_to_mesh: line 1: the font has no glyph for 1 of 2" --batch - -f $sans --stats < <(printf 'a茶\nb\n')
@@ -730,7 +732,7 @@ expect 0 "" "HH" -f $sans -o print.stl --depth 0.4 --stats
 that "twice the depth is twice the volume" awk -v a="${volume#*:}" -v b="$(grep -oE '"volume":[0-9.]+' out | cut -d: -f2)" 'BEGIN { exit !(b / a > 1.9999 && b / a < 2.0001) }'
 expect 0 "" "HH" -f $sans -o instances.glb --size 10 --instances --stats
 that "instances have the same volume" awk -v a="${volume#*:}" -v b="$(grep -oE '"volume":[0-9.]+' out | cut -d: -f2)" 'BEGIN { exit !(b / a > 0.9999 && b / a < 1.0001) }'
-expect 2 "--depth: must be more than 0 in a .stl file, which holds solids" x -f $sans -o x.stl --depth 0
+expect 2 "--depth must be more than 0 in a .stl file, which contains solids" x -f $sans -o x.stl --depth 0
 expect 0 "" "HIL" -f $sans -o own.obj
 that "elsewhere the front is on z = 0" [ "$(bounds own.obj | cut -d' ' -f5-)" = "-0.2000 0.0000 " ]
 for place in left,bottom,base/0.0000/0.0000/0.0000 left,top,front/0.0000/-0.6880/-0.2000 base,left/0.0000/0.0000/0.0000; do
@@ -741,10 +743,10 @@ expect 0 "" "HIL" -f $sans -o placed.obj --anchor centre,middle,halfway --origin
 that "--origin is where that comes to" [ "$(bounds placed.obj | awk '{ printf "%.3f %.3f %.3f", ($1 + $2) / 2, ($3 + $4) / 2, ($5 + $6) / 2 }')" = "100.000 -20.000 3.000" ]
 expect 0 "" "HIL" -f $sans -o placed.glb --anchor centre,base --origin 1,2 --instances --stats
 that "so it is for instances" grep -qE '"bounds":\{"low":\[0.[0-9]+,2,0\],"high":\[1.[0-9]+,2.68[0-9]*,0.2\]' out
-expect 2 "--anchor: must be some of left, centre" x -f $sans -o x.obj --anchor leftish
-expect 2 "--anchor: may have one word for each direction, unlike left,right" x -f $sans -o x.obj --anchor left,right
-for origin in 1 a,b 1,2,3,4 1,2, 1e7,0; do expect 2 "--origin: must be two or three numbers" x -f $sans -o x.obj --origin "$origin"; done
-expect 2 "--anchor: is for --output" x -f $sans --stats --anchor left
+expect 2 "--anchor must be some of left, centre" x -f $sans -o x.obj --anchor leftish
+expect 2 "--anchor may have only one word for each direction, not left,right" x -f $sans -o x.obj --anchor left,right
+for origin in 1 a,b 1,2,3,4 1,2, 1e7,0; do expect 2 "--origin must be two or three numbers" x -f $sans -o x.obj --origin "$origin"; done
+expect 2 "--anchor needs --output" x -f $sans --stats --anchor left
 expect 1 "--origin: z is so large that" x -f $sans -o x.obj --depth 1e-3 --origin 0,0,1e6
 filled() {  # filled WxH TEXT OPTION...: what is seen touches the box, and is not larger
     expect 0 "" "$2" -f $sans --fit "$1" -o filled.obj "${@:3}"
@@ -777,61 +779,61 @@ if command -v mkfifo >/dev/null 2>&1; then
 fi
 
 for width in nan -1 1001 wide; do
-    expect 2 "^text_to_mesh: --bevel: must be a number from 0 to 1000, not $width$" x --font $sans --output x.glb --bevel $width
-    expect 2 "^text_to_mesh: --bevel-depth: must be a number from 0 to 1000, not $width$" x --font $sans --output x.glb --bevel 0.02 --bevel-depth $width
+    expect 2 "^text_to_mesh: --bevel must be a number from 0 to 1000, not $width\.$" x --font $sans --output x.glb --bevel $width
+    expect 2 "^text_to_mesh: --bevel-depth must be a number from 0 to 1000, not $width\.$" x --font $sans --output x.glb --bevel 0.02 --bevel-depth $width
 done
-expect 2 "^text_to_mesh: --bevel-depth: must be at most half of --depth 0\.2, not 0\.11$" x --font $sans --output x.glb --bevel 0.02 --bevel-depth 0.11
+expect 2 "^text_to_mesh: --bevel-depth must be at most half of --depth 0\.2, not 0\.11\.$" x --font $sans --output x.glb --bevel 0.02 --bevel-depth 0.11
 expect 0 "" x --font $sans --output deep.glb --bevel 0.02 --bevel-depth 0.1
 expect 0 "" x --font $sans --output deep.glb --bevel 0.02 --bevel-depth 0.2 --bevel-sides back
 for profile in stepped engraved "0,0;0.5,0;1,1"; do
-    expect 2 "^text_to_mesh: --bevel-depth: must be less than half of --depth 0\\.2, not 0\\.1$" x --font $sans --output x.glb --bevel 0.02 --bevel-depth 0.1 --profile "$profile"
+    expect 2 "^text_to_mesh: --bevel-depth must be less than half of --depth 0\\.2, not 0\\.1\.$" x --font $sans --output x.glb --bevel 0.02 --bevel-depth 0.1 --profile "$profile"
     expect 0 "" x --font $sans --output deep.glb --bevel 0.02 --bevel-depth 0.099 --profile "$profile"
 done
-expect 2 "^text_to_mesh: --bevel-depth: must be at most --depth 0\.2, not 0\.21$" x --font $sans --output x.glb --bevel 0.02 --bevel-depth 0.21 --bevel-sides front
-expect 2 "^text_to_mesh: --bevel, where --bevel-depth is not given: must be at most half of --depth 0\.2, not 0\.3$" x --font $sans --output x.glb --bevel 0.3
+expect 2 "^text_to_mesh: --bevel-depth must be at most --depth 0\.2, not 0\.21\.$" x --font $sans --output x.glb --bevel 0.02 --bevel-depth 0.21 --bevel-sides front
+expect 2 "^text_to_mesh: --bevel without --bevel-depth must be at most half of --depth 0\.2, not 0\.3\.$" x --font $sans --output x.glb --bevel 0.3
 for profile in "" rond "0,0;0.5;1,1" "0,0;;1,1" "0,0;nan,0;1,1" ",0;1,1" "0,0;1,1;" "0,0,0;1,1"; do
-    expect 2 "^text_to_mesh: --profile: must be chamfer, round, concave, stepped, engraved or points such as 0,0;0\.2,0\.8;1,1, not \"$profile\"$" x --font $sans --output x.glb --bevel 0.02 --profile "$profile"
+    expect 2 "^text_to_mesh: --profile must be chamfer, round, concave, stepped, engraved or points such as 0,0;0\.2,0\.8;1,1, not \"$profile\"\.$" x --font $sans --output x.glb --bevel 0.02 --profile "$profile"
 done
-expect 2 "^text_to_mesh: --profile: must not run back in t, as it does to 0\.3,0\.7 in \"0,0;0\.5,0\.5;0\.3,0\.7;1,1\"$" x --font $sans --output x.glb --bevel 0.02 --profile "0,0;0.5,0.5;0.3,0.7;1,1"
-expect 2 "^text_to_mesh: --profile: must have every h from 0 to 1, unlike \"0,0;0\.5,1\.5;1,1\"$" x --font $sans --output x.glb --bevel 0.02 --profile "0,0;0.5,1.5;1,1"
+expect 2 "^text_to_mesh: --profile must have rising t, but t falls at 0\.3,0\.7 in \"0,0;0\.5,0\.5;0\.3,0\.7;1,1\"\.$" x --font $sans --output x.glb --bevel 0.02 --profile "0,0;0.5,0.5;0.3,0.7;1,1"
+expect 2 "^text_to_mesh: --profile must have each h from 0 to 1, not \"0,0;0\.5,1\.5;1,1\"\.$" x --font $sans --output x.glb --bevel 0.02 --profile "0,0;0.5,1.5;1,1"
 for profile in "0,0" "0.1,0;1,1" "0,0.1;1,1" "0,0;0.5,1" "0,0;2,1"; do
-    expect 2 "^text_to_mesh: --profile: must go from 0,0 to t = 1, unlike \"$profile\"$" x --font $sans --output x.glb --bevel 0.02 --profile "$profile"
+    expect 2 "^text_to_mesh: --profile must begin at 0,0 and end at t = 1, not \"$profile\"\.$" x --font $sans --output x.glb --bevel 0.02 --profile "$profile"
 done
 expect 0 "" x --font $sans --output x64.glb --bevel 0.02 --profile "0,0;$(printf '0.5,0.5;%.0s' $(seq 62))1,1"
-expect 2 "^text_to_mesh: --profile: must have at most 64 points, not 65$" x --font $sans --output x.glb --bevel 0.02 --profile "0,0;$(printf '0.5,0.5;%.0s' $(seq 63))1,1"
-expect 2 "bevel-steps: must be a whole number from 0 to 63, not 64" x --font $sans --output x.glb --bevel 0.02 --profile round --bevel-steps 64
-expect 2 "--bevel-steps: is for --profile round or concave" x --font $sans --output x.glb --bevel 0.02 --bevel-steps 4
-expect 2 "bevel-mode: must be clip, fit or fit_text, not fill" x --font $sans --output x.glb --bevel 0.02 --bevel-mode fill
-expect 2 "bevel-sides: must be front, back or both, not top" x --font $sans --output x.glb --bevel 0.02 --bevel-sides top
+expect 2 "^text_to_mesh: --profile must have at most 64 points, not 65\.$" x --font $sans --output x.glb --bevel 0.02 --profile "0,0;$(printf '0.5,0.5;%.0s' $(seq 63))1,1"
+expect 2 "bevel-steps must be a whole number from 0 to 63, not 64" x --font $sans --output x.glb --bevel 0.02 --profile round --bevel-steps 64
+expect 2 "--bevel-steps needs --profile round or concave" x --font $sans --output x.glb --bevel 0.02 --bevel-steps 4
+expect 2 "bevel-mode must be clip, fit or fit_text, not fill" x --font $sans --output x.glb --bevel 0.02 --bevel-mode fill
+expect 2 "bevel-sides must be front, back or both, not top" x --font $sans --output x.glb --bevel 0.02 --bevel-sides top
 for width in 1000 100; do
     rm -f wide.glb; echo kept >wide.glb
-    expect 1 "^text_to_mesh: --bevel: is too wide for this font\.$" x --font $sans --output wide.glb --bevel $width --bevel-out --bevel-depth 0.02
+    expect 1 "^text_to_mesh: --bevel is too wide for this font: give a smaller number\.$" x --font $sans --output wide.glb --bevel $width --bevel-out --bevel-depth 0.02
     that "a bevel that is too wide leaves the old file alone" [ "$(cat wide.glb)" = kept ]
 done
 expect 0 "" x --font $sans --output wide.glb --bevel 200 --bevel-depth 0.02
-expect 1 "^text_to_mesh: --bevel: is too wide for this font\.$" x --font $sans --output wide.glb --bevel 1000 --bevel-depth 0.02
-expect 1 "^text_to_mesh: --outline: is too narrow for this font\.$" x --font $sans --output thin_ring.glb --outline 1e-7
+expect 1 "^text_to_mesh: --bevel is too wide for this font: give a smaller number\.$" x --font $sans --output wide.glb --bevel 1000 --bevel-depth 0.02
+expect 1 "^text_to_mesh: --outline is too narrow for this font: give a larger number\.$" x --font $sans --output thin_ring.glb --outline 1e-7
 that "an outline that is too narrow writes nothing" [ ! -e thin_ring.glb ]
-expect 2 "^text_to_mesh: --bevel-out: takes no value$" x --font $sans --output x.glb --bevel 0.02 --bevel-out=wide
-expect 2 "--bevel: is for solids" x --font $sans --output x.glb --bevel 0.02 --depth 0
-expect 2 "--normals: is not for --bevel" x --font $sans --output x.glb --bevel 0.02 --normals cap
+expect 2 "^text_to_mesh: --bevel-out takes no value\.$" x --font $sans --output x.glb --bevel 0.02 --bevel-out=wide
+expect 2 "--bevel needs a solid" x --font $sans --output x.glb --bevel 0.02 --depth 0
+expect 2 "--normals does not work with --bevel" x --font $sans --output x.glb --bevel 0.02 --normals cap
 for width in -0.01 1.5 nan wide; do
-    expect 2 "^text_to_mesh: --outline: must be a number from 0 to 1, not $width$" x --font $sans --output x.glb --outline $width
+    expect 2 "^text_to_mesh: --outline must be a number from 0 to 1, not $width\.$" x --font $sans --output x.glb --outline $width
 done
 for by in -1.5 2 nan bold; do
-    expect 2 "^text_to_mesh: --embolden: must be a number from -1 to 1, not $by$" x --font $sans --output x.glb --embolden $by
+    expect 2 "^text_to_mesh: --embolden must be a number from -1 to 1, not $by\.$" x --font $sans --output x.glb --embolden $by
 done
-expect 2 "outline-place: must be inner, center or outer, not top" x --font $sans --output x.glb --outline 0.02 --outline-place top
-expect 2 "^text_to_mesh: --bevel-out: is not for --outline-letter, into which the ring would grow$" x --font $sans --output x.glb --outline 0.02 --outline-letter --bevel 0.01 --bevel-out
+expect 2 "outline-place must be inner, center or outer, not top" x --font $sans --output x.glb --outline 0.02 --outline-place top
+expect 2 "^text_to_mesh: --bevel-out does not work with --outline-letter, because the ring would grow into the letter\.$" x --font $sans --output x.glb --outline 0.02 --outline-letter --bevel 0.01 --bevel-out
 expect 0 "" "ab" --font $sans --output ring.obj --outline 0.02 --outline-letter --style 0..1:colour=red --style 1..2:colour=white
 that "a letter within a coloured ring has another colour" [ "$(grep '^Kd' ring.mtl | sort -u | wc -l)" = 8 ]
 for option in "--outline-place outer" --outline-letter; do
     # shellcheck disable=SC2086  # an option and its value
-    expect 2 "^text_to_mesh: ${option% *}: is for --outline$" x --font $sans --output x.glb $option
+    expect 2 "^text_to_mesh: ${option% *} needs --outline\.$" x --font $sans --output x.glb $option
 done
 for option in "--bevel-depth 0.02" "--profile round" "--bevel-mode fit" "--bevel-sides front" --bevel-out; do
     # shellcheck disable=SC2086  # words
-    expect 2 "^text_to_mesh: ${option% *}: is for --bevel$" x --font $sans --output x.glb $option
+    expect 2 "^text_to_mesh: ${option% *} needs --bevel\.$" x --font $sans --output x.glb $option
 done
 
 echo "$passed passed, $failed failed"

@@ -150,5 +150,5 @@ done < <(machines)
         [ ! -e "$work/$name/row.md" ] || cat "$work/$name/row.md"
     done < <(machines)
 } >"$table"
-say "The table: $table"
+say "The table is written: $table"
 [ $failed = 0 ] || stop "$failed machines failed"

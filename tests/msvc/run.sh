@@ -10,7 +10,7 @@
 # - all headers, and the templates made of them, compile after windows.h without a warning of /W4;
 # - the adapters of DirectWrite name their library to the linker, and read the same for every Windows that a unit may be
 #   compiled for: units that differ in that must not break the one-definition rule;
-# - nothing asks for a function of the compiler's own library for 128 bits, which Microsoft's linker does not find;
+# - nothing needs a function of the compiler's own library for 128 bits, which Microsoft's linker does not find;
 # - with typemesh::unfused no multiplication is fused with an addition.
 #
 # Ends with 77 where clang or mingw-w64 is missing.

@@ -68,7 +68,7 @@ describe() {  # describe NAME: sets its reason, room, tests, and the file that i
             '+++ b/'*) changed=${line#+++ b/} && break ;;
         esac
     done <"$here/$1.patch"
-    [ -n "$reason" ] && [ -n "$room" ] || { say "$1: wants the lines 'Reason:' and 'Room:'" && return 1; }
+    [ -n "$reason" ] && [ -n "$room" ] || { say "$1: needs the lines 'Reason:' and 'Room:'" && return 1; }
     [ -f "$typemesh_root/$changed" ] || { say "$1: there is no file '$changed'" && return 1; }
     [ -n "$tests" ] || { tests=${changed#include/typemesh/} && tests=${tests%.hpp}; }
 }
@@ -288,7 +288,7 @@ wait
 all=$(for name in $names; do cat "$rows/$name.row"; done)
 caught=$(say "$all" | grep -c '^caught')
 
-# The rows of the page are ordered by name; those of other bugs stay, unless their patch has gone.
+# The rows of the page are ordered by name; the rows of other bugs stay, unless their patch has gone.
 record_rows() {
     local name why by rest
     sed '/^| \[/d' "$page"

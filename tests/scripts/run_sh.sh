@@ -121,10 +121,10 @@ check "a text in quotes is meshed with an installed font" succeeds
 check "the text comes after --, the font before" called '<text_to_mesh>.*<--font></fonts/sans.ttf>.*<--><Hello world!>$'
 again && run examples/run.sh "Hello world!"
 check "the second run does as the first" called '<--><Hello world!>$'
-check "the second run does not tell of building anew" says_not 'Building'
+check "the second run does not report another build" says_not 'This builds'
 anew && run examples/run.sh Hello World --depth 0.3
 check "words without quotes are one text" called '<--depth><0.3><--><Hello World>$'
-check "it is told that they are joined" says 'The text is "Hello World"'
+check "it reports that they are joined" says 'The text is "Hello World"'
 anew && run examples/run.sh -- --not-an-option
 check "after -- anything is text" called '<--><--not-an-option>$'
 for words in "--depth 0.3 Hello" "Hello --depth 0.3 World" "--strict Hello" "Hello --depth=0.3 World" "Hello --depth 0.3 -- World"; do
@@ -140,15 +140,15 @@ check "values and flags are no text" called '<--feature><-kern><--strict><--dept
 
 # --- examples/run.sh: what it wrote
 anew && run examples/run.sh Hello
-check "it says what it wrote" says "^Wrote $scratch/elsewhere/hello.glb"
-check "the picture too" says "^Wrote $scratch/elsewhere/hello.png"
+check "it says what it wrote" says "^text_to_mesh has written $scratch/elsewhere/hello.glb"
+check "the picture too" says "^text_to_mesh has written $scratch/elsewhere/hello.png"
 again && run examples/run.sh Hello --output "my word.obj" --picture=/tmp/word.png
-check "also by names of one's own" says "^Wrote $scratch/elsewhere/my word.obj"
-check "and absolute ones" says '^Wrote /tmp/word.png'
+check "also by names of one's own" says "^text_to_mesh has written $scratch/elsewhere/my word.obj"
+check "and absolute ones" says '^text_to_mesh has written /tmp/word.png'
 check "nothing else is written" says_not 'hello'
 check "names are passed on once" called '<--output><my word.obj><--picture=/tmp/word.png><--><Hello>$'
 again && run examples/run.sh Hello --help
-check "help writes nothing" says_not '^Wrote'
+check "help writes nothing" says_not '^text_to_mesh has written'
 
 # --- examples/run.sh: fonts
 anew && run examples/run.sh "བོད"
@@ -168,17 +168,17 @@ echo fonts-unifont >>"$scratch/installed" && again && run examples/run.sh "བ�
 check "with all of them installed none is advised" says_not 'apt-get'
 check "there is still a way" says '--font FILE'
 again && run examples/run.sh "A བོད ሰላም"
-check "that all packages are installed is said once" [ "$(grep -c 'packages known here' "$scratch/out" "$scratch/err" | awk -F : '{ n += $2 } END { print n }')" = 1 ]
-check "for all scripts that it is true of" says 'packages known here.*: .*Tibetan, .*Ethiopic|packages known here.*: .*Ethiopic, .*Tibetan'
+check "that all packages are installed is said once" [ "$(grep -c "packages of this script's list" "$scratch/out" "$scratch/err" | awk -F : '{ n += $2 } END { print n }')" = 1 ]
+check "for all scripts that it is true of" says 'packages of this .*: .*Tibetan, .*Ethiopic|packages of this .*: .*Ethiopic, .*Tibetan'
 check "several texts are not advised where one part has no font" says_not 'several texts'
 for text in $'\U10FFFF' $'A\U1FFFE' $'\uFDD0'; do
     anew && run examples/run.sh "$text"
     check "a noncharacter is an error" fails
-    check "no font has it, it is said" says 'U\+(10FFFF|1FFFE|FDD0) is no character: no font has it'
+    check "no font has it, it is said" says 'U\+(10FFFF|1FFFE|FDD0) is not a character, and no font has it'
     check "nothing is to be installed for it" says_not 'apt-get|packages|No installed font'
 done
 anew && run examples/run.sh $'\uFFFF བོད'
-check "what else is missing is still named" says 'Missing: Tibetan'
+check "what else is missing is still named" says 'No font has these: Tibetan'
 anew && echo "/fonts/tibetan.ttf|Noto Serif Tibetan|f00|fff" >>"$scratch/fonts" && run examples/run.sh "བོད"
 check "an installed font is found by its characters" called '<--font></fonts/tibetan.ttf>'
 again && run examples/run.sh "Tibet བོད"
@@ -191,28 +191,28 @@ check "each package is named once" says 'apt-get install fonts-tlwg-garuda-ttf f
 
 # --- examples/run.sh: setting up
 anew && touch "$scratch/wait" && run examples/run.sh
-check "it says what it builds and how long that takes" says 'Building text_to_mesh.*minute'
+check "it says what it builds and how long that takes" says 'This builds text_to_mesh.*minute'
 check "it tells how far the build is" says '0:0[0-9]  1 of 2'
 anew && mv "$bin/ninja" "$scratch/ninja" && touch "$scratch/wait"
 run examples/run.sh
 check "what is missing is installed" called 'apt-get .*install .*ninja-build'
-check "how long installing takes is said" says 'Installing with apt-get.*minute.*: ninja-build'
+check "how long installing takes is said" says 'apt-get installs these packages.*minute.*: ninja-build'
 mv "$scratch/ninja" "$bin/ninja"
 anew && mv "$bin/ninja" "$scratch/ninja" && echo 1000 >"$scratch/user" && run examples/run.sh
 check "without root and sudo it stops" fails
 check "it names the packages" says 'sudo apt-get install ninja-build'
 check "it installs nothing" called_not 'apt-get'
-check "it says which names are tried" says 'names for Debian are tried, the others .* untried'
+check "it says which names are tried" says 'names for Debian are tested. The other names .* untested'
 mv "$scratch/ninja" "$bin/ninja"
 mv "$bin/apt-get" "$scratch/apt-get" && stand_in dnf <<<'cp "$scratch/ninja" "$bin/ninja"'
 anew && mv "$bin/ninja" "$scratch/ninja" && run examples/run.sh
-check "a package manager that was never tried is said to be" says '^With dnf this is untried'
+check "a package manager that was never tried is said to be" says '^The names for dnf are untested'
 check "it is used" called 'dnf install -y ninja-build'
 mv "$scratch/apt-get" "$bin/apt-get" && rm "$bin/dnf"
 for script in examples/run.sh tests/run.sh; do
     anew && touch "$tree/build" && run $script
     check "$script: a build folder that cannot be written is an error" fails
-    check "$script: it is told in one sentence" [ "$(grep -c . "$scratch/err")" = 1 ]
+    check "$script: it is reported in one sentence" [ "$(grep -c . "$scratch/err")" = 1 ]
     check "$script: the sentence names the folder" grep -q "a folder/build cannot be written" "$scratch/err"
     check "$script: nothing is begun" called_not 'apt-get|cmake'
     rm -f "$tree/build"
@@ -259,7 +259,7 @@ mv "$scratch/ninja" "$bin/ninja"
 
 anew && touch "$scratch/wait" && run tests/run.sh --only clang
 check "it tells how many tests are done, and how many of them failed" says '0:0[0-9]  4 of 5, 1 failed'
-check "it says how long the first build takes" says 'Building clang, which takes [0-9]+ minutes'
+check "it says how long the first build takes" says 'This builds clang, which takes [0-9]+ minutes'
 anew && touch "$scratch/bad" && run tests/run.sh --only clang,tsan
 check "without --fail-fast all is run" says '^8 passed, 2 failed$'
 again && run tests/run.sh --only clang,tsan --fail-fast
@@ -292,7 +292,7 @@ for tier in external:external:gcc engines:engines_run:release; do
     check "$tier: scripts find the tool and the tests' files, and run in a folder of their own" \
         called "^$tree/build/$preset/examples/text_to_mesh\|$tree/tests\|$tree/build/$folder\$"
     check "$tier: the tool is built first" called "cmake --build .*build/$preset"
-    check "$tier: what cannot be installed does not stop the others" says 'Going on without'
+    check "$tier: what cannot be installed does not stop the others" says 'The run continues without'
     printf 'echo "a pixel of a back face"\nexit 1\n' >"$tree/tests/$folder/c.sh"
     again && run tests/run.sh --only $tier
     check "$tier: a script that fails is counted" says '^1 passed, 1 failed$'
@@ -311,7 +311,7 @@ run tests/run.sh --all
 check "--all runs them" says '^passed: engines_run/a'
 rm -r "$tree/tests/engines_run"
 
-# --- machines, each of which counts as a test
+# --- machines; each counts as a test
 mkdir -p "$tree/tests/machines"
 machines() { cat >"$tree/tests/machines/run.sh" && anew && run tests/run.sh --only machines; }
 machines <<'END'
@@ -319,14 +319,14 @@ echo "s390x            good: all 22; tests: 6 rooms passed"
 echo "x87              BAD: 3 of 22, not 19 of \"grid\"; tests: -"
 echo "wasm             NOT COMPILED: no such header"
 echo "riscv64          skipped: riscv64 qemu is missing and cannot be installed"
-echo "The table: table.md"
+echo "The table is written: table.md"
 END
 check "machines that differ and that do not compile are failures" says '^1 passed, 2 failed$'
 check "a machine that is missing is named at the end" says '^skipped: machines/riscv64: riscv64 qemu is missing'
 check "the run has failed then" fails
 machines <<<'echo "s390x            good: all 22; tests: 6 rooms passed"; exit 1'
 check "machines whose run breaks off are a failure" says '^1 passed, 1 failed$'
-machines <<<'echo "s390x            good: all 22; tests: -"; echo "The table: table.md"'
+machines <<<'echo "s390x            good: all 22; tests: -"; echo "The table is written: table.md"'
 check "machines that are the same are none" says '^1 passed, 0 failed$'
 check "nothing is skipped then" says_not 'skipped'
 rm -r "$tree/tests/machines"

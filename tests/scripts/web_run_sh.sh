@@ -111,7 +111,7 @@ anew && run $free
 check "a machine without npm gets the page" succeeds
 check "Debian's npm is not installed" called_not 'apt-get.* install .*npm'
 grep -qs '^ *registry' /etc/npmrc /usr/etc/npmrc /usr/local/etc/npmrc ||
-    check "the registry's address is that of Debian's package" called 'fetch.py .* https://of.debian.example/three/-/three-0.187.0.tgz$'
+    check "the registry's address comes from Debian's package" called 'fetch.py .* https://of.debian.example/three/-/three-0.187.0.tgz$'
 check "the page has three.js" [ -e "$tree/build/web/site/three/three.core.js" ]
 check "it is served at the port named" called "^python3 -m http.server .* $free$"
 again && run $free

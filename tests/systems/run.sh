@@ -139,6 +139,6 @@ if [ -n "$run" ]; then
     for suite in $suites; do run_suite "$suite" || failed="$failed $suite"; done
 fi
 write_table
-say "The table: $page"
+say "The table is written: $page"
 for each in $failed; do say "failed: $each"; done
 case " $failed" in *" bookworm"* | *" trixie"*) exit 1 ;; esac

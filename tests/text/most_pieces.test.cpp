@@ -83,7 +83,8 @@ TEST_CASE("a glyph that falls into more pieces than allowed is refused alone, an
     CHECK(report.first_refusal.count == few_pieces);
     char words[160];
     CHECK(std::string(describe(report.first_refusal, words)) ==
-          "glyph 1, cluster 8: The contours cross more often than max_pieces allows. (the limit: 1000)");
+          "glyph 1, cluster 8: The contours cross more often than max_pieces allows: raise max_pieces. "
+          "(the limit: 1000)");
     CHECK(test::same_bits(rest, build(mesher, run_of(good), limited)));
 
     const full_mesh all = build(mesher, run_of(with_star), {}, &report);

@@ -280,7 +280,7 @@ TEST_CASE("a glyph that cannot be built is left out, counted and named, and the 
     CHECK_FALSE(made->complete());
     char words[160];
     CHECK(std::string(describe(made->first_refusal, words)) ==
-          "glyph 6, cluster 2: The outline holds a coordinate that is not a finite number.");
+          "glyph 6, cluster 2: The outline contains NaN or infinity: correct the font or its transform.");
 
     const auto alone = build(mesher, "Ex o");
     CHECK(alone.vertices.size() == m.vertices.size());

@@ -35,7 +35,7 @@ const options = [
     { discretiser: 'adaptive', normals: 'averaged' },
     { discretiser: 'two_lines', normals: 'shared' },
     { width: 5, align: 'justify', breaker: 'total_fit', size: 3 },
-    { width: 6, align: 'centre', letterSpacing: 0.1, features: { liga: 0 }, mostLines: 2, ellipsis: '...' },
+    { width: 6, align: 'centre', letterSpacing: 0.1, features: { liga: 0 }, maxLines: 2, ellipsis: '...' },
     { direction: 'ttb', normals: 'cap' },
 ];
 

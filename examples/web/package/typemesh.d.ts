@@ -50,7 +50,7 @@ export interface Typemesh {
 
     /**
      * A number of the mesh, 16 hexadecimal digits: FNV-1a, 64 bits, of the bytes of position, normal, uv and index, one
-     * behind the other. The native program examples/web/mesh_hash prints the same for the same text: `mesh(...).hash()`.
+     * after the other. The native program examples/web/mesh_hash prints the same for the same text: `mesh(...).hash()`.
      */
     hash(text: string, fonts: Fonts, options?: MeshOptions): string;
 
@@ -83,11 +83,11 @@ export interface Font {
     free(): void;
 }
 
-/** Lengths are in em, unless they say otherwise. */
+/** Lengths are in em, unless another unit is named. */
 export interface MeshOptions {
     /** How large an em is in your world; 1. */
     size?: number;
-    /** Of the solid; 0.2. 0 makes a flat mesh: the front alone, without bevels. */
+    /** Of the solid; 0.2. 0 makes a flat mesh: only the front, without bevels. */
     depth?: number;
     /** A preset of the tolerance: 1/100, 1/160, 1/800 (default), 1/16000 em. */
     quality?: "low" | "normal" | "high" | "best";
@@ -97,7 +97,7 @@ export interface MeshOptions {
     discretiser?: "certified" | "two_lines" | "adaptive";
     /** "monotone" (default) is fastest; "delaunay" avoids slender triangles. */
     triangulator?: "monotone" | "delaunay";
-    /** "font" (default): as the font's format says. */
+    /** "font" (default): the rule of the font's format. */
     fill?: "font" | "non_zero" | "even_odd";
     /** Normals of the walls; "curve" by default. Bevels have their own. */
     normals?: "curve" | "creased" | "averaged" | "shared" | "cap";
@@ -150,8 +150,8 @@ export interface MeshOptions {
     /** Times the font's own. */
     lineSpacing?: number;
     indent?: number;
-    /** Further lines are dropped, and `ellipsis` says so. */
-    mostLines?: number;
+    /** Further lines are dropped, and `ellipsis` stands for them. */
+    maxLines?: number;
     ellipsis?: string;
     /** OpenType features: {smcp: 1, liga: 0}. */
     features?: Record<string, number | boolean>;
@@ -179,7 +179,7 @@ export interface Mesher {
     set(options: MeshOptions): this;
 
     /**
-     * The mesh of a text. `options` are for this text alone. After a text as long and with the same letters nothing is
+     * The mesh of a text. `options` are only for this text. After a text as long and with the same letters nothing is
      * allocated any more in the module, and letters that were built before are not built again.
      *
      * The mesh ends with the next call of mesh() or letters(), or of free(), of this mesher.
@@ -224,7 +224,7 @@ export interface Mesh {
 
     /** How many directed edges are not met by their reverse: 0 for a closed mesh. Takes about as long as the mesh did; vertices in the same place count as one, within each glyph. A flat mesh is open along its contours. */
     openEdges(): number;
-    /** The contours of the front as segments: x, y, z of both ends, one behind the other. Lives as the arrays do. */
+    /** The contours of the front as segments: x, y, z of both ends, one after the other. Lives as the arrays do. */
     contours(): Float32Array;
     /** Of Typemesh.hash(). */
     hash(): string;
@@ -237,7 +237,7 @@ export interface Part {
     /** Into `index`: a multiple of 3. */
     readonly start: number;
     readonly count: number;
-    /** The vertices that the part has of its own; bevels, and walls with the normals "cap", also use those of their neighbours. */
+    /** The vertices that the part has of its own; bevels, and walls with the normals "cap", also use vertices of their neighbours. */
     readonly firstVertex: number;
     readonly vertexCount: number;
 }
@@ -262,7 +262,7 @@ export interface Statistics {
     readonly planMicroseconds: number;
 }
 
-/** A text as instances: `meshes[mesh[i]]` stands at `translation[3 * i]` and the two behind it. Arrays live as those of a Mesh do. */
+/** A text as instances: `meshes[mesh[i]]` stands at `translation[3 * i]` and the two after it. The arrays live as long as the arrays of a Mesh. */
 export interface Letters {
     readonly position: Float32Array;
     readonly normal: Float32Array;

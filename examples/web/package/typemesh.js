@@ -83,7 +83,7 @@ class Machine {
 
     take(size) {
         const at = this.calls.malloc(size || 1) >>> 0;
-        if (at === 0) throw new TypemeshError('The module has no more memory.');
+        if (at === 0) throw new TypemeshError('The module has no more memory: free some fonts or meshers.');
         return at;
     }
     give(at) {
@@ -122,7 +122,7 @@ const decoder = new TextDecoder();
 /** Four letters as a number. */
 function tagOf(name) {
     if (typeof name !== 'string' || !/^[\x20-\x7e]{4}$/.test(name))
-        throw new TypeError(`"${name}" is no tag: tags have four letters, digits or spaces.`);
+        throw new TypeError(`"${name}" is not a tag: a tag has four letters, digits or spaces.`);
     return ((name.charCodeAt(0) << 24) | (name.charCodeAt(1) << 16) | (name.charCodeAt(2) << 8) | name.charCodeAt(3)) >>> 0;
 }
 const tagName = (tag) => String.fromCharCode(tag >>> 24, (tag >>> 16) & 255, (tag >>> 8) & 255, tag & 255);
@@ -165,7 +165,7 @@ class Typemesh {
     }
 
     font(bytes, options = {}) {
-        if (!isBytes(bytes)) throw new TypeError('A font is opened from an ArrayBuffer or a Uint8Array.');
+        if (!isBytes(bytes)) throw new TypeError('The bytes of a font must be an ArrayBuffer or a Uint8Array.');
         return new Font(this.#machine, bytesOf(bytes), options);
     }
 
@@ -189,7 +189,7 @@ class Typemesh {
         if (list.length === 0) throw new TypeError('A text needs at least one font.');
         return list.map((one) => {
             if (one instanceof Font) return one;
-            if (!isBytes(one)) throw new TypeError('A font is a Font, or the bytes of one: an ArrayBuffer or a Uint8Array.');
+            if (!isBytes(one)) throw new TypeError('A font must be a Font, an ArrayBuffer or a Uint8Array.');
             let font = this.#fonts.get(one);
             if (font === undefined) this.#fonts.set(one, (font = this.font(one)));
             return font;
@@ -250,8 +250,8 @@ class Font {
 
     /** For meshers. */
     handleIn(machine) {
-        if (machine !== this.#machine) throw new TypeError('The font was opened by another instance of typemesh.');
-        if (this.#handle === 0) throw new TypeError('The font has been freed.');
+        if (machine !== this.#machine) throw new TypeError('Another instance of typemesh opened this font: open it again.');
+        if (this.#handle === 0) throw new TypeError('The font has been freed: open it again.');
         return this.#handle;
     }
 
@@ -302,11 +302,11 @@ class OptionTable {
                 if (value === undefined || value === null) {
                     for (const known of flat.keys()) if (known.startsWith(name + '.')) flat.delete(known);
                 } else if (typeof value === 'object') this.gather(value, flat, name + '.');
-                else throw new TypeError(`${whole} is a group of options, as in {${name}: {...}}.`);
+                else throw new TypeError(`${whole} is a group of options: write {${name}: {...}}.`);
                 continue;
             }
             const option = this.byName.get(whole);
-            if (option === undefined) throw new TypeError(`There is no option ${whole}.`);
+            if (option === undefined) throw new TypeError(`There is no option ${whole}: check its name.`);
             if (value === undefined || value === null) flat.delete(whole);
             else {
                 this.check(option, value);
@@ -407,13 +407,13 @@ class Mesher {
     }
 
     #alive() {
-        if (this.#handle === 0) throw new TypeError('The mesher has been freed.');
+        if (this.#handle === 0) throw new TypeError('The mesher has been freed: make another.');
     }
 
     #make(text, options, instances) {
         this.#alive();
         const begun = performance.now();
-        if (typeof text !== 'string') throw new TypeError('A text is a string.');
+        if (typeof text !== 'string') throw new TypeError('The text must be a string.');
         const machine = this.#machine;
         if (options !== undefined) {
             machine.table.hand(machine, this.#handle, machine.table.gather(options, new Map(this.#own)));
@@ -501,24 +501,25 @@ class Arrays {
         const [all, machine, s] = [[], this.machine, this.#statistics];
         const number = (name) => machine.words[this.#made.place + field[name]];
         if (s.refused > 0)
-            all.push(`${s.refused} of ${s.glyphs} glyphs are left out; the first: ${machine.read(number('firstRefusal'))}`);
+            all.push(`${s.refused} of ${s.glyphs} glyphs are left out; this is why the first is: ${machine.read(number('firstRefusal'))}`);
         if (s.missing > 0) {
             const place = number('firstMissing');
-            const first = String.fromCodePoint(this.#made.text.codePointAt(place) ?? 0xFFFD);
-            all.push(`No font has a glyph for ${s.missing} of ${s.glyphs} characters; the first is "${first}", at ${place}.`);
+            const code = this.#made.text.codePointAt(place) ?? 0xFFFD, shown = String.fromCodePoint(code);
+            const named = `U+${code.toString(16).toUpperCase().padStart(4, '0')}${/[\p{L}\p{N}\p{P}\p{S}]/u.test(shown) ? ` ${shown}` : ''}`;
+            all.push(`No font has a glyph for ${s.missing} of ${s.glyphs} characters; the first is ${named}, at ${place}. Add another font.`);
         }
         if (number('invalidUnits') > 0) all.push(`The text has half of a character at ${number('invalidUnits')} places.`);
         if (number('unbroken') > 0)
-            all.push('Lines of Thai, Lao, Khmer or Burmese end only where they must: no dictionary tells where words end.');
+            all.push('Lines of Thai, Lao, Khmer or Burmese end only where they must, because there is no dictionary for their words.');
         if (s.narrowed > 0)
-            all.push(`The edges of ${s.narrowed} of ${s.glyphs} glyphs have moved less than their bevel, ring or weight asks for.`);
+            all.push(`The edges of ${s.narrowed} of ${s.glyphs} glyphs have moved less than their bevel, ring or weight requests.`);
         return all;
     }
 
     // What the classes below use.
 
     get machine() {
-        if (!this.#made.isThere()) throw new TypeError('The mesh has ended: its mesher has made another, or was freed.');
+        if (!this.#made.isThere()) throw new TypeError('The mesh is no longer valid, because its mesher has made another mesh or was freed: make it again.');
         return this.#machine;
     }
     get handle() {
@@ -545,7 +546,7 @@ class Arrays {
         return (this.#views[name] = new Type(buffer, count === 0 ? 0 : this.number(which), count));
     }
 
-    /** All parts, of which a letter has some. */
+    /** All parts; a letter has some of them. */
     get allParts() {
         if (this.#parts !== undefined) return this.#parts;
         const { words, partNames } = this.machine;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // The panel's controls, their values, and the link that holds them.
 
-// name: that of the mesher's option, "bevel.width" for {bevel: {width}}; or of the page itself, after "page."
-// A value that is its `start` is left to the library unless it says `send`.
+// name: the name of the mesher's option, "bevel.width" for {bevel: {width}}; or a name of the page itself, after "page."
+// A value that is its `start` is left to the library unless it has `send`.
 const range = (name, label, start, low, high, step) => ({ kind: "range", name, label, start, low, high, step });
 const choice = (name, label, ...choices) => ({ kind: "choice", name, label, start: choices[0], choices });
 const check = (name, label, start) => ({ kind: "check", name, label, start });

@@ -34,7 +34,7 @@ export async function saveGlb(mesh, text, materials) {
 
 /** In millimetres, ten a unit, with its back on z = 0: as printers take it. */
 export async function saveStl(mesh, materials) {
-    if (mesh.bounds.low[2] === mesh.bounds.high[2]) throw new Error("An STL file holds solids: the depth must be more than 0.");
+    if (mesh.bounds.low[2] === mesh.bounds.high[2]) throw new Error("An STL file contains solids: the depth must be more than 0.");
     const { STLExporter } = await import("three/addons/exporters/STLExporter.js");
     const printed = lasting(mesh, materials), geometry = printed.geometry;
     geometry.scale(10, 10, 10);

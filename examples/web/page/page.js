@@ -9,7 +9,7 @@ import { materials, Stage, views } from "./stage.js";
 
 const at = id => document.getElementById(id);
 const start = { text: "Hello world!", view: "solid" };
-const mostCharacters = 100000, mostInLink = 2000;  // the latter as they stand in an address
+const maxCharacters = 100000, maxInLink = 2000;  // the latter as they stand in an address
 const stage = openStage();
 const controls = new Controls(at("groups"), () => update());
 const fonts = new Fonts(bytes => typemesh.font(bytes));
@@ -105,8 +105,8 @@ function update() {
     if (!mesher) return;
     const began = performance.now();
     const options = controls.options(), text = at("text").value;
-    if (text.length > mostCharacters)
-        return say(`This text has ${number(text.length)} characters. The page takes ${number(mostCharacters)}, the library any number.`);
+    if (text.length > maxCharacters)
+        return say(`This text has ${number(text.length)} characters. The page accepts at most ${number(maxCharacters)}, and the library any number.`);
     try {
         make(text, options);
         say("");
@@ -192,7 +192,7 @@ function link() {
     if (fonts.used && fonts.used !== fonts.first && fonts.used.load) kept.set("font", fonts.used.name);
     return kept.toString();
 }
-function fitsLink() { return new URLSearchParams({ text: at("text").value }).toString().length <= mostInLink; }
+function fitsLink() { return new URLSearchParams({ text: at("text").value }).toString().length <= maxInLink; }
 let remembering;
 function remember() {  // browsers refuse more than some changes of the address a second
     clearTimeout(remembering);
@@ -230,7 +230,7 @@ at("fit").addEventListener("click", () => stage?.fit());
 at("ticker").addEventListener("click", () => toggle(!ticking));
 at("glb").addEventListener("click", () => saveGlb(mesh, shown, materials).catch(e => say(e.message)));
 at("stl").addEventListener("click", () => saveStl(mesh, materials).catch(e => say(e.message)));
-at("png").addEventListener("click", () => stage ? savePng(stage) : say("Without WebGL there is no picture to be saved."));
+at("png").addEventListener("click", () => stage ? savePng(stage) : say("There is no picture to save, because this browser has no WebGL."));
 at("link").addEventListener("click", async () => {
     const address = location.origin + location.pathname + (link() ? "#" + link() : "");
     history.replaceState(null, "", address);
@@ -263,7 +263,7 @@ try {
     for (const [name, url] of Object.entries(bundled)) offer({ name, load: () => fetched(name, url) });
     await choose(recall());
     stage?.drawNow();
-    document.documentElement.dataset.ready = performance.now().toFixed(0);  // ms since the page was asked for
+    document.documentElement.dataset.ready = performance.now().toFixed(0);  // ms since the page was requested
 } catch (e) {
     loading("");
     say(e.message);

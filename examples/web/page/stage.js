@@ -166,7 +166,7 @@ export class Stage {
     }
 }
 
-/** Each triangle's edges; those of two triangles once. */
+/** Each triangle's edges; an edge of two triangles once. */
 function edges(index) {
     const lines = new Uint32Array(2 * index.length);
     let size = 0;

@@ -38,7 +38,7 @@ public:
     explicit directwrite_analyser(IDWriteTextAnalyzer* callers, memory source = heap()) noexcept
         : directwrite_analyser{source}
     {
-        TYPEMESH_ASSERT(callers != nullptr, "a directwrite_analyser was made of a null IDWriteTextAnalyzer*");
+        TYPEMESH_ASSERT(callers != nullptr, "a directwrite_analyser was made from a null IDWriteTextAnalyzer*");
         words_ = detail::com_ptr<IDWriteTextAnalyzer>::share(callers);
     }
 

@@ -59,7 +59,7 @@ public:
                                   const directwrite_style& style = {}) noexcept
         : directwrite_fallback{family, style}
     {
-        TYPEMESH_ASSERT(callers != nullptr, "a directwrite_fallback was made of a null IDWriteFontFallback*");
+        TYPEMESH_ASSERT(callers != nullptr, "a directwrite_fallback was made from a null IDWriteFontFallback*");
         fallback_ = detail::com_ptr<IDWriteFontFallback>::share(callers);
         opened_fallback_ = true;
     }

@@ -27,8 +27,8 @@
 #if defined(HB_NO_DRAW) || \
     ((defined(HB_TINY) || defined(HB_LEAN)) && !defined(HB_CONFIG_OVERRIDE_H) && !defined(HB_CONFIG_OVERRIDE_LAST_H))
 #error \
-    "typemesh: this HarfBuzz is configured without outlines (HB_TINY, HB_LEAN or HB_NO_DRAW), and text cannot be \
-meshed without: build it with a HB_CONFIG_OVERRIDE_H that has `#undef HB_NO_DRAW`, or take freetype_font."
+    "typemesh: this HarfBuzz is configured without outlines (HB_TINY, HB_LEAN or HB_NO_DRAW): build it with \
+a HB_CONFIG_OVERRIDE_H that has `#undef HB_NO_DRAW`, or use freetype_font."
 #endif
 
 namespace typemesh::inline TYPEMESH_ABI {
@@ -184,8 +184,7 @@ public:
 private:
     void assert_not_moved() const noexcept
     {
-        TYPEMESH_ASSERT(font_ != nullptr,
-                        "this font was moved from; meshers that refer to it are to use() the new one");
+        TYPEMESH_ASSERT(font_ != nullptr, "this font was moved: give the new font to its meshers with use()");
     }
 
     /// HarfBuzz's callbacks for one type of sink; the table's address identifies the ones in use.

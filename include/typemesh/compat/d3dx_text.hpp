@@ -113,7 +113,7 @@ public:
     d3dx_text&& with(Policy) & noexcept
     {
         static_assert(sizeof(Policy) == 0,
-                      "typemesh: with() makes another d3dx_text of this one, which ends: write "
+                      "typemesh: with() makes another d3dx_text and empties this one: write "
                       "`d3dx_text{font}.with(...)`, or `std::move(maker).with(...)`.");
         return std::move(*this);
     }
@@ -209,8 +209,8 @@ private:
     {
         static_assert(triangulator<Option> || d3dx_extruder<Option> || std::same_as<Option, cached_in> ||
                           std::same_as<Option, no_cache> || std::same_as<Option, memory>,
-                      "typemesh: a d3dx_text takes a triangulator, an extruder that has a depth, a cache and a memory; "
-                      "everything else is as Direct3D has it. A text_mesher takes other policies too.");
+                      "typemesh: a d3dx_text takes a triangulator, an extruder that has a depth, a cache or a memory: "
+                      "use a text_mesher for other policies.");
         return in_a_box(std::move(option));
     }
 

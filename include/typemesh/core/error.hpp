@@ -13,7 +13,8 @@ namespace typemesh::inline TYPEMESH_ABI {
 ///
 /// Functions that you call return a result (result.hpp), which is true on success and otherwise has an error. Functions
 /// that you write for the library (in a policy, a font or a sink) return an error: `return {};` on success, and
-/// otherwise for example `return error::out_of_memory;`. `message()` is a plain sentence.
+/// otherwise for example `return error::out_of_memory;`. `message()` is one plain sentence that says what is wrong and
+/// what to do.
 struct [[nodiscard]] error {
     /// What went wrong.
     enum kind : std::uint8_t {
@@ -105,59 +106,56 @@ struct [[nodiscard]] error {
     [[nodiscard]] constexpr const char* message() const noexcept
     {
         switch (code) {
-        case none: return "No error.";
-        case out_of_memory: return "The memory source has no more memory.";
-        case buffer_too_small: return "The caller's buffer is too small for the mesh.";
-        case index_overflow:
-            return "The index type cannot number so many vertices; use 32-bit indices, or text_chunks.";
-        case too_large: return "The text is too large: points, vertices and indices are numbered with 32 bits.";
-        case unreadable_file: return "The font file cannot be opened or read.";
-        case not_a_font: return "The data is not a font, or is damaged.";
-        case no_such_face: return "There is no face with that number in the font file or among the given fonts.";
-        case no_such_look: return "A glyph names a look that the table of its glyph_run does not hold.";
-        case other_units: return "The glyph_run was made for a font with other units per em.";
-        case no_such_family: return "No font of this family is installed or in the given collection.";
-        case no_such_style: return "No installed font of the family has this style.";
-        case no_font: return "The mesher has no font yet.";
-        case not_a_shaper: return "The font only draws: text needs a font that shapes it, or a glyph_run.";
+        case none: return "There is no error.";
+        case out_of_memory: return "The memory source has no more memory: free some, or give another source.";
+        case buffer_too_small: return "The buffer is too small for the mesh: give a larger one.";
+        case index_overflow: return "The index type cannot number all vertices: use 32-bit indices or text_chunks.";
+        case too_large: return "The text is too large for numbers of 32 bits: split it into several meshes.";
+        case unreadable_file: return "The font file cannot be opened or read: check its path and its permissions.";
+        case not_a_font: return "The data is not a font, or it is damaged: give another font file.";
+        case no_such_face: return "There is no face with that number: count faces from 0, and choose one that exists.";
+        case no_such_look: return "A glyph names a look that its glyph_run does not contain: add it to the looks.";
+        case other_units: return "The glyph_run and the font have different units per em: use the run's own font.";
+        case no_such_family: return "No font of this family is installed or given: check the family's name.";
+        case no_such_style: return "The family has no font of this style: choose another style.";
+        case no_font: return "The mesher has no font yet: give it one with use().";
+        case not_a_shaper: return "The font only draws glyphs: give a font that shapes text, or a glyph_run.";
         case unlocked_cache:
-            return "A glyph_workers needs a glyph_cache with a lock: glyph_cache<mutex_lock>, or one of your own.";
-        case no_cache_key:
-            return "A policy with data members needs a cache_key() for its glyphs to be kept in a cache.";
-        case no_outlines: return "The font has no outlines (it holds bitmaps only).";
-        case unknown_glyph: return "The font has no such glyph, or its outline cannot be loaded.";
-        case unknown_variation: return "The font has no such variation axis.";
-        case bad_feature: return "The tag of an OpenType feature is not four printable ASCII characters.";
-        case bad_outline: return "The outline is malformed: a contour must begin with move().";
-        case outline_not_finite: return "The outline holds a coordinate that is not a finite number.";
-        case outline_beyond_grid: return "The outline is too large for the integer grid.";
-        case too_many_pieces: return "The contours cross more often than max_pieces allows.";
-        case too_many_points: return "The outline has more points than max_points allows.";
-        case crossing_contours: return "Contours of the outline cross, touch or overlap.";
-        case nothing_left: return "Nothing is left of the glyph: it is thinner than what is taken off.";
-        case edges_not_moved: return "The glyph's edges cannot be moved: once moved, they cross on the grid.";
-        case bad_tolerance: return "The tolerance is not a positive finite number.";
-        case bad_option: return "An option is outside its range.";
-        case overlapping_spans: return "Two spans of styles hold the same character.";
+            return "Several workers share a glyph_cache without a lock: use for example glyph_cache<mutex_lock>.";
+        case no_cache_key: return "A policy with data members has no cache_key(): add one, or build without a cache.";
+        case no_outlines: return "The font has no outlines, only bitmaps: choose a font with outlines.";
+        case unknown_glyph: return "The font has no such glyph or cannot load its outline: check the glyph's number.";
+        case unknown_variation: return "The font has no such variation axis: choose one of its own axes.";
+        case bad_feature: return "An OpenType feature has a bad tag: write four printable ASCII characters.";
+        case bad_outline: return "The outline is malformed: begin each contour with move().";
+        case outline_not_finite: return "The outline contains NaN or infinity: correct the font or its transform.";
+        case outline_beyond_grid: return "The outline is too large for the integer grid: make it smaller.";
+        case too_many_pieces: return "The contours cross more often than max_pieces allows: raise max_pieces.";
+        case too_many_points: return "The outline has more points than max_points allows: raise max_points.";
+        case crossing_contours: return "Contours of the outline cross, touch or overlap: resolve them first.";
+        case nothing_left: return "Nothing is left of the glyph, which is too thin: take off less.";
+        case edges_not_moved: return "The glyph's edges cross on the grid after any move: do not move them.";
+        case bad_tolerance: return "The tolerance is not a positive finite number: give for example quality::high.";
+        case bad_option: return "An option is outside its range: give a value within the documented range.";
+        case overlapping_spans: return "Two spans of styles overlap: end one where the other begins.";
         case needs_paragraph:
-            return "Plain text ends its lines only at line breaks: give this option to a paragraph.";
+            return "Plain text ends lines only at line breaks: give this option to a paragraph.";
         case needs_shaping:
-            return "The text needs a real shaper (HarfBuzz, DirectWrite): a character map and kerning cannot set its "
-                   "script.";
-        case font_library_failed: return "The font library refused the request.";
-        case not_written: return "The mesh could not be written to its end: the disk may be full.";
-        case refused_by_user: return "A policy of the caller's own refused.";
+            return "A character map and kerning cannot set this script: shape the text with HarfBuzz or DirectWrite.";
+        case font_library_failed: return "The font library refused the request: check the font.";
+        case not_written: return "The mesh could not be written to its end: check the free space on the disk.";
+        case refused_by_user: return "One of your own policies refused: look there for the reason.";
         }
-        return "Unknown error.";
+        return "The error's code is unknown: check where the error was made.";
     }
 };
 
 /// Writes the sentence with its numbers into `out`. The text is always zero-terminated, and truncated if it does not
 /// fit (200 characters always suffice). Returns out.data(), or "" if `out` is empty.
 ///
-///     glyph 37, cluster 4: Contours of the outline cross, touch or overlap.
-///     The caller's buffer is too small for the mesh. (needed: 720 vertices)
-///     The font has no such variation axis. (wdth)
+///     glyph 37, cluster 4: Contours of the outline cross, touch or overlap: resolve them first.
+///     The buffer is too small for the mesh: give a larger one. (needed: 720 vertices)
+///     The font has no such variation axis: choose one of its own axes. (wdth)
 inline const char* describe(const error& e, std::span<char> out) noexcept
 {
     if (out.empty()) return "";
@@ -182,7 +180,7 @@ inline const char* describe(const error& e, std::span<char> out) noexcept
         if (e == error::buffer_too_small) return " (needed: ";
         if (e == error::index_overflow) return " (vertices: ";
         if (e == error::no_such_face) return " (faces: ";
-        if (e == error::no_such_look) return " (it holds: ";
+        if (e == error::no_such_look) return " (looks: ";
         if (e == error::too_many_pieces || e == error::too_many_points) return " (the limit: ";
         return e == error::font_library_failed ? " (its error: " : " (";
     };

@@ -27,7 +27,7 @@ public:
     result(T value) noexcept : value_{std::move(value)}, has_value_{true} {}
     result(typemesh::error e) noexcept : nothing_{}, error_{e}
     {
-        TYPEMESH_ASSERT(e, "a result without a value must carry an error");
+        TYPEMESH_ASSERT(e, "a result without a value must have an error");
     }
     result(typemesh::error::kind k) noexcept : result{typemesh::error{k}} {}
 

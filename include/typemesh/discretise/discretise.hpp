@@ -304,7 +304,7 @@ result<void> discretise(const outline& curves, const D& how, double tolerance, c
                         array_view<const std::uint8_t> halvings = {}) noexcept
 {
     TYPEMESH_ASSERT(halvings.empty() || halvings.size() == curves.curves.size(),
-                    "there must be one number of halvings per curve, or none at all");
+                    "the halvings must be empty or have one number for each curve");
     out.clear();
     out.grid = g;
     if (!is_finite(tolerance) || !(tolerance > 0.0)) return error::bad_tolerance;

@@ -54,7 +54,7 @@ void write_vertices(part p, const planned_solid_of<Extruder>& s, const Extruder&
         (to.bounds = detail::promised_bounds(s.plan.around, s.form.points, heights_of(how, s.form), at), true),
         "filled in");
     write_vertices(p, s.form, how, at, to);
-    TYPEMESH_ASSERT(to.emitted >= to.planned, "an extruder emitted fewer vertices of a part than its plan() said");
+    TYPEMESH_ASSERT(to.emitted >= to.planned, "an extruder emitted fewer vertices of a part than its plan() reported");
 }
 /// The same for the triangles of a part.
 template <extruder Extruder, mesh_sink Sink>
@@ -63,7 +63,7 @@ void write_triangles(part p, const planned_solid_of<Extruder>& s, const Extruder
 {
     detail::planned_triangles<Sink> to{sink, s.plan.sizes, first, s.plan.sizes.triangles[p]};
     write_triangles(p, s.form, how, first, turned, to);
-    TYPEMESH_ASSERT(to.emitted >= to.planned, "an extruder emitted fewer triangles of a part than its plan() said");
+    TYPEMESH_ASSERT(to.emitted >= to.planned, "an extruder emitted fewer triangles of a part than its plan() reported");
 }
 
 /// Writes one solid: all vertices, then all triangles.
@@ -98,7 +98,7 @@ result<void> extrude(const region& filled, array_view<const triangle> cap, const
                      plan_data_of<Extruder>& data, Sink& sink) noexcept
 {
     static_assert(!capping_extruder<Extruder>,
-                  "typemesh: this extruder asks for caps; call plan_solid() and write_solid()");
+                  "typemesh: this extruder needs caps; call plan_solid() and write_solid()");
     data.clear();
     no_caps nothing;
     const result<solid_plan> plan = plan_solid(how, filled, data, nothing);

@@ -106,7 +106,7 @@ private:
 /// evaluated once per glyph and part, not per vertex. A glyph_cache distinguishes the choices.
 template <extruder... Solids>
 class one_of {
-    static_assert(sizeof...(Solids) != 0, "typemesh: one_of needs a solid to choose");
+    static_assert(sizeof...(Solids) != 0, "typemesh: one_of needs at least one solid");
     template <class Solid>
     static constexpr int times = (0 + ... + int{std::same_as<Solid, Solids>});
     static_assert(((times<Solids> == 1) && ...), "typemesh: one_of names each type of solid once");

@@ -131,8 +131,7 @@ struct outlined {
     static constexpr std::size_t ring_parts = part_count_of<Ring>;
     static constexpr std::size_t part_count = ring_parts + (has_letter ? part_count_of<Letter> : 0);
     static_assert(part_count <= max_parts,
-                  "typemesh: an outlined{} has the parts of its ring and of its letter, which are eight at most: only "
-                  "one of the two can be bevelled");
+                  "typemesh: an outlined{} has at most eight parts for ring and letter: bevel only one of them");
     using plan_data = outlined_data<Ring, Letter>;
 
     /// See option_bits.

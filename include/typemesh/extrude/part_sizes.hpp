@@ -52,7 +52,7 @@ struct part_counts {
 private:
     static constexpr std::size_t number_of(part p) noexcept
     {
-        TYPEMESH_ASSERT(static_cast<std::size_t>(p) < max_parts, "there is no part of that number: there are eight");
+        TYPEMESH_ASSERT(static_cast<std::size_t>(p) < max_parts, "there are only eight parts: use 0 to 7");
         return static_cast<std::size_t>(p);
     }
 };

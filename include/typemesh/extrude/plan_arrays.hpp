@@ -62,7 +62,7 @@ struct plan_data<E> {
 /// struct.
 template <class... Values>
 class plan_arrays : detail::growing_array<Values>... {
-    static_assert(sizeof...(Values) != 0, "typemesh: an extruder without plan data has no plan_data at all");
+    static_assert(sizeof...(Values) != 0, "typemesh: plan_arrays need a type; without plan data, declare no plan_data");
     static_assert((std::is_trivially_copyable_v<Values> && ...),
                   "typemesh: plan_arrays are copied as bytes, so they hold trivially copyable types");
     static_assert(((alignof(Values) <= 8) && ...), "typemesh: plan_arrays hold types of an alignment of at most 8");

@@ -86,7 +86,7 @@ struct loop_extent {
 [[nodiscard]] inline result<void> outer_of(const region& r, workspace& space, array_view<std::uint32_t> out) noexcept
 {
     const std::uint32_t count = r.loop_count();
-    TYPEMESH_ASSERT(out.size() == count, "outer_of() gives a number for each loop");
+    TYPEMESH_ASSERT(out.size() == count, "outer_of() needs room for one number for each loop");
     workspace::scope scratch{space};
     auto* const extents = scratch.take<detail::loop_extent>(count);
     if (extents == nullptr) return error::out_of_memory;

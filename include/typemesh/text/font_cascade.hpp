@@ -28,7 +28,7 @@ template <outline_source... Fonts>
     requires(shaper<Fonts> && ...)
 class font_cascade : public font_faces<Fonts...> {
     using faces = font_faces<Fonts...>;
-    static_assert(!(face_source<Fonts> || ...), "typemesh: a font_cascade takes fonts of one face each");
+    static_assert(!(face_source<Fonts> || ...), "typemesh: a font_cascade needs fonts of one face each");
 
 public:
     explicit font_cascade(Fonts&... fonts) noexcept : faces{fonts...} {}

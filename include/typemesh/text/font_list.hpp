@@ -91,7 +91,7 @@ template <outline_source Font, fallback_provider<Font> Provider = no_fallback<Fo
     requires shaper<Font>
 class font_list : public detail::numbered_faces<detail::listed_fonts<Font, Provider>> {
     using faces = detail::numbered_faces<detail::listed_fonts<Font, Provider>>;
-    static_assert(!face_source<Font>, "typemesh: a font_list takes fonts of one face each");
+    static_assert(!face_source<Font>, "typemesh: a font_list needs fonts of one face each");
 
 public:
     explicit font_list(Font& first, memory source = heap()) noexcept

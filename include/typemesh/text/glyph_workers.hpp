@@ -62,7 +62,7 @@ public:
     [[nodiscard]] static result<glyph_workers> make(Executor& workers, Clone&& clone, memory source = heap()) noexcept
     {
         const std::size_t count = workers.workers();
-        TYPEMESH_ASSERT(count != 0, "an executor without workers was given");
+        TYPEMESH_ASSERT(count != 0, "an executor must have at least one worker");
         const std::size_t bytes = header + count * (sizeof(team_member) + sizeof(own_source));
         void* raw = source.allocate(source.user, bytes, alignment);
         if (raw == nullptr) return error::out_of_memory;

@@ -107,32 +107,27 @@ constexpr void refuse_policy() noexcept
 {
     constexpr bool several = kind_of<P>() == policy_kind::several;
     static_assert(!several,
-                  "typemesh: a mesher cannot tell what this type is for, which models several of discretiser, "
-                  "triangulator, region_step, extruder and stage_observer: a call operator that takes anything does. "
-                  "Name the types of its parameters.");
+                  "typemesh: this type models several of discretiser, triangulator, region_step, extruder and "
+                  "stage_observer, as a call operator for any argument does: name the types of its parameters.");
     if constexpr (several)
         return;
     else if constexpr (nearly_discretiser<P>)
         static_assert(discretiser<P>,
-                      "typemesh: a mesher was given what is nearly a discretiser; the compiler says "
-                      "what the concept misses.");
+                      "typemesh: this type is nearly a discretiser; the compiler's notes name what is missing.");
     else if constexpr (nearly_triangulator<P>)
         static_assert(triangulator<P>,
-                      "typemesh: a mesher was given what is nearly a triangulator; the compiler says "
-                      "what the concept misses.");
+                      "typemesh: this type is nearly a triangulator; the compiler's notes name what is missing.");
     else if constexpr (nearly_extruder<P>)
         static_assert(extruder<P>,
-                      "typemesh: a mesher was given what is nearly an extruder; the compiler says what the "
-                      "concept misses.");
+                      "typemesh: this type is nearly an extruder; the compiler's notes name what is missing.");
     else if constexpr (nearly_observer<P>)
         static_assert(stage_observer<P>,
-                      "typemesh: a mesher was given what is nearly a stage_observer; the compiler "
-                      "says what the concept misses.");
+                      "typemesh: this type is nearly a stage_observer; the compiler's notes name what is missing.");
     else
         static_assert(sizeof(P) == 0,
                       "typemesh: a mesher takes a discretiser, a triangulator, a region_step, an extruder, a "
-                      "stage_observer or cached_in, and this type is none of them; static_assert the "
-                      "concept that it should model to see what it lacks.");
+                      "stage_observer or cached_in, but this type is none of them: static_assert its "
+                      "concept to see what is missing.");
 }
 
 }  // namespace detail

@@ -69,13 +69,12 @@ public:
     template <outline_source Font, class... Option, detail::takes<Solid, Option...> = 0>
     explicit text_mesher(Font& font, Option... options) noexcept : planner_{detail::memory_among(options...)}
     {
-        static_assert(
-            !(std::same_as<Option, cached_in> || ...) || (detail::cacheable_option<Option> && ...),
-            "typemesh: a policy with data members needs `typemesh::option_bits cache_key() const noexcept` "
-            "before its glyphs can be kept in a glyph_cache, which otherwise could not tell those of different "
-            "options apart; see typemesh/core/option_bits.hpp.");
+        static_assert(!(std::same_as<Option, cached_in> || ...) || (detail::cacheable_option<Option> && ...),
+                      "typemesh: a policy with data members needs `typemesh::option_bits cache_key() const noexcept` "
+                      "before a glyph_cache can keep its glyphs, which distinguishes glyphs by it; "
+                      "see typemesh/core/option_bits.hpp.");
         static_assert(detail::is_given_once<Option...>,
-                      "typemesh: this mesher is given two policies of one kind (two triangulators, say).");
+                      "typemesh: this mesher has two policies of one kind (two triangulators, say): leave out one.");
         planner_.font = font_ref{font};
         (take(std::move(options)), ...);
     }
@@ -266,9 +265,8 @@ private:
             observer_ = std::move(option);
         else if constexpr (kind == policy_kind::extruder) {
             static_assert(std::is_convertible_v<Option, Solid>,
-                          "typemesh: this mesher makes another solid, which its type names (of a one_of: none of its "
-                          "solids is this one). To choose one while the program runs, name all of them: "
-                          "text_mesher<one_of<flat, extruded<>>>.");
+                          "typemesh: the type of this mesher names another solid. To choose one while the program "
+                          "runs, name all of them: text_mesher<one_of<flat, extruded<>>>.");
             if constexpr (std::is_convertible_v<Option, Solid>) solid_ = std::move(option);
         } else if constexpr (std::same_as<Option, cached_in>)
             planner_.cache = option;

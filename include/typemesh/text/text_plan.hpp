@@ -156,7 +156,7 @@ public:
     ///     triangle    its position in range(p), below index_count / 3
     [[nodiscard]] mesh_hit hit(part p, std::uint32_t triangle) const noexcept
     {
-        TYPEMESH_ASSERT(triangle < range(p).index_count / 3, "a triangle was asked for that its part does not have");
+        TYPEMESH_ASSERT(triangle < range(p).index_count / 3, "the part has no triangle of this number");
         const std::uint32_t index = range(p).first_index + 3 * triangle;
         const auto ends_behind = [&](std::size_t g) noexcept {
             const mesh_range r = range(g, p);
@@ -173,7 +173,7 @@ public:
     [[nodiscard]] mesh_hit hit(const glyph_instance& drawn, part p, std::uint32_t triangle) const noexcept
     {
         TYPEMESH_ASSERT(triangle < mesh_part(drawn.mesh, p).index_count / 3,
-                        "a triangle was asked for that its mesh's part does not have");
+                        "this part of the mesh has no triangle of this number");
         return hit_within(drawn.glyph, p, triangle);
     }
 
@@ -395,7 +395,7 @@ private:
         TYPEMESH_ASSERT(glyphs_->generation.number == generation_,
                         "this text_plan is stale: its mesher has made another plan or was moved since");
         TYPEMESH_ASSERT(glyphs_->lent.are_there(),
-                        "this text_plan is stale: its glyph_workers has built another since");
+                        "this text_plan is stale: its glyph_workers has built another plan since");
         return *glyphs_;
     }
 

@@ -56,7 +56,7 @@ struct text_analysis {
     /// The paragraph that contains the unit i; after the end of the text, the last one. Cost: O(log(paragraphs))
     [[nodiscard]] const text_paragraph& paragraph_of(std::size_t i) const noexcept
     {
-        TYPEMESH_ASSERT(!paragraphs.empty(), "a text was asked for a paragraph before it was analysed");
+        TYPEMESH_ASSERT(!paragraphs.empty(), "a paragraph was requested before its text was analysed");
         const auto begins_behind = [&](std::size_t k) noexcept { return paragraphs[k].first > i; };
         return paragraphs[first_where(1, paragraphs.size(), begins_behind) - 1];
     }

@@ -119,7 +119,7 @@ template <class Vertex, class Index, class... More>
 [[nodiscard]] auto into(Vertex*, Index*, More...) noexcept
 {
     static_assert(sizeof(Vertex) == 0,
-                  "typemesh: into() must know the sizes: replace the pointers by "
+                  "typemesh: into() needs the sizes: replace the pointers by "
                   "`std::span{vertices, how_many}` and `std::span{indices, how_many}`.");
     return into(std::span<Vertex>{}, std::span<Index>{});
 }

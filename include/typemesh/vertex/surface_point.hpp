@@ -120,8 +120,7 @@ struct surface_point : detail::with_part<Wants> {};
 template <attribute Fewer, attribute Wants>
 [[nodiscard]] constexpr surface_point<Fewer> only(const surface_point<Wants>& s) noexcept
 {
-    static_assert((Fewer | Wants) == Wants,
-                  "typemesh: an attribute is requested that this surface point does not have");
+    static_assert((Fewer | Wants) == Wants, "typemesh: this surface point does not have a requested attribute");
     surface_point<Fewer> fewer;
     if constexpr (has(Fewer, attribute::position)) fewer.position = s.position;
     if constexpr (has(Fewer, attribute::normal)) fewer.normal = s.normal;

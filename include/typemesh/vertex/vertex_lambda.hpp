@@ -75,15 +75,15 @@ template <class Vertex, class F>
 {
     constexpr bool is_known = detail::call_of<F>::is_known;
     static_assert(is_known,
-                  "typemesh: a lambda that makes vertices takes one parameter, which names the attributes and is not "
-                  "`auto`, and uses no other attribute: `[](const surface_point<wants>& s) noexcept { return "
-                  "my_vertex{...}; }`, where `wants` is constexpr; it is not mutable.");
+                  "typemesh: a lambda that makes vertices must not be mutable and has one parameter, whose type "
+                  "names all attributes that it uses: `[](const surface_point<wants>& s) noexcept { return "
+                  "my_vertex{...}; }`, where `wants` is constexpr.");
     if constexpr (is_known) {
         static_assert(detail::call_of<F>::is_noexcept,
-                      "typemesh: a lambda that makes vertices is noexcept, for a mesh is never left half-written: "
+                      "typemesh: a lambda that makes vertices must be noexcept: "
                       "`[](const surface_point<wants>& s) noexcept { ... }`.");
         static_assert(std::is_convertible_v<decltype(lambda_writer<F>{std::move(make)}({})), Vertex>,
-                      "typemesh: this lambda makes something else than the vertices of the array.");
+                      "typemesh: this lambda does not return the vertex type of the array.");
         return lambda_writer<F>{std::move(make)};
     } else {
         return detail::no_writer<Vertex>{};

@@ -49,7 +49,7 @@ test('every value of every option makes a mesh', () => {
     const values = {
         size: [0.5, 20], depth: [0, 0.5], tolerance: [0.01], crease: [120], 'bevel.width': [0.01], 'bevel.depth': [0.05],
         'bevel.points': [[0, 0, 0.2, 0.8, 1, 1]], 'bevel.steps': [3], embolden: [0.01, -0.005], 'outline.width': [0.01],
-        width: [4], letterSpacing: [0.1], lineSpacing: [1.5], indent: [1], mostLines: [1], ellipsis: ['…'],
+        width: [4], letterSpacing: [0.1], lineSpacing: [1.5], indent: [1], maxLines: [1], ellipsis: ['…'],
         features: [{ liga: 0 }, { smcp: true }], language: ['tr'], script: ['Latn'],
     };
     const plain = typemesh.hash('Grün affix\ntwo', font);
@@ -83,7 +83,7 @@ test('options stay where they are set, and undefined is their default', () => {
     mesher.free();
 });
 
-test('a cold mesh is that of a warm cache', () => {
+test('a cold mesh equals the mesh from a warm cache', () => {
     const cold = typemesh.hash('Rag', font, { cached: false, bevel: { width: 0.03 } });
     assert.equal(typemesh.hash('Rag', font, { bevel: { width: 0.03 } }), cold);
     assert.equal(typemesh.hash('Rag', font, { bevel: { width: 0.03 } }), cold);
@@ -139,21 +139,21 @@ test('letters are meshes with places', () => {
     mesher.free();
 });
 
-test('paragraphs are as wide as asked for', () => {
+test('paragraphs are as wide as requested', () => {
     const text = 'In the beginning the Universe was created. This has made a lot of people very angry.';
     const mesh = typemesh.mesh(text, font, { width: 10, align: 'justify' });
     assert.ok(mesh.statistics.lines > 3);
     assert.ok(mesh.bounds.high[0] <= 10.2 && mesh.bounds.high[0] > 9.5);
 });
 
-test('fonts tell of themselves, stand in for each other, and may be bytes', () => {
+test('fonts describe themselves, stand in for each other, and may be bytes', () => {
     assert.ok(font.unitsPerEm > 0 && font.glyphCount > 100 && font.faceCount === 1 && font.family !== '');
     assert.ok(font.has('abc') && !font.has('a\u{10FFFF}'));
     assert.equal(typemesh.hash('ab', [font, typemesh.font(bytes)]), typemesh.hash('ab', font));
     assert.equal(typemesh.hash('ab', bytes), typemesh.hash('ab', font));
     const mesh = typemesh.mesh('a\u{10FFFF}', font);
     assert.equal(mesh.statistics.missing, 1);
-    assert.match(mesh.warnings[0], /^No font has a glyph for 1 of 2 characters; the first is "\u{10FFFF}", at 1\.$/u);
+    assert.match(mesh.warnings[0], /^No font has a glyph for 1 of 2 characters; the first is U\+10FFFF, at 1\. Add another font\.$/);
     assert.match(typemesh.mesh('a\uD800', font).warnings.join(), /half of a character/);
 });
 
@@ -162,12 +162,12 @@ test('what is refused is said in a sentence', () => {
     refuses(() => typemesh.font(new Uint8Array(100)), TypemeshError, /^The data is not a font/);
     refuses(() => typemesh.font(bytes, { index: 5 }), TypemeshError, /^There is no face with that number/);
     refuses(() => typemesh.font(bytes, { variations: { wght: 700 } }), TypemeshError, /no such variation axis/);
-    refuses(() => typemesh.mesh('a', font, { size: -1 }), TypemeshError, /outside its range. \(size\)/);
+    refuses(() => typemesh.mesh('a', font, { size: -1 }), TypemeshError, /outside its range: .*\(size\)$/);
     refuses(() => typemesh.mesh('a', font, { tolerance: 0 }), TypemeshError, /tolerance is not a positive/);
     refuses(() => typemesh.mesh('a', font, { bevel: { widht: 1 } }), TypeError, /^There is no option bevel.widht\.$/);
     refuses(() => typemesh.mesh('a', font, { align: 'middle' }), TypeError, /^align must be one of start, end, left/);
     refuses(() => typemesh.mesh('a', font, { depth: '1' }), TypeError, /^depth must be a number, not "1"\.$/);
-    refuses(() => typemesh.mesh('a', font, { features: { toolong: 1 } }), TypeError, /is no tag/);
+    refuses(() => typemesh.mesh('a', font, { features: { toolong: 1 } }), TypeError, /is not a tag/);
     refuses(() => typemesh.mesh('a', []), TypeError, /at least one font/);
     refuses(() => typemesh.mesh(5, font), TypeError, /^A text is a string\.$/);
     assert.ok(typemesh.mesh('a', font).statistics.triangles > 0, 'all is well afterwards');

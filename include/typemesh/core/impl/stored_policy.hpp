@@ -80,8 +80,8 @@ private:
         static_assert(sizeof(Policy) <= room,
                       "typemesh: a mesher stores a policy of at most 64 bytes: let a larger one refer to its data.");
         static_assert(alignof(Policy) <= alignof(std::max_align_t),
-                      "typemesh: a policy is aligned to 16 bytes at most.");
-        static_assert(std::is_nothrow_move_constructible_v<Policy>, "typemesh: a policy is moved without exceptions.");
+                      "typemesh: a policy must have an alignment of at most 16 bytes.");
+        static_assert(std::is_nothrow_move_constructible_v<Policy>, "typemesh: moving a policy must be noexcept.");
         new (bytes_) Policy(std::move(policy));
         life_ = &life_of<Policy>;
         calls_ = &Ref::template table<Policy>::of;

@@ -30,7 +30,7 @@ struct planned_vertices {
         }
         bool due = true;
         TYPEMESH_ASSERT((due = emitted++ < planned),
-                        "an extruder emitted more vertices of a part than its plan() said");
+                        "an extruder emitted more vertices of a part than its plan() reported");
         if (due) sink.vertex(v);
     }
     void triangle(std::uint32_t, std::uint32_t, std::uint32_t) noexcept {}
@@ -54,7 +54,7 @@ struct planned_triangles {
     {
         bool due = true;
         TYPEMESH_ASSERT((due = emitted++ < planned),
-                        "an extruder emitted more triangles of a part than its plan() said");
+                        "an extruder emitted more triangles of a part than its plan() reported");
         if (!due) return;
         TYPEMESH_ASSERT((due = numbers(a) && numbers(b) && numbers(c)),
                         "an extruder emitted a triangle with a corner that is not a vertex of its solid");

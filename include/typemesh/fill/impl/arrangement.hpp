@@ -151,7 +151,7 @@ struct arrangement {
         auto* const number = scratch.take<std::uint32_t>(n);
         if (number == nullptr) return false;
         const array_view<const std::uint32_t> order = given.order();
-        TYPEMESH_ASSERT(order.size() == n, "the points of contours must be sorted first: see sort_points()");
+        TYPEMESH_ASSERT(order.size() == n, "the points of contours are not sorted: call sort_points() first");
         const grid_point* const place = given.points.data();
         std::uint32_t different = 0;
         for (std::uint32_t i = 0; i < n; ++i) {

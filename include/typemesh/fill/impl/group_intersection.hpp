@@ -86,7 +86,7 @@ struct box_sweep {
                                               workspace& space) noexcept
 {
     const std::size_t n = all.size();
-    TYPEMESH_ASSERT(group.size() == n, "group_intersection() gives one number for each region");
+    TYPEMESH_ASSERT(group.size() == n, "group_intersection() needs room for one number for each region");
     if (n >= 0xFFFF'FFFFu) return error::too_large;
     workspace::scope scratch{space};
     auto* entries = scratch.take<detail::box_sweep::entry>(n);

@@ -33,7 +33,7 @@ struct net_edge {
     const grid_point* const place = given.points.data();
     const array_view<const std::uint32_t> order = given.order();
     TYPEMESH_ASSERT(order.size() == given.points.size(),
-                    "the points of contours must be sorted first: see sort_points()");
+                    "the points of contours are not sorted: call sort_points() first");
     std::uint32_t different = 0;
     for (std::size_t i = 0; i < order.size(); ++i) {
         if (i == 0 || !(place[order[i - 1]] == place[order[i]])) ++different;

@@ -53,7 +53,7 @@ public:
         points_ = loops.points.data();
         workspace::scope scratch{space};
         const array_view<const std::uint32_t> order = loops.order();
-        TYPEMESH_ASSERT(order.size() == n, "the points of contours must be sorted first: see sort_points()");
+        TYPEMESH_ASSERT(order.size() == n, "the points of contours are not sorted: call sort_points() first");
         vertices_ = scratch.take<vertex>(n);
         contour_of_ = scratch.take<std::uint32_t>(n);
         edges_ = scratch.take<crossed_edge>(n + 1);

@@ -45,7 +45,7 @@ public:
     {
         std::uint32_t e = first_[a];
         while (e != none && edges_[e].b != b) e = next_[e];
-        TYPEMESH_ASSERT(e != none, "an edge of a cap does not stand at the last level");
+        TYPEMESH_ASSERT(e != none, "an edge of a cap does not lie at the last level");
         return e == none ? 0 : edges_[e].edge;
     }
 

@@ -26,7 +26,7 @@ struct mesher_refusals {
     Mesher&& with(Policy) & noexcept
     {
         static_assert(sizeof(Policy) == 0,
-                      "typemesh: with() makes another mesher of this one, which ends: write "
+                      "typemesh: with() makes another mesher and empties this one: write "
                       "`text_mesher{font}.with(...)`, or `std::move(mesher).with(...)`.");
         return static_cast<Mesher&&>(*this);
     }
@@ -34,8 +34,8 @@ struct mesher_refusals {
     Mesher&& with(glyph_cache<Lock>&) && noexcept
     {
         static_assert(sizeof(Lock) == 0,
-                      "typemesh: a glyph_cache is shared by fonts, so with() takes it with your "
-                      "number for this one: `with(cached_in{cache, 1})`.");
+                      "typemesh: several fonts share a glyph_cache, so give with() a number of your own for "
+                      "this font too: `with(cached_in{cache, 1})`.");
         return static_cast<Mesher&&>(*this);
     }
 

@@ -205,7 +205,7 @@ inline error text_planner::refused(const call& now) const noexcept
     TYPEMESH_ASSERT(options.frame.is_orthonormal(), "a frame's axes must be unit vectors at right angles");
     if (now.team == nullptr) return {};
     font_ref of_team = now.team->members[0].font;
-    TYPEMESH_ASSERT(same(of_team.units_per_em(), own), "the sources of a glyph_workers are of another font");
+    TYPEMESH_ASSERT(same(of_team.units_per_em(), own), "the sources of a glyph_workers belong to another font");
     if (of_team.face_count() < font.face_count()) return {error::no_such_face, of_team.face_count()};
     return cache.cache && !cache.cache.has_lock() ? error{error::unlocked_cache} : error{};
 }

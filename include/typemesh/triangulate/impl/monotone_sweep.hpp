@@ -95,7 +95,7 @@ public:
         if (n == 0) return error::none;
         TYPEMESH_ASSERT(loops() != 0 && starts_[loops()] == n, "the last of the starts must be the number of points");
         workspace::scope scratch{space};
-        TYPEMESH_ASSERT(known.empty() || known.size() == n, "an order of other points was given");
+        TYPEMESH_ASSERT(known.empty() || known.size() == n, "the given order belongs to other points");
         const bool sorted = !Touching && !known.empty();  // the visits of one point are sorted further
         auto* const own = sorted ? nullptr : scratch.take<std::uint32_t>(n);
         if (!sorted && (own == nullptr || (known.empty() && !sweep_order(points_, space, own))))

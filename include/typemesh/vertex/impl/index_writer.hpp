@@ -31,8 +31,8 @@ template <vertex_index Index>
 template <class Index>
 class index_writer {
     static_assert(vertex_index<Index>,
-                  "typemesh: indices are integers of 8 to 64 bits that can be written, signed or "
-                  "unsigned: std::uint16_t, std::uint32_t, int and the like.");
+                  "typemesh: indices must be writable integers of 8 to 64 bits, for example std::uint16_t, "
+                  "std::uint32_t or int.");
 
 public:
     explicit constexpr index_writer(std::uint32_t base_vertex) noexcept : base_{base_vertex} {}
