@@ -33,7 +33,7 @@ TEST_CASE("only error::none is no error", "[core][error]")
     CHECK(!(error{error::too_large} == error::none));
 }
 
-TEST_CASE("an error keeps what is said of its place", "[core][error]")
+TEST_CASE("an error keeps its glyph, its cluster and its count", "[core][error]")
 {
     const error e = error{error::crossing_contours, 7}.at(37, 4);
     CHECK(e == error::crossing_contours);
@@ -45,24 +45,24 @@ TEST_CASE("an error keeps what is said of its place", "[core][error]")
 TEST_CASE("a description names glyph, cluster, count and option where they are known", "[core][error]")
 {
     char room[300];
-    CHECK(std::string{describe(error{error::crossing_contours}.at(37, 4), room)} ==
+    const auto text_of = [&room](const error& e) { return std::string{describe(e, room)}; };
+    CHECK(text_of(error{error::crossing_contours}.at(37, 4)) ==
           "glyph 37, cluster 4: Contours of the outline cross, touch or overlap.");
-    CHECK(std::string{describe(error{error::unknown_glyph}.at(37, no_cluster), room)}.rfind("glyph 37: ", 0) == 0);
-    CHECK(std::string{describe(error{error::needs_shaping}.at(no_glyph, 9), room)}.rfind("cluster 9: ", 0) == 0);
-    CHECK(std::string{describe(error{error::no_such_face, 2}, room)} ==
+    CHECK(text_of(error{error::unknown_glyph}.at(37, no_cluster)).rfind("glyph 37: ", 0) == 0);
+    CHECK(text_of(error{error::needs_shaping}.at(no_glyph, 9)).rfind("cluster 9: ", 0) == 0);
+    CHECK(text_of({error::no_such_face, 2}) ==
           "There is no face with that number in the font file or among the given fonts. (faces: 2)");
-    CHECK(std::string{describe(error{error::font_library_failed, 22}, room)} ==
-          "The font library refused the request. (its error: 22)");
-    CHECK(std::string{describe(error::short_of("indices", 720), room)} ==
+    CHECK(text_of({error::font_library_failed, 22}) == "The font library refused the request. (its error: 22)");
+    CHECK(text_of(error::short_of("indices", 720)) ==
           "The caller's buffer is too small for the mesh. (needed: 720 indices)");
-    CHECK(std::string{describe(error::no_axis("wdth"), room)} == "The font has no such variation axis. (wdth)");
+    CHECK(text_of(error::no_axis("wdth")) == "The font has no such variation axis. (wdth)");
     CHECK(error::no_axis("wdth").count == 0x77647468);
-    CHECK(std::string{describe(error::bad("depth"), room)} == "An option is outside its range. (depth)");
+    CHECK(text_of(error::bad("depth")) == "An option is outside its range. (depth)");
     CHECK(error::bad("depth") == error::bad_option);
-    CHECK(std::string{describe(error{}, room)} == "No error.");
+    CHECK(text_of({}) == "No error.");
 }
 
-TEST_CASE("a description is cut where it does not fit, and always ended", "[core][error]")
+TEST_CASE("a description that does not fit is cut and terminated", "[core][error]")
 {
     char room[64];
     for (std::size_t size = 1; size <= sizeof room; ++size) {
