@@ -4,8 +4,6 @@
 #include <typemesh/core/impl/taken.hpp>
 
 #include <memory>
-#include <type_traits>
-#include <utility>
 
 using namespace typemesh;
 

@@ -3,7 +3,6 @@
 
 #include <typemesh/core/impl/tangent.hpp>
 
-#include <cmath>
 #include <random>
 
 using namespace typemesh;
