@@ -31,7 +31,6 @@ TEST_CASE("contours keep the order of their points until it is cleared or forgot
     CHECK(loops.order().empty());
     fill_and_sort(loops);
     CHECK(std::ranges::equal(loops.order(), std::vector<std::uint32_t>{1, 0}));
-    CHECK(loops.order()[1] == 0);
 
     const contours moved = std::move(loops);
     CHECK(moved.order().size() == 2);
@@ -40,7 +39,7 @@ TEST_CASE("contours keep the order of their points until it is cleared or forgot
     fill_and_sort(again);
     again.clear();
     CHECK(again.order().empty());
-    CHECK(again.order().empty());  // the same points, but not sorted
+    for (const grid_point p : {grid_point{5, 0}, grid_point{3, 0}}) REQUIRE(again.points.push_back(p));
     CHECK(again.order().empty());  // as many as before, but not sorted
     again.clear();
     fill_and_sort(again);
