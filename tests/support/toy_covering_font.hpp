@@ -94,7 +94,7 @@ struct toy_covering_font {
         items = before;
         double pen = 0.0;
         for (const shaped_glyph& g : glyphs) {
-            const bool missing = has(g.flags, glyph_flags::missing);
+            const bool missing = typemesh::has(g.flags, glyph_flags::missing);
             if (!run.glyphs.push_back({g.id, g.cluster, point{pen, 0} + g.offset, missing}))
                 return error::out_of_memory;
             if (missing) run.note_missing(g.cluster);
