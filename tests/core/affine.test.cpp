@@ -15,7 +15,7 @@ TEST_CASE("a map turns, slants and moves points as its six numbers say", "[core]
     CHECK(affine{.xx = 0, .xy = 1, .yx = -1, .yy = 0}(point{3, -4}) == point{-4, -3});  // a quarter to the right
 }
 
-TEST_CASE("a map that scales first gives what it gives of scaled points", "[core]")
+TEST_CASE("scaled_before() maps a point as the map does the scaled point", "[core]")
 {
     const affine map{2, 3, 5, 7, 11, 13};
     const point p{17, 19};
@@ -23,7 +23,7 @@ TEST_CASE("a map that scales first gives what it gives of scaled points", "[core
     CHECK(scaled_before(map, 1.0) == map);
 }
 
-TEST_CASE("maps are equal where all six numbers are, and one that holds a NaN equals none", "[core]")
+TEST_CASE("two maps are equal if all six numbers are, and a map with a NaN equals none", "[core]")
 {
     const affine map{2, 3, 5, 7, 11, 13};
     CHECK(map == affine{map});

@@ -22,7 +22,7 @@ int sum(array_view<const int> values)
 
 }  // namespace
 
-TEST_CASE("a view is what lies in the array that it was made of", "[core][array_view]")
+TEST_CASE("a view shows the values of the array it was made from", "[core][array_view]")
 {
     std::vector<int> vector{1, 2, 3, 4};
     int plain[] = {5, 6};
@@ -50,7 +50,7 @@ TEST_CASE("a view is what lies in the array that it was made of", "[core][array_
     CHECK_FALSE(all.empty());
 }
 
-TEST_CASE("parts of a view are the values that they name", "[core][array_view]")
+TEST_CASE("first(), last() and subspan() show the right part of a view", "[core][array_view]")
 {
     const int values[] = {0, 1, 2, 3, 4, 5};
     const array_view<const int> all = values;
@@ -67,8 +67,7 @@ TEST_CASE("parts of a view are the values that they name", "[core][array_view]")
     }
 }
 
-TEST_CASE("views convert to spans, and to views of constant values, but not back to changeable ones",
-          "[core][array_view]")
+TEST_CASE("a view converts to spans and to constant views, and to no other type", "[core][array_view]")
 {
     int values[] = {1, 2, 3};
     const array_view<int> view = values;

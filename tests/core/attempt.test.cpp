@@ -5,7 +5,7 @@
 
 #include <stdexcept>
 
-TEST_CASE("an attempt says whether something was thrown, and lets nothing out", "[core]")
+TEST_CASE("an attempt reports whether its function threw, and lets nothing escape", "[core]")
 {
     int calls = 0;
     CHECK(typemesh::detail::attempt([&] { ++calls; }));

@@ -9,7 +9,7 @@
 
 using namespace typemesh;
 
-TEST_CASE("a box holds what was added to it and is no larger, in whatever order and by whatever parts", "[core]")
+TEST_CASE("a box is the smallest around its points, added in any order or merged from parts", "[core]")
 {
     test::dice d{3};
     for (int round = 0; round < 200; ++round) {
@@ -35,9 +35,10 @@ TEST_CASE("a box holds what was added to it and is no larger, in whatever order 
     }
 }
 
-TEST_CASE("an empty box has no size, and merging it changes nothing, and one point has no size either", "[core]")
+TEST_CASE("a box without points or with one has no size, and merging an empty box changes nothing", "[core]")
 {
     box nothing, one;
+    nothing.merge(box{});
     CHECK(nothing.empty());
     CHECK(nothing.width() == 0.0);
     CHECK(nothing.height() == 0.0);
@@ -49,4 +50,9 @@ TEST_CASE("an empty box has no size, and merging it changes nothing, and one poi
     CHECK(one.high == point{3, -4});
     nothing.merge(one);
     CHECK(nothing.low == point{3, -4});
+    box other;
+    for (const point p : {point{2, 3}, point{-1, 5}, point{0, -4}}) other.add(p);
+    CHECK(other.low == point{-1, -4});
+    CHECK(other.high == point{2, 5});
+    CHECK(other.height() == 9.0);
 }

@@ -20,7 +20,7 @@ std::vector<int> values(const buffer<int>& b) { return {b.begin(), b.end()}; }
 
 }  // namespace
 
-TEST_CASE("a buffer holds what was put into it, in order, however it grows", "[core][buffer]")
+TEST_CASE("a buffer keeps what was put into it, in order, while it grows", "[core][buffer]")
 {
     buffer<int> b;
     std::vector<int> expected;
@@ -67,8 +67,7 @@ TEST_CASE("a subrange of the buffer itself can be appended while it grows", "[co
     CHECK(values(b) == expected);
 }
 
-TEST_CASE("values are appended from the buffer itself and from elsewhere while memory is overwritten as it is freed",
-          "[core][buffer]")
+TEST_CASE("a buffer that grows reads appended values before it frees them", "[core][buffer]")
 {
     const memory overwriting{
         nullptr,
@@ -113,7 +112,7 @@ TEST_CASE("clear and truncate keep the storage", "[core][buffer]")
     CHECK(counted.bytes_held == 0);
 }
 
-TEST_CASE("growing is geometric: n values cost O(log n) requests", "[core][buffer]")
+TEST_CASE("a buffer grows geometrically: n values take O(log n) requests", "[core][buffer]")
 {
     test::counting_memory counted;
     buffer<std::uint64_t> b{counted.source()};
@@ -122,7 +121,7 @@ TEST_CASE("growing is geometric: n values cost O(log n) requests", "[core][buffe
     CHECK(std::accumulate(b.begin(), b.end(), std::uint64_t{0}) == std::uint64_t{99999} * 50000);
 }
 
-TEST_CASE("a buffer that cannot grow says so and keeps what it had", "[core][buffer]")
+TEST_CASE("a buffer that cannot grow reports it and keeps its values", "[core][buffer]")
 {
     test::counting_memory failing{.fail_at = 2};
     {
@@ -142,7 +141,7 @@ TEST_CASE("a buffer that cannot grow says so and keeps what it had", "[core][buf
     CHECK(failing.bytes_held == 0);
 }
 
-TEST_CASE("absurd sizes are refused without asking the memory", "[core][buffer]")
+TEST_CASE("a buffer refuses absurd sizes without a request for memory", "[core][buffer]")
 {
     test::counting_memory counted;
     buffer<std::uint64_t> b{counted.source()};
@@ -172,7 +171,7 @@ TEST_CASE("moving a buffer moves its storage with its memory", "[core][buffer]")
     CHECK(two.bytes_held == 0);
 }
 
-TEST_CASE("storage is aligned as its type asks", "[core][buffer]")
+TEST_CASE("a buffer's storage is aligned for its type", "[core][buffer]")
 {
     struct alignas(64) line {
         char bytes[64];

@@ -5,11 +5,14 @@
 #include "support/catch.hpp"
 #include "support/counting_memory.hpp"
 
+#include <algorithm>
+#include <vector>
+
 using namespace typemesh;
 
 namespace {
 
-/// Two points, sorted by hand.
+/// Two points, in descending order, and the order that sorts them.
 void fill_and_sort(contours& loops)
 {
     REQUIRE(loops.points.push_back({5, 0}));
@@ -22,14 +25,12 @@ void fill_and_sort(contours& loops)
 
 }  // namespace
 
-TEST_CASE("contours keep the order of their points until they are cleared or another is begun", "[core]")
+TEST_CASE("contours keep the order of their points until it is cleared or forgotten", "[core]")
 {
     contours loops;
     CHECK(loops.order().empty());
     fill_and_sort(loops);
-    REQUIRE(loops.order().size() == 2);
-    CHECK(loops.order()[0] == 1);
-    CHECK(loops.order()[1] == 0);
+    CHECK(std::ranges::equal(loops.order(), std::vector<std::uint32_t>{1, 0}));
 
     const contours moved = std::move(loops);
     CHECK(moved.order().size() == 2);
@@ -46,7 +47,7 @@ TEST_CASE("contours keep the order of their points until they are cleared or ano
     CHECK(again.order().empty());
 }
 
-TEST_CASE("an order is not that of more or fewer points", "[core]")
+TEST_CASE("an order is lost when points come or go", "[core]")
 {
     contours loops;
     fill_and_sort(loops);

@@ -47,7 +47,7 @@ TEST_CASE("200 characters suffice for a description of every error", "[core][err
     }
 }
 
-TEST_CASE("an error keeps what is said of its place", "[core][error]")
+TEST_CASE("an error keeps its glyph, its cluster and its count", "[core][error]")
 {
     const error e = error{error::crossing_contours, 7}.at(37, 4);
     CHECK(e == error::crossing_contours);
@@ -78,7 +78,7 @@ TEST_CASE("a description names glyph, cluster, count and option where they are k
     CHECK(std::string{describe(error{}, room)} == "There is no error.");
 }
 
-TEST_CASE("a description is cut where it does not fit, and always ended", "[core][error]")
+TEST_CASE("a description that does not fit is cut and terminated", "[core][error]")
 {
     char room[64];
     for (std::size_t size = 1; size <= sizeof room; ++size) {

@@ -3,6 +3,7 @@
 
 #include <typemesh/core/executor.hpp>
 
+#include <numeric>
 #include <vector>
 
 using namespace typemesh;
@@ -27,12 +28,12 @@ static_assert(!executor<no_count> && !executor<may_throw> && !executor<int>);
 TEST_CASE("one worker does every task once, in order, as worker 0", "[executor]")
 {
     for (const std::size_t n : {0u, 1u, 7u}) {
-        std::vector<std::size_t> done;
+        std::vector<std::size_t> done, expected(n);
+        std::iota(expected.begin(), expected.end(), std::size_t{0});
         one_worker{}.run(n, [&](std::size_t i, std::size_t worker) noexcept {
             CHECK(worker == 0);
             done.push_back(i);
         });
-        REQUIRE(done.size() == n);
-        for (std::size_t i = 0; i < n; ++i) CHECK(done[i] == i);
+        CHECK(done == expected);
     }
 }

@@ -8,7 +8,7 @@
 
 using namespace typemesh;
 
-TEST_CASE("an executor does through its reference what it does by itself", "[executor]")
+TEST_CASE("an executor runs the same tasks through its reference as directly", "[executor]")
 {
     test::scrambled_workers several{3};
     for (const std::size_t n : {0u, 1u, 100u}) {
@@ -23,6 +23,6 @@ TEST_CASE("an executor does through its reference what it does by itself", "[exe
         CHECK(known);
         for (const int times : done) CHECK(times == 1);
     }
-    one_worker alone;
-    CHECK(executor_ref{alone}.workers() == 1);
+    one_worker single;
+    CHECK(executor_ref{single}.workers() == 1);
 }

@@ -8,7 +8,7 @@
 
 using namespace typemesh;
 
-TEST_CASE("non_zero fills all but 0, even_odd what is odd, negative winding numbers too", "[core]")
+TEST_CASE("non_zero fills every winding number but 0, and even_odd the odd ones", "[core]")
 {
     for (std::int32_t w = -9; w <= 9; ++w) {
         CHECK(is_filled(fill_rule::non_zero, w) == (w != 0));

@@ -9,7 +9,7 @@
 
 using namespace typemesh;
 
-TEST_CASE("the first place where something holds is found in every range, by few questions", "[core]")
+TEST_CASE("first_where() finds the first place in every range, with a logarithm of calls", "[core]")
 {
     for (std::size_t first = 0; first < 3; ++first) {
         for (std::size_t last = first; last < 40; ++last) {
@@ -30,7 +30,7 @@ TEST_CASE("the first place where something holds is found in every range, by few
     static_assert(first_where(5, 5, [](std::size_t) noexcept { return true; }) == 5);
 }
 
-TEST_CASE("a range of the many behind one another holds the numbers from its start to the next range's", "[core]")
+TEST_CASE("range_of() finds the range that contains a number", "[core]")
 {
     const std::vector<std::uint32_t> starts = {0, 3, 3, 4, 4, 4, 10, 17};
     for (std::uint32_t i = 0; i < 17; ++i) {
@@ -39,7 +39,7 @@ TEST_CASE("a range of the many behind one another holds the numbers from its sta
         CHECK(i < starts[k + 1]);
     }
 
-    // Without the end of the last range, which then holds all that is left.
+    // Without the end of the last range, which then contains all that follows.
     const std::vector<std::uint32_t> open = {0, 3, 10};
     CHECK(range_of(open, 2) == 0);
     CHECK(range_of(open, 9) == 1);

@@ -21,7 +21,7 @@ std::pair<std::uint64_t, std::uint64_t> both(const option_hash& h) { return {h.f
 
 }  // namespace
 
-TEST_CASE("hashes tell options apart by their values, their order and which policy has them", "[option_hash]")
+TEST_CASE("hashes of options depend on their values, their order and their policy", "[option_hash]")
 {
     std::set<std::pair<std::uint64_t, std::uint64_t>> all;
     all.insert(both(option_hash{}));

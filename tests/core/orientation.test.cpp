@@ -47,7 +47,7 @@ TEST_CASE("the largest triangles of the grid do not overflow", "[core][orientati
     CHECK(orientation(corners[3], corners[1], corners[0]) == -twice);
 }
 
-TEST_CASE("points in line have no orientation, and one step aside has one", "[core][orientation]")
+TEST_CASE("points on a line have no orientation, and a point one step aside has one", "[core][orientation]")
 {
     std::mt19937 random{5};
     std::uniform_int_distribution<std::int32_t> step{-1000, 1000}, times{-1000, 1000};
@@ -60,7 +60,7 @@ TEST_CASE("points in line have no orientation, and one step aside has one", "[co
     }
 }
 
-TEST_CASE("the sweep's order sorts by x, then y, and is strict", "[core][orientation]")
+TEST_CASE("the sweep's order is strict and sorts by x, then y", "[core][orientation]")
 {
     std::vector<grid_point> points;
     for (int x = -2; x <= 2; ++x)

@@ -10,7 +10,7 @@
 
 using namespace typemesh;
 
-TEST_CASE("lerp has its ends exactly, and cross and dot turn with the plane", "[core]")
+TEST_CASE("lerp keeps its ends exactly, and cross and dot turn with the plane", "[core]")
 {
     test::dice d{5};
     const auto any = [&] { return point{1e3 * d.fraction() - 500.0, 1e-3 * d.fraction()}; };
@@ -27,7 +27,7 @@ TEST_CASE("lerp has its ends exactly, and cross and dot turn with the plane", "[
     }
 }
 
-TEST_CASE("grid points are equal when both coordinates are, at the ends of their range too", "[core]")
+TEST_CASE("grid points are equal if both coordinates are, up to the ends of their range", "[core]")
 {
     const std::int32_t values[] = {(std::numeric_limits<std::int32_t>::min)(), -1, 0, 1,
                                    (std::numeric_limits<std::int32_t>::max)()};
@@ -37,7 +37,7 @@ TEST_CASE("grid points are equal when both coordinates are, at the ends of their
                 for (const std::int32_t v : values) CHECK((grid_point{x, y} == grid_point{u, v}) == (x == u && y == v));
 }
 
-TEST_CASE("vectors are equal by all their components, and NaN is equal to nothing", "[core]")
+TEST_CASE("vectors are equal if all their components are, and NaN equals nothing", "[core]")
 {
     CHECK(vec3{1, 2, 3} == vec3{1, 2, 3});
     CHECK_FALSE(vec3{1, 2, 3} == vec3{1, 2, 4});

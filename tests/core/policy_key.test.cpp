@@ -26,7 +26,7 @@ struct unkeyed {
 static_assert(cacheable_policy<first_empty> && cacheable_policy<with_option> && !cacheable_policy<unkeyed>);
 static_assert(has_cache_key<with_option> && !has_cache_key<first_empty>);
 
-TEST_CASE("policies of different types have different keys, whatever they hold", "[policy_key]")
+TEST_CASE("policies of different types have different keys, whatever their options", "[policy_key]")
 {
     CHECK(key_of(first_empty{}) == key_of(first_empty{}));
     CHECK_FALSE(key_of(first_empty{}) == key_of(second_empty{}));
@@ -35,7 +35,7 @@ TEST_CASE("policies of different types have different keys, whatever they hold",
     CHECK_FALSE(key_of(with_option{3.0}) == key_of(with_the_same_option{3.0}));
 }
 
-TEST_CASE("a policy with members that does not say its options has no type to be told by", "[policy_key]")
+TEST_CASE("a policy with members but no cache_key() has a key without a type", "[policy_key]")
 {
     CHECK(key_of(unkeyed{}).type == nullptr);
     CHECK(key_of(with_option{}).type != nullptr);

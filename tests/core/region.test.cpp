@@ -10,7 +10,7 @@
 
 using namespace typemesh;
 
-TEST_CASE("a region refers to the contours that it was proven from, all of them", "[core][region]")
+TEST_CASE("a region refers to all of the contours it was proven from", "[core][region]")
 {
     contours loops = test::contours_of(test::square_with_holes(2, 5));
     const std::vector<curve> curves(7, curve::from({0, 0}, {1, 1}));
@@ -33,7 +33,7 @@ TEST_CASE("a region refers to the contours that it was proven from, all of them"
     CHECK_FALSE(region::proven(loops, 4, 1).is_touching());
 }
 
-TEST_CASE("a region says how many triangles it takes before there are any, and an empty one none", "[core][region]")
+TEST_CASE("a region knows its number of triangles before it is cut, and an empty one has none", "[core][region]")
 {
     int regions = 0;
     for (const test::shape& s : test::generated_regions()) {

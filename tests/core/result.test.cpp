@@ -9,7 +9,7 @@
 
 using namespace typemesh;
 
-TEST_CASE("a result holds its value or the error that kept it from being made", "[core][result]")
+TEST_CASE("a result contains its value, or the error that prevented it", "[core][result]")
 {
     const result<int> made = 7;
     REQUIRE(made);
@@ -35,12 +35,12 @@ TEST_CASE("a result carries values that can only be moved", "[core][result]")
     CHECK(*direct == 8);
 }
 
-// What called errors true when something was wrong does not compile.
+// What treated an error as true when something was wrong does not compile.
 static_assert(!std::is_convertible_v<result<void>, error> && !std::is_constructible_v<error, result<void>>);
 static_assert(!std::is_constructible_v<bool, result<void>> && std::is_constructible_v<bool, result<void>&>);
 static_assert(!std::is_convertible_v<result<void>&, bool>);
 
-TEST_CASE("a result without a value is true when all is well, and goes on until something is wrong", "[core]")
+TEST_CASE("a result without a value is true if all is well, and and_then() stops at an error", "[core]")
 {
     const result<void> good, also_good = error{}, bad = error::too_large;
     CHECK(good);

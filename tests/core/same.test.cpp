@@ -9,7 +9,7 @@
 
 using namespace typemesh;
 
-TEST_CASE("same() is ==: to the last bit, for both zeros, and never for NaN", "[core]")
+TEST_CASE("same() is ==: exact to the last bit, equal for both zeros, and never for NaN", "[core]")
 {
     const double values[] = {0.0, 1.0, std::nextafter(1.0, 2.0), -1.0, 1e300, 1e-300};
     for (std::size_t i = 0; i < std::size(values); ++i)

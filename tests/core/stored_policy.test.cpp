@@ -50,7 +50,7 @@ struct largest {
 
 }  // namespace
 
-TEST_CASE("a policy is kept, exchanged for one of another type, and found by its type alone", "[stored_policy]")
+TEST_CASE("a stored policy is found by its type and can be replaced by another type", "[stored_policy]")
 {
     stored_policy<number_ref> kept{plain{3}};
     CHECK(kept.ref()() == 3);
@@ -65,7 +65,7 @@ TEST_CASE("a policy is kept, exchanged for one of another type, and found by its
     CHECK(kept.get<plain>() == nullptr);
 }
 
-TEST_CASE("each policy ends once, wherever it was moved", "[stored_policy]")
+TEST_CASE("each policy is destroyed once, wherever it was moved", "[stored_policy]")
 {
     {
         stored_policy<number_ref> one{counted{1}}, two{counted{2}}, three{plain{3}};

@@ -4,12 +4,10 @@
 #include <typemesh/core/impl/taken.hpp>
 
 #include <memory>
-#include <type_traits>
-#include <utility>
 
 using namespace typemesh;
 
-TEST_CASE("what is taken leaves the default of its type", "[core][taken]")
+TEST_CASE("taken() leaves the default of its type", "[core][taken]")
 {
     int number = 7;
     CHECK(taken(number) == 7);
@@ -25,7 +23,7 @@ TEST_CASE("what is taken leaves the default of its type", "[core][taken]")
     CHECK(*other == 3);
 }
 
-TEST_CASE("values that are exchanged can be of types that only move", "[core][taken]")
+TEST_CASE("swap_values() exchanges values that can only be moved", "[core][taken]")
 {
     auto a = std::make_unique<int>(1), b = std::make_unique<int>(2);
     swap_values(a, b);

@@ -3,7 +3,6 @@
 
 #include <typemesh/core/impl/tangent.hpp>
 
-#include <cmath>
 #include <random>
 
 using namespace typemesh;
@@ -20,7 +19,7 @@ point chord(const curve& c, double t, side_of side, double h)
 
 }  // namespace
 
-TEST_CASE("a tangent has the direction of ever shorter chords", "[core][tangent]")
+TEST_CASE("a tangent has the direction of shorter and shorter chords", "[core][tangent]")
 {
     std::mt19937 random{11};
     std::uniform_real_distribution<double> place{-1000.0, 1000.0}, inside{0.01, 0.99};
@@ -38,7 +37,7 @@ TEST_CASE("a tangent has the direction of ever shorter chords", "[core][tangent]
     }
 }
 
-TEST_CASE("handles of length zero leave the tangent of the next point", "[core][tangent]")
+TEST_CASE("a handle of length zero leaves the tangent to the next point", "[core][tangent]")
 {
     const point a{0, 0}, b{100, 50}, d{300, 0};
     CHECK(cross(tangent(curve::from(quadratic{a, a, d}), 0.0, side_of::after), d - a) == 0.0);
@@ -54,7 +53,7 @@ TEST_CASE("handles of length zero leave the tangent of the next point", "[core][
     CHECK(length(unit(tangent(both, 1.0, side_of::before)) - unit(d - a)) < 1e-12);
 }
 
-TEST_CASE("a cusp and a reversal have two opposite tangents, every other point one", "[core][tangent]")
+TEST_CASE("a cusp and a reversal have two opposite tangents, and every other point has one", "[core][tangent]")
 {
     const curve cusp = curve::from(cubic{{0, 0}, {100, 100}, {0, 100}, {100, 0}});  // B'(1/2) = 0
     CHECK(length(unit(tangent(cusp, 0.5, side_of::before)) + unit(tangent(cusp, 0.5, side_of::after))) < 1e-12);
@@ -68,7 +67,7 @@ TEST_CASE("a cusp and a reversal have two opposite tangents, every other point o
         CHECK(tangent(cusp, t, side_of::before) == tangent(cusp, t, side_of::after));
 }
 
-TEST_CASE("only a curve that is one point has no tangent", "[core][tangent]")
+TEST_CASE("only a curve that is a single point has no tangent", "[core][tangent]")
 {
     const point p{3, 4};
     CHECK(tangent(curve::from(quadratic{p, p, p}), 0.5, side_of::after) == point{});

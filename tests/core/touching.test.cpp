@@ -14,7 +14,7 @@ TEST_CASE("corners are kept by default", "[touching]")
     CHECK(region{}.corners() == touching::keep);
 }
 
-TEST_CASE("a region keeps what is to become of its corners", "[touching]")
+TEST_CASE("a region keeps the corner mode of its contours", "[touching]")
 {
     contours loops;
     loops.corners = touching::join;

@@ -10,7 +10,7 @@
 #define NAME_OF(macro) NAME_OF_EXPANDED(macro)
 #define NAME_OF_EXPANDED(name) #name
 
-TEST_CASE("the namespace of everything names the version and how the unit is compiled", "[version]")
+TEST_CASE("the namespace names the version and how the unit is compiled", "[version]")
 {
     std::string name = "v";
     name += NAME_OF(TYPEMESH_VERSION_MAJOR) "_" NAME_OF(TYPEMESH_VERSION_MINOR) "_" NAME_OF(TYPEMESH_VERSION_PATCH);

@@ -6,13 +6,12 @@
 
 #include <cstdint>
 #include <cstring>
-#include <span>
 #include <utility>
 #include <vector>
 
 using namespace typemesh;
 
-TEST_CASE("blocks of a scope do not overlap, are aligned, and hold until it ends", "[core][workspace]")
+TEST_CASE("blocks of a scope are aligned, do not overlap, and last until it ends", "[core][workspace]")
 {
     workspace space;
     workspace::scope scratch{space};
@@ -32,7 +31,7 @@ TEST_CASE("blocks of a scope do not overlap, are aligned, and hold until it ends
     CHECK(wrong == 0);
 }
 
-TEST_CASE("what an inner scope took is given back, what the outer took stays", "[core][workspace]")
+TEST_CASE("an inner scope gives its blocks back, and the outer one keeps its own", "[core][workspace]")
 {
     workspace space;
     workspace::scope outer{space};
@@ -74,7 +73,7 @@ TEST_CASE("after warm-up the same work allocates nothing", "[core][workspace]")
     CHECK(counted.bytes_held == 0);
 }
 
-TEST_CASE("a workspace without memory gives null and stays usable", "[core][workspace]")
+TEST_CASE("a workspace without memory returns null and stays usable", "[core][workspace]")
 {
     for (std::size_t at = 1; at <= 4; ++at) {
         test::counting_memory failing{.fail_at = at, .fail_once = true};
@@ -99,7 +98,7 @@ TEST_CASE("a workspace without memory gives null and stays usable", "[core][work
     }
 }
 
-TEST_CASE("absurd sizes are refused, zero is not", "[core][workspace]")
+TEST_CASE("a workspace refuses absurd sizes, but not zero", "[core][workspace]")
 {
     workspace space;
     workspace::scope a{space};
@@ -132,7 +131,7 @@ TEST_CASE("a workspace can be moved between its scopes", "[core][workspace]")
     CHECK(counted.bytes_held == 0);
 }
 
-TEST_CASE("a scope keeps what it is told to and gives back the rest", "[core][workspace]")
+TEST_CASE("a scope keeps the blocks that keep() names and gives back the rest", "[core][workspace]")
 {
     test::counting_memory memory;
     workspace space{memory.source()};
@@ -153,7 +152,7 @@ TEST_CASE("a scope keeps what it is told to and gives back the rest", "[core][wo
     CHECK(same);
 }
 
-TEST_CASE("what is expected lies in what is left of a block and one more, cold and warm", "[core][workspace]")
+TEST_CASE("reserved memory lies in the rest of one block and in one more, cold and warm", "[core][workspace]")
 {
     test::counting_memory counted;
     workspace space{counted.source()};
@@ -176,7 +175,7 @@ TEST_CASE("what is expected lies in what is left of a block and one more, cold a
     }
 }
 
-TEST_CASE("a trimmed workspace holds nothing and takes anew what it needs", "[core][workspace]")
+TEST_CASE("a trimmed workspace is empty, and takes anew what it needs", "[core][workspace]")
 {
     test::counting_memory counted;
     workspace space{counted.source()};

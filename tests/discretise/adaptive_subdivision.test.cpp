@@ -14,9 +14,8 @@ namespace {
 
 using list = std::vector<double>;
 
-// Its left half is (0,0) (0,2) (2,3) (4,3): segments 1.2 apart, lines through the midpoint (1.25, 2.25) turn by
-// 0.7974 rad.
-// The left half of that: segments 0.41279 apart. Its right half: 0.28504.
+// Its left half is (0,0) (0,2) (2,3) (4,3): its segments are 1.2 apart, and the lines through its midpoint (1.25, 2.25)
+// turn by 0.7974 rad. The segments of that half's halves are 0.41279 and 0.28504 apart.
 const curve arch = curve::from(cubic{{0, 0}, {0, 4}, {8, 4}, {8, 0}});
 
 // Its left half is (0,0) (1,2) (2,-2) (3,0): an S whose segments cross.
@@ -24,7 +23,7 @@ const curve wave = curve::from(cubic{{0, 0}, {2, 4}, {4, -16}, {6, 36}});
 
 }  // namespace
 
-// What suits one em does not suit another, so nothing stands in for a distance that was not said.
+// What suits one em does not suit another, so there is no default distance.
 static_assert(!std::is_default_constructible_v<adaptive_subdivision>);
 
 TEST_CASE("adaptive_subdivision halves even a straight curve once", "[adaptive_subdivision]")
@@ -36,9 +35,8 @@ TEST_CASE("adaptive_subdivision halves even a straight curve once", "[adaptive_s
     CHECK(ts_of(how, curve::from(quadratic{{1, 1}, {1, 1}, {1, 1}})) == list{0.5, 1.0});
 }
 
-TEST_CASE(
-    "adaptive_subdivision takes a half for a line when its segments P1-P4 and P2-P3 come closer than the distance",
-    "[adaptive_subdivision]")
+TEST_CASE("adaptive_subdivision makes a half one line if its segments are closer than the distance",
+          "[adaptive_subdivision]")
 {
     CHECK(ts_of(adaptive_subdivision{15, 1.201, 0.0}, arch) == list{0.5, 1.0});
     CHECK(ts_of(adaptive_subdivision{15, 1.199, 0.0}, arch) == list{0.25, 0.5, 0.75, 1.0});
@@ -46,14 +44,13 @@ TEST_CASE(
     CHECK(ts_of(adaptive_subdivision{3, 0.4127, 0.0}, arch) == list{0.125, 0.25, 0.5, 0.75, 0.875, 1.0});
 }
 
-TEST_CASE("adaptive_subdivision takes a half for a line when it turns by less than the angle at its midpoint",
-          "[adaptive_subdivision]")
+TEST_CASE("adaptive_subdivision makes a half one line if it turns by less than the angle", "[adaptive_subdivision]")
 {
     CHECK(ts_of(adaptive_subdivision{15, 0.0, 0.798}, arch) == list{0.5, 1.0});
     CHECK(ts_of(adaptive_subdivision{2, 0.0, 0.797}, arch) == list{0.25, 0.5, 0.75, 1.0});
 }
 
-TEST_CASE("adaptive_subdivision stops after r levels, its t being multiples of 2^-r", "[adaptive_subdivision]")
+TEST_CASE("adaptive_subdivision stops after r levels, at multiples of t = 2^-r", "[adaptive_subdivision]")
 {
     const std::uint32_t levels = GENERATE(1u, 2u, 5u, 9u);
     const auto points = points_of(adaptive_subdivision{levels, 0.0, 0.0}, arch, 1.0);
@@ -65,7 +62,7 @@ TEST_CASE("adaptive_subdivision stops after r levels, its t being multiples of 2
     CHECK(points.back().p == arch.end());
 }
 
-TEST_CASE("adaptive_subdivision takes more than 20 levels as 20", "[adaptive_subdivision]")
+TEST_CASE("adaptive_subdivision treats more than 20 levels as 20", "[adaptive_subdivision]")
 {
     std::size_t count = 0;
     adaptive_subdivision{1000, 0.0, 0.0}(arch.as_cubic(), 1.0, [&](point, double) noexcept { ++count; });
@@ -73,7 +70,7 @@ TEST_CASE("adaptive_subdivision takes more than 20 levels as 20", "[adaptive_sub
     CHECK(count > std::size_t{1} << 19);
 }
 
-TEST_CASE("adaptive_subdivision takes an S whose segments cross for a line at once, as the thesis does",
+TEST_CASE("adaptive_subdivision makes an S with crossing segments one line, as the thesis does",
           "[adaptive_subdivision]")
 {
     const auto ts = ts_of(adaptive_subdivision{15, 1e-9, 0.0}, wave);
@@ -88,8 +85,7 @@ TEST_CASE("adaptive_subdivision raises quadratics to cubics and ignores the tole
     CHECK(ts_of(how, curve::from(q), 1e-9) == ts_of(how, curve::from(raised(q)), 1e9));
 }
 
-TEST_CASE("the presets of adaptive_subdivision are the thesis' for 64 units per em, and scale with the em",
-          "[adaptive_subdivision]")
+TEST_CASE("adaptive_subdivision's presets are the thesis' at 64 units per em, and scale", "[adaptive_subdivision]")
 {
     const auto same = [](const adaptive_subdivision& a, std::uint32_t levels, double distance, double angle) {
         return a.levels == levels && a.distance == Approx(distance) && a.angle == angle;
@@ -100,7 +96,7 @@ TEST_CASE("the presets of adaptive_subdivision are the thesis' for 64 units per 
     CHECK(same(adaptive_subdivision::best(2048.0), 15, 0.16, 0.01));
 }
 
-TEST_CASE("adaptive_subdivision on curves of real fonts gives the recorded number of chords", "[adaptive_subdivision]")
+TEST_CASE("adaptive_subdivision makes the recorded number of chords for real fonts", "[adaptive_subdivision]")
 {
     struct record {
         std::uint32_t degree;

@@ -1,16 +1,15 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Curves to test discretisers with: a reader of corpus/curves.txt, random and degenerate ones, and what is true of
-// them.
+// Curves that test discretisers: from corpus/curves.txt, random and degenerate. And their distances and counts.
 
 #include <typemesh/core/curve.hpp>
 
+#include "support/segments.hpp"
+
 #include <algorithm>
-#include <cmath>
 #include <cstdint>
 #include <fstream>
-#include <limits>
 #include <ostream>
 #include <random>
 #include <sstream>
@@ -51,7 +50,7 @@ inline std::vector<font_curve> font_curves(std::uint32_t degree)
         font_curve f;
         words >> f.c.degree >> f.units_per_em;
         for (std::uint32_t i = 0; i <= f.c.degree && i < 4; ++i) words >> f.c.p[i].x >> f.c.p[i].y;
-        if (!words) throw std::runtime_error("tests/corpus/curves.txt holds the broken line " + line);
+        if (!words) throw std::runtime_error("tests/corpus/curves.txt contains the broken line " + line);
         if (f.c.degree == degree) all.push_back(f);
     }
     return all;
@@ -80,14 +79,6 @@ inline curve random_curve(std::mt19937& dice, std::uint32_t degree)
     return c;
 }
 
-inline double distance_to_segment(point q, point a, point b)
-{
-    const point d = b - a, r = q - a;
-    const double dd = dot(d, d);
-    const double s = dd > 0.0 ? std::clamp(dot(r, d) / dd, 0.0, 1.0) : 0.0;
-    return length(r - s * d);
-}
-
 /// How far the piece [u, v] strays from its chord, by dense sampling.
 inline double chord_error(const curve& c, double u, double v, int samples = 64)
 {
@@ -98,23 +89,6 @@ inline double chord_error(const curve& c, double u, double v, int samples = 64)
     return worst;
 }
 
-struct emitted {
-    point p;
-    double t = 0.0;
-};
-
-template <class D>
-std::vector<emitted> points_of(const D& how, const curve& c, double tolerance)
-{
-    std::vector<emitted> out;
-    const auto put = [&](point p, double t) noexcept { out.push_back({p, t}); };
-    if (c.degree == 2)
-        how(c.as_quadratic(), tolerance, put);
-    else
-        how(c.as_cubic(), tolerance, put);
-    return out;
-}
-
 template <class D>
 std::vector<double> ts_of(const D& how, const curve& c, double tolerance = 1.0)
 {
@@ -123,7 +97,7 @@ std::vector<double> ts_of(const D& how, const curve& c, double tolerance = 1.0)
     return ts;
 }
 
-/// As many chords as the furthest point that is still within reach, again and again, needs: least for a quadratic.
+/// A greedy count of chords, each as long as the tolerance allows: the least possible for a quadratic.
 inline int greedy_count(const curve& c, double tolerance)
 {
     double u = 0.0, step = 0.25;
@@ -132,13 +106,8 @@ inline int greedy_count(const curve& c, double tolerance)
         ++count;
         if (chord_error(c, u, 1.0, 48) <= tolerance) break;
         double good = u, bad = 1.0;
-        for (double v = (std::min)(1.0, u + step); v < 1.0; v = (std::min)(1.0, v + 0.1 * step)) {
-            if (chord_error(c, u, v, 48) > tolerance) {
-                bad = v;
-                break;
-            }
-            good = v;
-        }
+        for (double v = (std::min)(1.0, u + step); v < 1.0 && bad == 1.0; v = (std::min)(1.0, v + 0.1 * step))
+            (chord_error(c, u, v, 48) > tolerance ? bad : good) = v;
         for (int i = 0; i < 40 && (good == u || bad - good > 1e-6); ++i) {
             const double mid = 0.5 * (good + bad);
             (chord_error(c, u, mid, 48) <= tolerance ? good : bad) = mid;
@@ -149,18 +118,15 @@ inline int greedy_count(const curve& c, double tolerance)
     return count;
 }
 
-/// The least number of chords between points at multiples of t = 1/96, but no more than `limit`.
+/// The least number of chords between points at multiples of t = 1/96, at most `limit`.
 inline int lattice_count(const curve& c, double tolerance, int limit)
 {
     constexpr int nodes = 96, fine = 2;
-    std::vector<point> p(nodes * fine + 1);
-    for (int i = 0; i <= nodes * fine; ++i) p[static_cast<std::size_t>(i)] = c.at(i / double(nodes * fine));
+    const auto at = [&](int i) { return c.at(i / double(nodes * fine)); };
     const auto good = [&](int i, int j) {
         const int step = (std::max)(1, (j - i) * fine / 48);
         for (int k = i * fine + step; k < j * fine; k += step)
-            if (distance_to_segment(p[static_cast<std::size_t>(k)], p[static_cast<std::size_t>(i * fine)],
-                                    p[static_cast<std::size_t>(j * fine)]) > tolerance)
-                return false;
+            if (distance_to_segment(at(k), at(i * fine), at(j * fine)) > tolerance) return false;
         return true;
     };
     std::vector<bool> reached(nodes + 1, false);

@@ -37,7 +37,7 @@ std::vector<curve> polygon(const std::vector<point>& corners)
     return lines;
 }
 
-/// Emits what it is told, and keeps the tolerance it was given.
+/// Emits the given points, and keeps the tolerance that it got.
 struct scripted {
     std::vector<emitted> inner;
     mutable double given = 0.0;
@@ -60,27 +60,31 @@ std::string edges(const contours& c)
     return out.str();
 }
 
-/// What contours promise: says what does not hold, or nothing.
+/// A quadratic from (0, 0) to (20, 0) with its peak at (10, 10), and one line back, or two past (10, -5).
+const curve bow = curve::from(quadratic{{0, 0}, {10, 20}, {20, 0}});
+const std::vector<curve> bow_and_line{bow, curve::from({20, 0}, {0, 0})};
+const std::vector<curve> bow_and_corner{bow, curve::from({20, 0}, {10, -5}), curve::from({10, -5}, {0, 0})};
+
+/// Names the promise of contours that is broken, or nothing.
 std::string broken_law(const contours& c)
 {
-    if (c.points.size() != c.edges.size()) return "as many edges as points";
+    if (c.points.size() != c.edges.size()) return "the numbers of edges and points differ";
     if (c.starts.empty() ? !c.points.empty() : c.starts[0] != 0 || c.starts.back() != c.points.size())
-        return "starts frame the points";
+        return "the starts do not frame the points";
     for (std::uint32_t k = 0; k < c.contour_count(); ++k) {
         const std::uint32_t first = c.starts[k], n = c.starts[k + 1] - first;
-        if (n < 3) return "three points at least";
+        if (n < 3) return "fewer than three points";
         for (std::uint32_t i = 0; i < n; ++i) {
             const contour_edge e = c.edges[first + i], next = c.edges[first + (i + 1) % n];
-            if (c.points[first + i] == c.points[first + (i + 1) % n]) return "no equal neighbours";
-            if (!(e.t0 <= e.t1)) return "t ascends along an edge";
-            if (i + 1 < n && next.curve < e.curve) return "curves come in order";
-            if (next.curve == e.curve && i + 1 < n && next.t0 < e.t1) return "t ascends along a curve";
+            if (c.points[first + i] == c.points[first + (i + 1) % n]) return "equal neighbours";
+            if (!(e.t0 <= e.t1)) return "t descends along an edge";
+            if (i + 1 < n && next.curve < e.curve) return "the curves are out of order";
+            if (next.curve == e.curve && i + 1 < n && next.t0 < e.t1) return "t descends along a curve";
             const point start = c.curves[e.curve].at(static_cast<double>(e.t0)),
                         end = c.curves[e.curve].at(static_cast<double>(e.t1));
             const double close = 1e-3 + 2.0 * c.grid.snap_error();
-            if (length(start - c.grid.place(c.points[first + i])) > close) return "an edge leaves its point";
-            if (length(end - c.grid.place(c.points[first + (i + 1) % n])) > close)
-                return "an edge reaches the next point";
+            if (length(start - c.grid.place(c.points[first + i])) > close) return "an edge starts off its point";
+            if (length(end - c.grid.place(c.points[first + (i + 1) % n])) > close) return "an edge ends off its point";
         }
     }
     return "";
@@ -90,7 +94,7 @@ const grid coarse{1.0};  // a grid of whole units
 
 }  // namespace
 
-TEST_CASE("a polygon of lines becomes its corners, the closing point once", "[discretise]")
+TEST_CASE("a polygon of lines becomes its corners, without the closing point", "[discretise]")
 {
     const outline o = outline_of({polygon({{0, 0}, {10, 0}, {10, 10}, {0, 10}}), polygon({{2, 2}, {2, 5}, {5.25, 2}})});
     contours out;
@@ -104,32 +108,19 @@ TEST_CASE("a polygon of lines becomes its corners, the closing point once", "[di
     CHECK(broken_law(out) == "");
 }
 
-TEST_CASE("the points of curves carry their curve and t", "[discretise]")
+TEST_CASE("points that fall on one grid point become one, and edges keep their curve and t", "[discretise]")
 {
-    const outline o = outline_of({{curve::from(quadratic{{0, 0}, {10, 20}, {20, 0}}), curve::from({20, 0}, {0, 0})}});
     contours out;
-    REQUIRE(discretise(o, two_lines{}, 1.0, coarse, out));
+    REQUIRE(discretise(outline_of({bow_and_line}), two_lines{}, 1.0, coarse, out));
     CHECK(points(out) == std::vector<grid_point>{{0, 0}, {10, 10}, {20, 0}});
     CHECK(edges(out) == "0:0-0.5 0:0.5-1 1:0-1 ");
-}
-
-TEST_CASE("of points that fall on one grid point the first stays, and the next edge starts where the last was",
-          "[discretise]")
-{
-    const scripted how{{{{9.9, 10.2}, 0.25}, {{10.1, 9.8}, 0.375}, {{9.6, 9.6}, 0.5}, {{15, 5}, 0.75}}};
-    const outline o = outline_of({{curve::from(quadratic{{0, 0}, {10, 20}, {20, 0}}), curve::from({20, 0}, {0, 0})}});
-    contours out;
-    REQUIRE(discretise(o, how, 1.0, coarse, out));
+    // Between two corners, and at the start of the contour.
+    scripted how{{{{9.9, 10.2}, 0.25}, {{10.1, 9.8}, 0.375}, {{9.6, 9.6}, 0.5}, {{15, 5}, 0.75}}};
+    REQUIRE(discretise(outline_of({bow_and_line}), how, 1.0, coarse, out));
     CHECK(points(out) == std::vector<grid_point>{{0, 0}, {10, 10}, {15, 5}, {20, 0}});
     CHECK(edges(out) == "0:0-0.25 0:0.5-0.75 0:0.75-1 1:0-1 ");
-}
-
-TEST_CASE("points that fall on the contour's start are dropped there too", "[discretise]")
-{
-    const scripted how{{{{0.2, 0.3}, 0.125}, {{10, 10}, 0.5}, {{20.3, 0.2}, 0.875}}};
-    const outline o = outline_of({{curve::from(quadratic{{0, 0}, {10, 20}, {20, 0}}), curve::from({20, 0}, {0, 0})}});
-    contours out;
-    REQUIRE(discretise(o, how, 1.0, coarse, out));
+    how = {{{{0.2, 0.3}, 0.125}, {{10, 10}, 0.5}, {{20.3, 0.2}, 0.875}}};
+    REQUIRE(discretise(outline_of({bow_and_line}), how, 1.0, coarse, out));
     CHECK(points(out) == std::vector<grid_point>{{0, 0}, {10, 10}, {20, 0}});
     CHECK(edges(out) == "0:0.125-0.5 0:0.5-0.875 1:0-1 ");
 }
@@ -150,13 +141,13 @@ TEST_CASE("curves that fall on one grid point leave no edge", "[discretise]")
     CHECK(edges(out) == "1:0-1 3:0-1 4:0-1 ");
 }
 
-TEST_CASE("contours of which fewer than three points are left are dropped", "[discretise]")
+TEST_CASE("contours with fewer than three points left are dropped", "[discretise]")
 {
     const outline o = outline_of({
         polygon({{3, 3}}),                        // an anchor
         polygon({{0, 0}, {10, 0}}),               // there and back
-        polygon({{5, 5}, {5.2, 5}, {5.2, 5.2}}),  // less than a cell
-        polygon({{0, 0}, {10, 0}, {5, 5}}),       // this one stays
+        polygon({{5, 5}, {5.2, 5}, {5.2, 5.2}}),  // smaller than a cell
+        polygon({{0, 0}, {10, 0}, {5, 5}}),       // a triangle that stays
         {},                                       // nothing
         polygon({{0, 0}, {10, 0}, {10.2, 0.2}}),  // there and back after snapping
         {curve::from(quadratic{{7, 7}, {7, 7}, {7, 7}})},
@@ -168,7 +159,7 @@ TEST_CASE("contours of which fewer than three points are left are dropped", "[di
     CHECK(edges(out) == "6:0-1 7:0-1 8:0-1 ");
 }
 
-TEST_CASE("an outline of nothing becomes contours of nothing, and forgets what was there", "[discretise]")
+TEST_CASE("an empty outline replaces the contours by none", "[discretise]")
 {
     const outline square = outline_of({polygon({{0, 0}, {10, 0}, {10, 10}, {0, 10}})}), nothing;
     contours out;
@@ -179,11 +170,9 @@ TEST_CASE("an outline of nothing becomes contours of nothing, and forgets what w
     CHECK(out.edges.empty());
 }
 
-TEST_CASE("the discretiser gets the tolerance less the snap, but no less than the snap", "[discretise]")
+TEST_CASE("the discretiser gets the tolerance less the snap, but at least the snap", "[discretise]")
 {
-    // the corner at (10, -5) keeps the contour from being flat, which would call for finer chords
-    const outline o = outline_of({{curve::from(quadratic{{0, 0}, {10, 20}, {20, 0}}), curve::from({20, 0}, {10, -5}),
-                                   curve::from({10, -5}, {0, 0})}});
+    const outline o = outline_of({bow_and_corner});  // a flat contour would get finer chords
     const scripted how;
     contours out;
     const double snap = grid{}.snap_error();
@@ -195,10 +184,9 @@ TEST_CASE("the discretiser gets the tolerance less the snap, but no less than th
     }
 }
 
-TEST_CASE("contours tell the tolerance that they keep, in cells, or none where none is kept", "[discretise]")
+TEST_CASE("contours know the tolerance that they keep, in cells, or 0", "[discretise]")
 {
-    const outline o = outline_of({{curve::from(quadratic{{0, 0}, {10, 20}, {20, 0}}), curve::from({20, 0}, {10, -5}),
-                                   curve::from({10, -5}, {0, 0})}});
+    const outline o = outline_of({bow_and_corner});
     contours out;
     REQUIRE(discretise(o, certified{}, 1.5, grid{}, out));
     CHECK(out.tolerance == 1.5 * 512.0);
@@ -214,11 +202,12 @@ TEST_CASE("contours tell the tolerance that they keep, in cells, or none where n
     CHECK(out.tolerance == 0.0);
 }
 
-TEST_CASE("the tolerance is halved for a curve as often as its halvings say, and for no other", "[discretise]")
+TEST_CASE("a curve's halvings halve its tolerance, and that of no other curve", "[discretise]")
 {
-    const auto bow = [](double x) { return curve::from(quadratic{{x, 0}, {x + 300, 600}, {x + 600, 0}}); };
-    const outline o =
-        outline_of({{bow(0), curve::from({600, 0}, {0, 0})}, {bow(700), curve::from({1300, 0}, {700, 0})}});
+    const auto arch = [](double x) -> std::vector<curve> {
+        return {curve::from(quadratic{{x, 0}, {x + 300, 600}, {x + 600, 0}}), curve::from({x + 600, 0}, {x, 0})};
+    };
+    const outline o = outline_of({arch(0), arch(700)});
     contours plain, finer;
     REQUIRE(discretise(o, certified{}, 4.0, grid{}, plain));
     for (std::uint8_t times = 0; times <= 6; ++times) {
@@ -231,20 +220,19 @@ TEST_CASE("the tolerance is halved for a curve as often as its halvings say, and
     }
 }
 
-TEST_CASE("a contour that would be flat is drawn finer if its curves have an area, and no other contour is",
-          "[discretise]")
+TEST_CASE("only a contour that would be flat and has an area is drawn finer", "[discretise]")
 {
     const curve up = curve::from(quadratic{{0, 0}, {5, 4}, {10, 0}});
     const curve down = curve::from(quadratic{{10, 0}, {5, -4}, {0, 0}});
     const curve back = curve::from(quadratic{{10, 0}, {5, 4}, {0, 0}});
     const curve wide = curve::from(quadratic{{50, 0}, {80, 60}, {110, 0}}), base = curve::from({110, 0}, {50, 0});
-    contours out, alone;
-    REQUIRE(discretise(outline_of({{wide, base}}), certified{}, 8.0, grid{}, alone));
-    REQUIRE(alone.points.size() >= 3);
+    contours out, single;
+    REQUIRE(discretise(outline_of({{wide, base}}), certified{}, 8.0, grid{}, single));
+    REQUIRE(single.points.size() >= 3);
     REQUIRE(discretise(outline_of({{up, down}, {wide, base}}), certified{}, 8.0, grid{}, out));
     REQUIRE(out.contour_count() == 2);
     CHECK(out.starts[1] >= 3);
-    CHECK(out.points.size() - out.starts[1] == alone.points.size());
+    CHECK(out.points.size() - out.starts[1] == single.points.size());
     REQUIRE(discretise(outline_of({{up, back}}), certified{}, 8.0, grid{}, out));
     CHECK(out.contour_count() == 0);  // there and back
 }
@@ -261,7 +249,7 @@ TEST_CASE("a tolerance that is not positive and finite is refused", "[discretise
     CHECK(out.contour_count() == 0);
 }
 
-TEST_CASE("curves of real fonts stay within the tolerance on the grid, edges and all", "[discretise]")
+TEST_CASE("edges of real fonts' curves stay within the tolerance on the grid", "[discretise]")
 {
     const std::uint32_t degree = GENERATE(2u, 3u);
     const double em_share = GENERATE(1.0 / 100, 1.0 / 800, 1.0 / 16000);
@@ -287,16 +275,15 @@ TEST_CASE("curves of real fonts stay within the tolerance on the grid, edges and
     }
 }
 
-TEST_CASE("random and degenerate contours become contours that keep their promises", "[discretise]")
+TEST_CASE("random and degenerate contours keep their promises", "[discretise]")
 {
     std::mt19937 dice{5};
     for (int i = 0; i < 2000; ++i) {
         std::vector<curve> contour;
         for (int k = 0; k < 4; ++k) {
             curve c = random_curve(dice, 1u + static_cast<std::uint32_t>(dice() % 3u));
-            if (dice() % 4u == 0) {
+            if (dice() % 4u == 0)
                 for (point& p : c.p) p = 0.002 * p;
-            }
             if (!contour.empty()) {
                 const point move = contour.back().end() - c.p[0];
                 for (std::uint32_t j = 0; j <= c.degree; ++j) c.p[j] = c.p[j] + move;
@@ -317,8 +304,8 @@ TEST_CASE("a failed request leaves empty contours that can be used again", "[dis
 {
     std::vector<curve> circle;
     for (int i = 0; i < 40; ++i) {
-        const double a = i, b = i + 1;
-        circle.push_back(curve::from(quadratic{{a * 1000, 0}, {a * 1000 + 500, 2000}, {b * 1000, 0}}));
+        const double x = 1000.0 * i;
+        circle.push_back(curve::from(quadratic{{x, 0}, {x + 500, 2000}, {x + 1000, 0}}));
     }
     circle.push_back(curve::from(circle.back().end(), {0, -5000}));
     circle.push_back(curve::from({0, -5000}, {0, 0}));
@@ -326,8 +313,7 @@ TEST_CASE("a failed request leaves empty contours that can be used again", "[dis
 
     std::size_t requests = 0;
     for (std::size_t n = 1;; ++n) {
-        counting_memory counted;
-        counted.fail_at = n;
+        counting_memory counted{.fail_at = n};
         contours out{counted.source()};
         const error e = discretise(o, certified{}, 0.01, grid{64.0}, out).error();
         if (!e) {
@@ -346,7 +332,7 @@ TEST_CASE("a failed request leaves empty contours that can be used again", "[dis
     CHECK(requests > 4);  // it did grow on the way
 }
 
-TEST_CASE("contours get as many points as they may, and no more", "[discretise]")
+TEST_CASE("contours get at most max_points points", "[discretise]")
 {
     const outline o =
         outline_of({{curve::from(quadratic{{0, 0}, {500, 1000}, {1000, 0}}), curve::from({1000, 0}, {0, 0})},
@@ -365,7 +351,7 @@ TEST_CASE("contours get as many points as they may, and no more", "[discretise]"
         if (e) REQUIRE((e == error::too_many_points && e.count == most && out.points.empty() && out.edges.empty()));
         if (!e) REQUIRE(broken_law(out) == "");
     }
-    // What a curve could ask for does not count, only what is allowed.
+    // Only what is allowed counts, not what a curve could need.
     counting_memory little;
     contours few{little.source()};
     few.max_points = 4;
@@ -373,7 +359,7 @@ TEST_CASE("contours get as many points as they may, and no more", "[discretise]"
     CHECK(little.peak < 1024);
 }
 
-TEST_CASE("nothing is allocated once contours have grown", "[discretise]")
+TEST_CASE("discretise() allocates nothing once its contours have grown", "[discretise]")
 {
     counting_memory counted;
     const outline o = outline_of(

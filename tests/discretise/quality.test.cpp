@@ -16,14 +16,13 @@ TEST_CASE("a better quality is a smaller tolerance", "[quality]")
     CHECK(quality::best * 16000.0 == Approx(1.0));
 }
 
-TEST_CASE("tolerance_for_pixels is the error in em, a quarter of a pixel unless said otherwise", "[quality]")
+TEST_CASE("tolerance_for_pixels is the error in em, by default of a quarter of a pixel", "[quality]")
 {
     CHECK(tolerance_for_pixels(64.0) == 0.25 / 64.0);
     CHECK(tolerance_for_pixels(64.0, 1.0) == 1.0 / 64.0);
 }
 
-TEST_CASE("tolerance_for_pixels gives a tolerance that is refused when a number is not positive and finite",
-          "[quality]")
+TEST_CASE("tolerance_for_pixels returns a bad tolerance for a number that is not positive and finite", "[quality]")
 {
     const double bad = GENERATE(0.0, -1.0, std::numeric_limits<double>::infinity(),
                                 -std::numeric_limits<double>::infinity(), std::numeric_limits<double>::quiet_NaN());

@@ -23,7 +23,7 @@ bool alike(const A& a, const B& b, const curve& c)
 
 }  // namespace
 
-TEST_CASE("thesis_quality is two_lines at low and the thesis' halving above, at any em", "[thesis_quality]")
+TEST_CASE("thesis_quality is two_lines at low, and above it the thesis' halving, at any em", "[thesis_quality]")
 {
     const double em = GENERATE(64.0, 1000.0, 2048.0);
     const double part = em / 64.0;
@@ -41,7 +41,7 @@ TEST_CASE("thesis_quality is two_lines at low and the thesis' halving above, at 
     }
 }
 
-TEST_CASE("better qualities of the thesis never take fewer points", "[thesis_quality]")
+TEST_CASE("a better quality of the thesis takes more points", "[thesis_quality]")
 {
     const curve c = curve::from(cubic{{0, 0}, {0, 400}, {500, 640}, {640, 0}});
     std::size_t before = 0;

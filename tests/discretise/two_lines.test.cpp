@@ -11,17 +11,14 @@ using namespace test;
 TEST_CASE("two_lines meets at t = 1/2, whatever the tolerance", "[two_lines]")
 {
     const double tolerance = GENERATE(1e-9, 1.0, 1e9);
-    const auto q = points_of(two_lines{}, curve::from(quadratic{{0, 0}, {8, 16}, {4, 0}}), tolerance);
-    REQUIRE(q.size() == 2);
-    CHECK(q[0].p == point{5, 8});
-    CHECK(q[0].t == 0.5);
-    CHECK(q[1].p == point{4, 0});
-    CHECK(q[1].t == 1.0);
-
-    const auto c = points_of(two_lines{}, curve::from(cubic{{0, 0}, {8, 16}, {16, -16}, {8, 8}}), tolerance);
-    REQUIRE(c.size() == 2);
-    CHECK(c[0].p == point{10, 1});
-    CHECK(c[0].t == 0.5);
-    CHECK(c[1].p == point{8, 8});
-    CHECK(c[1].t == 1.0);
+    const auto meets_at = [&](const curve& c, point middle) {
+        const auto points = points_of(two_lines{}, c, tolerance);
+        REQUIRE(points.size() == 2);
+        CHECK(points[0].p == middle);
+        CHECK(points[0].t == 0.5);
+        CHECK(points[1].p == c.end());
+        CHECK(points[1].t == 1.0);
+    };
+    meets_at(curve::from(quadratic{{0, 0}, {8, 16}, {4, 0}}), {5, 8});
+    meets_at(curve::from(cubic{{0, 0}, {8, 16}, {16, -16}, {8, 8}}), {10, 1});
 }

@@ -1,15 +1,13 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// What must be true of one bevelled glyph, at all widths: its mesh by itself, and beside the slow wavefront.
+// Laws of one bevelled glyph, at all widths: of its mesh, and in comparison with the slow wavefront.
 
 #include "support/bevel_oracle.hpp"
 #include "support/bevel_surface.hpp"
+#include "support/solid_in_cells.hpp"
 
 #include <typemesh/extrude/bevelled.hpp>
-#include <typemesh/extrude/extrude.hpp>
-#include <typemesh/glyph/cap_builder.hpp>
-#include <typemesh/glyph/policies.hpp>
 #include <typemesh/typemesh.hpp>
 
 #include <algorithm>
@@ -22,41 +20,35 @@
 
 namespace test {
 
-/// What was found out about one glyph at one width.
+/// The findings about one glyph at one width.
 struct bevel_findings {
     std::size_t meshes = 0;
     std::size_t narrowed = 0;   ///< bevels of the front: see solid_plan
     std::size_t compared = 0;   ///< with the slow wavefront
     double volume_error = 0.0;  ///< the worst, as a share of perimeter x 2 cells x depth
-    double height_error = 0.0;  ///< the worst: by how many cells in the plane a height is off
-    std::string wrong;          ///< the first law that is broken, and where; empty: none
+    double height_error = 0.0;  ///< the worst: the error of a height, in cells in the plane
+    std::string wrong;          ///< the first law that is broken, and where, or nothing
 };
 
-/// Holds what is needed to look at one glyph after another. Use each on one thread.
+/// Reuses its memory for one glyph after another. Use each on one thread.
 class bevel_laws {
 public:
     static constexpr double widths[] = {0.005, 0.01, 0.02, 0.03, 0.05, 0.1, 0.3};  // em
 
     static constexpr double max_off_distance = 8.0;  ///< cells, of a height in the plane
 
-    std::size_t max_compared = 0;  ///< points of a region that is given to the slow wavefront, which takes n^2 an event
+    std::size_t max_compared = 0;  ///< points of a region for the slow wavefront, which takes n^2 an event
     bool delaunay = false;         ///< instead of monotone
 
-    /// Makes the glyph's region; false where there is none.
+    /// Makes the glyph's region; false if there is none.
     template <class Font>
     [[nodiscard]] bool take(Font& font, typemesh::glyph_id id, double tolerance_em)
     {
         using namespace typemesh;
         region_ = {};
         if (!record(font, id, outline_) || outline_.curves.empty()) return false;
-        const auto cells = grid::fitting(font.units_per_em(), outline_.bounds);
-        if (!cells) return false;
-        const double tolerance = tolerance_em * font.units_per_em();
         with_triangulator([&](const auto& cut) {
-            no_observer nobody;
-            const auto made =
-                caps_.build(outline_, tolerance, *cells, {outline_.rule}, policies{certified{}, cut, flat{}, nobody});
-            if (made) region_ = *made;
+            region_ = region_of(caps_, outline_, font.units_per_em(), tolerance_em, cut);
             return 0;
         });
         return !region_.points().empty();
@@ -112,24 +104,13 @@ private:
     }
 
     /// Makes the mesh, in cells.
-    template <class Bevel>
-    [[nodiscard]] std::string build(const Bevel& how)
+    [[nodiscard]] std::string build(const typemesh::bevelled& how)
     {
-        using namespace typemesh;
-        data_.clear();
-        const auto plan = with_triangulator([&](const auto& cut) {
-            region_caps maker{caps_, further_, cut};
-            return plan_solid(how, region_, data_, maker);
-        });
+        const auto plan = with_triangulator(
+            [&](const auto& cut) { return write_in_cells(how, region_, caps_, em(), data_, mesh_, cut); });
         if (!plan) return plan.error().message();
         narrowed_ = plan->narrowed;
         lost_caps_ = plan->lost_caps;
-        placement at;
-        at.unit_per_depth = em();
-        at.em_per_cell = 1.0 / em();
-        mesh_.sizes = plan->sizes;
-        const solid_of<Bevel> form{{region_.points(), region_.starts(), caps_.triangles().view()}, data_.read()};
-        if (const auto done = write_solid<Bevel>({form, *plan}, how, at, mesh_); !done) return done.error().message();
         return {};
     }
 
@@ -141,13 +122,13 @@ private:
         const surface_laws laws{mesh_, region_, width < narrowest};
         if (!laws.broken().empty() || width < narrowest) return laws.broken();
         if (how.mode == typemesh::bevel_mode::fit && !keeps_caps())
-            return "a part has lost its cap, which should fit, or is no speck, or is not counted";
+            return "a part has lost a cap that should fit, or that is no speck, or is not counted";
         if (std::string wrong = reached_too_late(how, profile, width); !wrong.empty()) return wrong;
         if (region_.points().size() > max_compared) return {};
         return compare(how, profile, width, laws.doubled_cap_area() / 2, f);
     }
 
-    /// With the slow wavefront.
+    /// Compares with the slow wavefront.
     template <class Bevel>
     [[nodiscard]] std::string compare(const Bevel& how, const plain_profile& profile, double width, double cap_area,
                                       bevel_findings& f)
@@ -169,7 +150,7 @@ private:
         const double volume = whole * (depth - bevels * rise) + bevels * oracle_->volume(profile, rise);
         const double off = std::fabs(mesh_.volume() - volume) / (rounding * depth);
         f.volume_error = (std::max)(f.volume_error, off);
-        if (off > 1.0) return "the volume is not that of the levels";
+        if (off > 1.0) return "the volume does not fit the levels";
         double worst = 0.0;
         for (const bevel_oracle::place& p : oracle_->places()) {
             double z = 0.0;
@@ -179,10 +160,10 @@ private:
                 (std::max)(worst, std::fabs(z + rise - profile.height(t) * rise) / (profile.slope(t) * rise) * width);
         }
         f.height_error = (std::max)(f.height_error, worst);
-        return worst > max_off_distance ? "a height is not that of its distance" : std::string{};
+        return worst > max_off_distance ? "a height does not fit its distance" : std::string{};
     }
 
-    /// Whether a place was reached later than its distance from the boundary, which edges move through at speed 1.
+    /// Whether a place was reached later than its distance from the boundary: edges move at speed 1.
     template <class Bevel>
     [[nodiscard]] std::string reached_too_late(const Bevel& how, const plain_profile& profile, double width) const
     {
@@ -201,9 +182,8 @@ private:
         return {};
     }
 
-    /// Whether a point of the front lies within each outer loop but those of specks, which are counted. Where no circle
-    /// of the tolerance has room, there is less area than the tolerance times the length of its boundary, holes
-    /// included.
+    /// Whether a point of the front lies within each outer loop, except for specks, which are counted. If no circle of the
+    /// tolerance fits, the area is less than the tolerance times the length of the boundary, holes included.
     [[nodiscard]] bool keeps_caps() const
     {
         namespace inspect = typemesh::inspect;
@@ -226,7 +206,7 @@ private:
         return lost == lost_caps_;
     }
 
-    /// An outer loop, and the holes that lie in no outer loop within it.
+    /// An outer loop, and the holes that lie directly within it.
     [[nodiscard]] std::vector<typemesh::inspect::loop> with_its_holes(typemesh::inspect::loop outer) const
     {
         namespace inspect = typemesh::inspect;
@@ -244,10 +224,10 @@ private:
         return found;
     }
 
-    [[nodiscard]] double em() const { return region_.grid().units_per_em * region_.grid().cells; }
+    [[nodiscard]] double em() const { return em_of(region_); }
 
     typemesh::outline outline_;
-    typemesh::cap_builder caps_, further_;
+    typemesh::cap_builder caps_;
     typemesh::region region_;
     typemesh::bevel_data data_;
     bevel_surface mesh_;

@@ -1,13 +1,9 @@
 // SPDX-License-Identifier: MIT
 
-// Bevels of shapes with corners within a few cells of each other, or that all but touch themselves, beside the slow
-// wavefront.
+// Bevels of shapes with corners a few cells apart, or that nearly touch themselves, compared with the slow wavefront.
 
 #include <typemesh/extrude/bevelled.hpp>
-#include <typemesh/extrude/extrude.hpp>
 #include <typemesh/extrude/impl/surroundings.hpp>
-#include <typemesh/glyph/cap_builder.hpp>
-#include <typemesh/glyph/policies.hpp>
 #include <typemesh/typemesh.hpp>
 
 #include <algorithm>
@@ -22,6 +18,7 @@
 #include "support/bevel_surface.hpp"
 #include "support/catch.hpp"
 #include "support/shape_file.hpp"
+#include "support/solid_in_cells.hpp"
 
 using namespace typemesh;
 
@@ -36,20 +33,15 @@ loops loops_of(const region& r)
     return all;
 }
 
-/// A region, and what an outward sweep of it sweeps.
+/// A region, and the loops that an outward sweep of it sweeps.
 class bevelled_shape {
 public:
     bevelled_shape(const recorded_outlines& font, double tolerance)
     {
-        outline drawn;
-        REQUIRE(record(font, 0, drawn));
-        curves_ = std::move(drawn);
-        const auto cells = grid::fitting(font.units_per_em(), curves_.bounds);
-        REQUIRE(cells);
-        const auto made = caps_.build(curves_, tolerance * font.units_per_em(), *cells, {curves_.rule}, with_);
-        REQUIRE(made);
-        region_ = *made;
-        em_ = cells->cells * font.units_per_em();
+        REQUIRE(record(font, 0, curves_));
+        region_ = test::region_of(caps_, curves_, font.units_per_em(), tolerance);
+        REQUIRE_FALSE(region_.points().empty());
+        em_ = test::em_of(region_);
     }
 
     [[nodiscard]] double em() const { return em_; }
@@ -58,29 +50,22 @@ public:
     void raise(const bevelled& how)
     {
         how_ = how;
-        data_.clear();
-        region_caps caps{caps_, further_, cut_};
-        const auto plan = plan_solid(how, region_, data_, caps);
+        const auto plan = test::write_in_cells(how, region_, caps_, em_, data_, mesh_);
         REQUIRE(plan);
         CHECK_FALSE(plan->narrowed);
-        mesh_.sizes = plan->sizes;
-        const solid_of<bevelled> form{{region_.points(), region_.starts(), caps_.triangles().view()}, data_.read()};
-        placement at;
-        at.unit_per_depth = em_;
-        REQUIRE(write_solid<bevelled>({form, *plan}, how, at, mesh_));
     }
 
-    /// What the edges sweep, in the order that the sweep follows: of an outward bevel the loops of its surroundings.
+    /// The loops that the sweep moves, in its order: for an outward bevel, the loops of the surroundings.
     [[nodiscard]] loops swept_loops()
     {
         if (!how_.outward) return loops_of(region_);
         const double reach = farthest_way(region_, width(), double(how_.mitre_limit));
         REQUIRE_FALSE(surround(region_, reach, around_.loops()));
-        const auto filled = around_.fill({}, cut_);
+        const auto filled = around_.fill({}, monotone{});
         REQUIRE(filled);
         return loops_of(*filled);
     }
-    /// The surroundings with each loop as the letter has it, though two of them touch.
+    /// The surroundings with each loop as in the letter, even if two of them touch.
     [[nodiscard]] loops own_loops()
     {
         REQUIRE_FALSE(surround(region_, farthest_way(region_, width(), double(how_.mitre_limit)), around_.loops()));
@@ -97,7 +82,7 @@ public:
         double worst = 0.0;  ///< cells in the plane
         bool doubtful = false;
     };
-    /// The mesh's heights over edges of the wavefront, wherever a triangle of at least three cells lies there.
+    /// The mesh's heights over edges of the wavefront, wherever a triangle at least three cells wide lies there.
     [[nodiscard]] comparison compare(const loops& swept) const
     {
         const double rise = double(how_.bevel_depth) * em_;
@@ -129,12 +114,8 @@ public:
 private:
     [[nodiscard]] double width() const { return double(how_.width) * em_; }
 
-    certified flatten_;
-    monotone cut_;
-    no_observer nobody_;
-    const cap_policies with_{flatten_, cut_, nobody_};
     outline curves_;
-    cap_builder caps_, further_, around_;
+    cap_builder caps_, around_;
     region region_;
     double em_ = 0.0;
     bevelled how_;
@@ -142,7 +123,7 @@ private:
     test::bevel_surface mesh_;
 };
 
-/// A star of sharp tips, some of which are cut off so short that two corners are at most three cells apart.
+/// A star of sharp tips. Some are cut off so closely that two corners are at most three cells apart.
 recorded_outlines blunt_star(std::uint32_t seed)
 {
     std::mt19937 random{seed};
@@ -169,7 +150,7 @@ recorded_outlines blunt_star(std::uint32_t seed)
 
 }  // namespace
 
-TEST_CASE("near double corners bevels have the heights that the slow wavefront gives them", "[every_glyph][bevel]")
+TEST_CASE("bevels near double corners have the heights of the slow wavefront", "[every_glyph][bevel]")
 {
     std::size_t places = 0, compared = 0;
     const auto examine = [&](const std::string& name, const recorded_outlines& font, double tolerance, float width) {
@@ -193,7 +174,7 @@ TEST_CASE("near double corners bevels have the heights that the slow wavefront g
     CHECK(places > 20'000);
 }
 
-TEST_CASE("where two corners touch, the heights around depend on how they are linked", "[every_glyph][bevel]")
+TEST_CASE("where two corners touch, the heights around them depend on how they are linked", "[every_glyph][bevel]")
 {
     const auto shapes = test::shapes_of("double_corners.txt");
     bevelled_shape shape{shapes[0].font, quality::normal};

@@ -3,10 +3,10 @@
 //     every_bevel [--delaunay] [--compare N] [--most N] [--quality low|normal|high|best]... [--step N] [--threads N]
 //                 [NAME=]FILE_OR_FOLDER...
 //
-// Bevels every glyph of every face of the fonts (variable ones at each axis' ends and at mixed corners as well) at widths
-// from 0.5 to 30 % of the em, and checks the laws of bevel_laws.hpp. --delaunay: with constrained_delaunay instead of
-// monotone. --compare: each Nth glyph, if it has at most 100 points, with the slow wavefront too. --most: so many glyphs
-// of a face, spread over it. Prints what is broken, and a table; status 0 when nothing is.
+// Bevels every glyph of every face of the fonts (variable ones also at each axis' ends and at mixed corners) at widths from
+// 0.5 to 30 % of the em, and checks the laws of bevel_laws.hpp. --delaunay: with constrained_delaunay instead of monotone.
+// --compare: compares each Nth glyph, if it has at most 100 points, with the slow wavefront. --most: so many glyphs of a
+// face, spread over it. Prints broken laws and a table; the status is 0 if no law is broken.
 
 #include "bevel_laws.hpp"
 #include "support/glyph_arguments.hpp"
@@ -52,7 +52,7 @@ struct options {
     std::uint32_t most = ~0u;
 };
 
-/// Looks at glyphs on one thread.
+/// Examines glyphs on one thread.
 class worker {
 public:
     worker(const test::glyph_arguments& arguments, const options& how, std::vector<total>& totals, std::mutex& lock)
@@ -145,12 +145,9 @@ int main(int argc, char** argv)
         else
             understood = understood && arguments.take(argc, argv, i);
     }
-    if (!understood || !arguments.has_paths()) {
-        std::fprintf(stderr, "every_bevel [--delaunay] [--compare N] [--most N] %s\n", arguments.words);
-        return 2;
-    }
-    if (arguments.wanted.empty()) arguments.wanted = {test::qualities[2]};
-    if (const int status = arguments.open(); status != 0) return status;
+    if (const int status = arguments.start(understood, "every_bevel [--delaunay] [--compare N] [--most N]", 2, 3);
+        status != 0)
+        return status;
     std::vector<total> totals(arguments.groups().size() * width_count);
     std::mutex lock;
     arguments.work([&] { return worker{arguments, how, totals, lock}; });

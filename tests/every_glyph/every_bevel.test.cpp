@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// A slice of the smoke fonts bevelled; the program every_bevel takes all of their glyphs. And the checkers, which must
-// see the faults that are planted.
+// Bevels of a few glyphs of the smoke fonts; the program every_bevel takes all of them. And tests of the checkers, which
+// must notice planted faults.
 
 #include "bevel_laws.hpp"
 #include "support/catch.hpp"
@@ -24,7 +24,7 @@ namespace {
 /// A ring of 100,000 cells to the em, with a chamfer.
 struct bevelled_ring {
     std::vector<curve> curves;
-    cap_builder caps, further;
+    cap_builder caps;
     region of;
     test::bevel_surface mesh;
 
@@ -43,16 +43,7 @@ struct bevelled_ring {
         of = *made;
         const bevelled how{.width = 0.1f, .bevel_depth = 0.04f, .sides = bevel_sides::front};
         bevel_data data;
-        const monotone cut;
-        region_caps maker{caps, further, cut};
-        const auto plan = plan_solid(how, of, data, maker);
-        REQUIRE(plan);
-        placement at;
-        at.unit_per_depth = 100'000.0;
-        at.em_per_cell = 1e-5;
-        mesh.sizes = plan->sizes;
-        const solid_of<bevelled> form{{of.points(), of.starts(), caps.triangles().view()}, data.read()};
-        REQUIRE(write_solid<bevelled>({form, *plan}, how, at, mesh));
+        REQUIRE(test::write_in_cells(how, of, caps, 100'000.0, data, mesh));
     }
     [[nodiscard]] std::string broken(const test::bevel_surface& m) const
     {
@@ -81,8 +72,7 @@ TEST_CASE("every 3000th glyph of the smoke fonts has valid bevels at every width
     CHECK(narrowed == 0);
 }
 
-TEST_CASE("icons whose chords turn by more than 90 degrees have valid bevels, lit from their own side",
-          "[every_glyph][bevel]")
+TEST_CASE("icons whose chords turn by more than 90 degrees have valid bevels", "[every_glyph][bevel]")
 {
     test::bevel_laws laws;
     for (const test::named_shape& s : test::shapes_of("shapes.txt")) {
@@ -98,8 +88,7 @@ TEST_CASE("icons whose chords turn by more than 90 degrees have valid bevels, li
     }
 }
 
-TEST_CASE("bevels of letters have the volume and the heights that the slow wavefront gives them",
-          "[every_glyph][bevel]")
+TEST_CASE("bevels of letters have the volume and heights of the slow wavefront", "[every_glyph][bevel]")
 {
     test::bevel_laws laws;
     laws.max_compared = 100;
@@ -123,7 +112,7 @@ TEST_CASE("bevels of letters have the volume and the heights that the slow wavef
     CHECK(compared > 150);
 }
 
-TEST_CASE("surface_laws see each fault of a bevelled mesh", "[every_glyph][bevel]")
+TEST_CASE("surface_laws notice each fault of a bevelled mesh", "[every_glyph][bevel]")
 {
     const bevelled_ring ring;
     REQUIRE(ring.broken(ring.mesh) == "");
@@ -154,7 +143,7 @@ TEST_CASE("surface_laws see each fault of a bevelled mesh", "[every_glyph][bevel
               m.vertices.insert(m.vertices.end(), {a, {a.x, a.y + 9.0f, a.z}, {a.x, a.y + 9.0f, a.z - 9.0f}});
               m.indices.insert(m.indices.end(), {first, first + 1, first + 2, first, first + 2, first + 1});
           }) == "a point has two fans of triangles");
-    CHECK(with([](mesh& m, indices t, vec3&) {  // one that hangs on an edge
+    CHECK(with([](mesh& m, indices t, vec3&) {  // a fin that hangs on an edge
               const auto first = static_cast<std::uint32_t>(m.vertices.size());
               const vec3 a = m.vertices[t[0]], b = m.vertices[t[1]];
               m.vertices.insert(m.vertices.end(), {a, b, {a.x, a.y, a.z + 9.0f}});
@@ -162,7 +151,7 @@ TEST_CASE("surface_laws see each fault of a bevelled mesh", "[every_glyph][bevel
           }) == "more than two triangles meet at an edge");
 }
 
-TEST_CASE("a bevel_oracle has the volume of a ring with chamfers, and its places", "[every_glyph][bevel]")
+TEST_CASE("a bevel_oracle has the volume and the places of a ring with chamfers", "[every_glyph][bevel]")
 {
     const bevelled_ring ring;
     const auto chamfer = test::plain_profile::chamfer(), round = test::plain_profile::round(4);

@@ -2,9 +2,9 @@
 //
 //     every_glyph [--quality low|normal|high|best]... [--step N] [--threads N] [NAME=]FILE_OR_FOLDER...
 //
-// Tries every glyph of every face of the fonts (variable ones at each axis' ends and at mixed corners as well) against
-// the laws of glyph_laws.hpp. Prints what is broken, and a table; status 0 when nothing is. FILE@FACE:GLYPH names one
-// glyph; what has the same NAME makes one row.
+// Checks every glyph of every face of the fonts (variable ones also at each axis' ends and at mixed corners) by the laws of
+// glyph_laws.hpp. Prints broken laws and a table; the status is 0 if no law is broken. FILE@FACE:GLYPH names one glyph;
+// fonts with the same NAME make one row.
 
 #include "glyph_laws.hpp"
 #include "support/glyph_arguments.hpp"
@@ -32,19 +32,11 @@ struct total {
     }
     void add(const test::glyph_findings& f)
     {
-        add({{},
-             0,
-             0,
-             f.blank,
-             f.resolved,
-             f.touching,
-             f.crowded,
-             f.wrong.empty() ? 0u : 1u,
-             f.points,
-             f.refined,
-             f.unsettled,
-             f.bent_more,
-             f.moved});
+        total t;
+        t.blank = f.blank, t.resolved = f.resolved, t.touching = f.touching, t.crowded = f.crowded;
+        t.broken = !f.wrong.empty(), t.points = f.points, t.refined = f.refined;
+        t.unsettled = f.unsettled, t.bent_more = f.bent_more, t.moved = f.moved;
+        add(t);
     }
     void print() const
     {
@@ -107,12 +99,7 @@ int main(int argc, char** argv)
     test::glyph_arguments arguments;
     bool understood = true;
     for (int i = 1; i < argc; ++i) understood = understood && arguments.take(argc, argv, i);
-    if (!understood || !arguments.has_paths()) {
-        std::fprintf(stderr, "every_glyph %s\n", arguments.words);
-        return 2;
-    }
-    if (arguments.wanted.empty()) arguments.wanted.assign(test::qualities, test::qualities + 3);
-    if (const int status = arguments.open(); status != 0) return status;
+    if (const int status = arguments.start(understood, "every_glyph", 0, 3); status != 0) return status;
     trial all{arguments};
     all.run();
 
@@ -125,9 +112,9 @@ int main(int argc, char** argv)
     }
     sum.print();
     std::printf(
-        "over %zu qualities. resolved: contours meet; refined: curves made finer where only chords met; unsettled: "
-        "meetings that stand though they could not be told; crowded: vertical edges with more than two faces; bent: "
-        "rounded crossings made new ones; moved: the worst area of those, over its bound\n",
+        "over %zu qualities. resolved: contours meet; refined: curves became finer because only chords met; unsettled: "
+        "meetings that could not be decided; crowded: vertical edges with more than two faces; bent: rounded crossings "
+        "made new ones; moved: the worst area of those, over its bound\n",
         arguments.wanted.size());
     std::printf("%.0f s\n", arguments.seconds());
     return sum.broken == 0 ? 0 : 1;

@@ -2,11 +2,11 @@
 //
 //     every_offset [--compare] [--quality low|normal|high|best]... [--step N] [NAME=]FILE_OR_FOLDER...
 //
-// Sweeps every glyph of every face of the fonts (variable ones at each axis' ends and at mixed corners as well) inwards
-// at widths from 0.5 to 30 % of the em, with joins and without, in one band and in four, and checks the laws of
-// support/swept_laws.hpp. --compare: the area within each level with that of the slow wavefront too and, where this was
-// built with CGAL, mitred levels with the level sets of its skeleton. Prints what is broken, and a table; status 0 when
-// nothing is.
+// Sweeps every glyph of every face of the fonts (variable ones also at each axis' ends and at mixed corners) inwards at
+// widths from 0.5 to 30 % of the em, with joins and without, in one band and in four, and checks the laws of
+// support/swept_laws.hpp. --compare: compares the area within each level with the slow wavefront's and, if this was built
+// with CGAL, mitred levels with the level sets of its skeleton. Prints broken laws and a table; the status is 0 if no law
+// is broken.
 
 #include "offset_laws.hpp"
 #include "support/glyph_arguments.hpp"
@@ -30,7 +30,7 @@ namespace {
 struct totals {
     std::size_t faces = 0, glyphs = 0, blank = 0, sweeps = 0, refused = 0, broken = 0;
     double farthest_off_plane = 0.0;
-    std::size_t compared = 0, differ = 0, failed = 0;  // slices; glyphs of which CGAL gave no skeleton
+    std::size_t compared = 0, differ = 0, failed = 0;  // slices, and glyphs without a skeleton from CGAL
     std::vector<double> skeleton_ms;
     double sweep_ms = 0.0;  // of the same glyphs, at 2 % of the em, in one band
 };
@@ -39,7 +39,7 @@ struct totals {
 constexpr double compared_widths[] = {0.005, 0.01, 0.02, 0.03, 0.05};  // em
 constexpr double same_area = 5e-5;                                     // square em
 
-/// What a child process found out about one glyph: in a process of its own, since CGAL does not always come to an end.
+/// What a child process found out about one glyph. CGAL needs its own process, because it does not always end.
 struct comparison {
     double skeleton_ms = -1.0, sweep_ms = 0.0;
     double difference[std::size(compared_widths)] = {};  // symmetric, in square em; -1: the sweep was refused
@@ -144,12 +144,7 @@ int main(int argc, char** argv)
         else
             understood = understood && arguments.take(argc, argv, i);
     }
-    if (!understood || !arguments.has_paths()) {
-        std::fprintf(stderr, "every_offset [--compare] %s\n", arguments.words);
-        return 2;
-    }
-    if (arguments.wanted.empty()) arguments.wanted = {test::qualities[2]};
-    if (const int status = arguments.open(); status != 0) return status;
+    if (const int status = arguments.start(understood, "every_offset [--compare]", 2, 3); status != 0) return status;
     totals sum;
     for (const test::glyph_group& g : arguments.groups()) sum.faces += g.faces;
     for (const test::glyph_job& job : arguments.jobs())

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// A slice of the smoke fonts swept inwards; the program every_offset takes all of their glyphs.
+// Sweeps of a few glyphs of the smoke fonts; the program every_offset takes all of them.
 
 #include "offset_laws.hpp"
 #include "support/catch.hpp"
@@ -28,7 +28,7 @@ TEST_CASE("every 1600th glyph of the smoke fonts can be swept inwards at every w
     CHECK(refused == 0);
 }
 
-TEST_CASE("letters swept inwards are where the slow wavefront is", "[every_glyph][offset]")
+TEST_CASE("letters swept inwards agree with the slow wavefront", "[every_glyph][offset]")
 {
     test::offset_laws laws;
     for (const char* file : {"truetype/liberation/LiberationSerif-Regular.ttf", "truetype/dejavu/DejaVuSans.ttf"}) {
@@ -44,8 +44,7 @@ TEST_CASE("letters swept inwards are where the slow wavefront is", "[every_glyph
     }
 }
 
-TEST_CASE("joins change glyphs that are swept inwards within 4 widths of their corners only",
-          "[every_glyph][offset][joins]")
+TEST_CASE("joins change swept glyphs only within 4 widths of their corners", "[every_glyph][offset][joins]")
 {
     test::offset_laws laws;
     std::size_t corners = 0, compared = 0;
@@ -56,7 +55,7 @@ TEST_CASE("joins change glyphs that are swept inwards within 4 widths of their c
             const test::joined_offsets both{r, std::floor(width * r.grid().units_per_em * r.grid().cells)};
             corners += both.corners;
             compared += both.compared;
-            if (both.refused) {  // by the grid; of all the smoke fonts, one glyph of Inter 4.1, which Debian 13 has
+            if (both.refused) {  // by the grid: only one glyph of Inter 4.1 in Debian 13, of all smoke fonts
                 INFO(name);
                 CHECK(name.find("InterVariable.ttf@0:1995 ") != std::string::npos);
             }

@@ -2,8 +2,8 @@
 //
 //     every_shape [FIRST] [COUNT]
 //
-// Makes bevels, bolder and hollow letters of random outlines that are hard on moved edges (support/random_outlines.hpp),
-// 20,000 from the first on, and prints what is wrong, narrowed or refused; status 0 when nothing is wrong.
+// Makes bevels, bolder and hollow letters of random outlines that are hard for moved edges (support/random_outlines.hpp),
+// 20,000 from the first, and prints what is wrong, narrowed or refused; the status is 0 if nothing is wrong.
 
 #include "shape_laws.hpp"
 

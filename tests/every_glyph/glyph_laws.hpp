@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// What must be true of the caps and the solid of one glyph, whatever its contours do and whichever triangulator cuts
-// them.
+// Laws of the caps and the solid of one glyph, for all contours and triangulators.
 
 #include "support/delaunay.hpp"
 #include "support/face_instances.hpp"
@@ -16,33 +15,33 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <span>
 #include <string>
 #include <vector>
 
 namespace test {
 
-/// What was found out about one glyph.
+using namespace typemesh;
+
+/// The findings about one glyph.
 struct glyph_findings {
     bool blank = false;
     bool resolved = false;  ///< its contours meet
-    bool touching = false;  ///< and so do its region's
+    bool touching = false;  ///< its region touches itself
     std::size_t points = 0;
     std::size_t crowded = 0;      ///< vertical edges with more than two faces
     bool refined = false;         ///< the guard made curves finer
-    std::uint32_t unsettled = 0;  ///< meetings that the guard let stand only because their curves cannot be finer
-    bool bent_more = false;       ///< the area is not exactly that of the contours led through their rounded crossings
-    double moved = 0.0;           ///< then: by how much it differs, over the bound that holds (see examine)
-    std::string wrong;            ///< the first law that is broken; empty: none
+    std::uint32_t unsettled = 0;  ///< meetings that the guard accepted only because their curves cannot be finer
+    bool bent_more = false;       ///< the area differs from that of the contours led through their rounded crossings
+    double moved = 0.0;           ///< then: the difference, over its bound (see examine)
+    std::string wrong;            ///< the first law that is broken, or nothing
 };
 
-/// Holds what is needed to look at one glyph after another. Use each on one thread.
+/// Reuses its memory for one glyph after another. Use each on one thread.
 class glyph_laws {
 public:
     template <class Font>
-    glyph_findings examine(Font& font, typemesh::glyph_id id, double tolerance_em)
+    glyph_findings examine(Font& font, glyph_id id, double tolerance_em)
     {
-        using namespace typemesh;
         glyph_findings f;
         if (const auto done = record(font, id, outline_); !done) return f.wrong = done.error().message(), f;
         if (outline_.curves.empty()) return f.blank = true, f;
@@ -74,8 +73,8 @@ public:
             const double filled = oracle::doubled_filled_area(given, outline_.rule);
             if (std::fabs(area - filled) > 1e-11 * filled) return f.wrong = "the area is not what the contours fill", f;
         } else {
-            // Equal to what the contours fill once they are led through their crossings, rounded. Where that makes new
-            // crossings, which are rounded in their turn, no edge is moved by more than 1.5 cells.
+            // Equal to the area of the contours led through their rounded crossings. If that makes new crossings, which
+            // are rounded in their turn, no edge moves by more than 1.5 cells.
             const auto bent = oracle::reroute_through_crossings(given);
             const double filled = oracle::doubled_filled_area(bent.loops(), outline_.rule);
             const double off = std::fabs(area - filled);
@@ -106,11 +105,11 @@ public:
             return f.wrong = "a place is filled wrongly", f;
         if (f.wrong = badly_lit(*made, tolerance * cells->cells); !f.wrong.empty()) return f;
 
-        glyph_run alone;
-        alone.units_per_em = font.units_per_em();
-        if (!alone.glyphs.push_back({id, 0, {0, 0}})) return f.wrong = "no memory", f;
+        glyph_run single;
+        single.units_per_em = font.units_per_em();
+        if (!single.glyphs.push_back({id, 0, {0, 0}})) return f.wrong = "no memory", f;
         text_mesher mesher{font};
-        const auto built = mesher.plan(alone, {.tolerance = tolerance_em, .unit = output_unit::font_units});
+        const auto built = mesher.plan(single, {.tolerance = tolerance_em, .unit = output_unit::font_units});
         if (!built) return f.wrong = built.error().message(), f;
         if (built->report().refused != 0) return f.wrong = "refused by the mesher", f;
         if (!built->write(into(mesh_.vertices, mesh_.indices))) return f.wrong = "cannot be written", f;
@@ -124,16 +123,15 @@ public:
     }
 
 private:
-    /// What a triangulator is shown last: the contours that the guard is content with.
+    /// The last contours that a triangulator sees: the guard has accepted them.
     struct seen {
-        std::vector<typemesh::grid_point> points;
+        std::vector<grid_point> points;
         std::vector<std::uint32_t> starts;
         bool refused = false;
     };
-    struct watched_monotone : typemesh::monotone {
+    struct watched_monotone : monotone {
         seen* last;
-        typemesh::result<typemesh::region> prove(const typemesh::contours& loops, typemesh::workspace& space,
-                                                 typemesh::triangle_list& out) const noexcept
+        result<region> prove(const contours& loops, workspace& space, triangle_list& out) const noexcept
         {
             last->points.assign(loops.points.begin(), loops.points.end());
             last->starts.assign(loops.starts.begin(), loops.starts.end());
@@ -143,19 +141,18 @@ private:
         }
     };
 
-    using chord = typemesh::inspect::curve_chords::chord;
+    using chord = inspect::curve_chords::chord;
 
-    static double squared_distance(typemesh::point p, typemesh::point start, typemesh::point end)
+    static double squared_distance(point p, point start, point end)
     {
-        return typemesh::inspect::curve_chords::squared_distance(p, start, end);
+        return inspect::curve_chords::squared_distance(p, start, end);
     }
 
-    /// Normals point out of their walls; where a wall is longer than 16 tolerances they are at most 45 degrees off its
-    /// own, and what is not doubled has one.
-    std::string badly_lit(const typemesh::region& made, double tolerance)
+    /// Normals point out of their walls. If a wall is longer than 16 tolerances, they are at most 45 degrees off the wall's
+    /// own normal. A point that is not doubled has one normal.
+    std::string badly_lit(const region& made, double tolerance)
     {
-        using namespace typemesh;
-        constexpr double rounding = 1e-6;  // of normals in 32 bits, to which a right angle or half of one may fall
+        constexpr double rounding = 1e-6;  // of normals in 32 bits, on either side of a right angle or half of one
         const auto points = made.points();
         sides_.assign(points.size(), {});
         if (const error e = curve_normals{}(made, sides_)) return e.message();
@@ -176,11 +173,10 @@ private:
         return {};
     }
 
-    /// Where the boundary changes from one curve to another that is not its neighbour, the two contours have a point in
-    /// common within four tolerances along both, to 3 % of one.
-    std::string false_intersection(const typemesh::region& made, double tolerance)
+    /// Where the boundary changes from one curve to another that is not its neighbour, the two contours have a common point
+    /// within four tolerances along both, to 3 % of a tolerance.
+    std::string false_intersection(const region& made, double tolerance)
     {
-        using namespace typemesh;
         const auto points = made.points();
         const double reach = 4.0 * tolerance + 3.0, little = 0.03 * tolerance + 2.0;
         const auto round = [&](std::uint32_t k) {  // a curve and its neighbours
@@ -231,10 +227,9 @@ private:
         return {};
     }
 
-    /// The Delaunay triangles obey the laws of all triangles, and their own; and both ways to make them agree.
-    std::string broken_delaunay(const typemesh::region& r)
+    /// The Delaunay triangles obey the laws of all triangles and their own, and both ways to make them agree.
+    std::string broken_delaunay(const region& r)
     {
-        using namespace typemesh;
         delaunay_.clear();
         by_slabs_.clear();
         if (const error e = constrained_delaunay{}(r, space_, delaunay_))
@@ -248,12 +243,12 @@ private:
         return wrong.empty() ? wrong : "Delaunay: " + wrong;
     }
 
-    typemesh::workspace space_;
-    typemesh::outline outline_;
-    typemesh::cap_builder caps_;
-    typemesh::triangle_list delaunay_, by_slabs_;
-    typemesh::inspect::curve_chords curves_;
-    std::vector<typemesh::side_point> sides_;
+    workspace space_;
+    outline outline_;
+    cap_builder caps_;
+    triangle_list delaunay_, by_slabs_;
+    inspect::curve_chords curves_;
+    std::vector<side_point> sides_;
     full_mesh mesh_;
 };
 

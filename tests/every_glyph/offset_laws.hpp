@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// What must be true of one glyph swept inwards, at all widths.
+// Laws of one glyph swept inwards, at all widths.
 
+#include "support/solid_in_cells.hpp"
 #include "support/swept_cases.hpp"
 
 #include <typemesh/glyph/cap_builder.hpp>
@@ -12,36 +13,29 @@
 #include <cmath>
 #include <cstddef>
 #include <string>
-#include <vector>
 
 namespace test {
 
-/// What was found out about one glyph.
+/// The findings about one glyph.
 struct offset_findings {
     bool blank = false;
     std::size_t points = 0;
     std::size_t sweeps = 0, refused = 0;
     double farthest_off_plane = 0.0;  ///< cells
-    std::string wrong;                ///< the first law that is broken, and where; empty: none
+    std::string wrong;                ///< the first law that is broken, and where, or nothing
 };
 
-/// Holds what is needed to look at one glyph after another. Use each on one thread.
+/// Reuses its memory for one glyph after another. Use each on one thread.
 class offset_laws {
 public:
     static constexpr double widths[] = {0.005, 0.01, 0.02, 0.03, 0.05, 0.1, 0.3};  // em
 
-    /// The glyph's region, until the next call; without points where there is none.
+    /// The glyph's region, until the next call; without points if there is none.
     template <class Font>
     typemesh::region region_of(Font& font, typemesh::glyph_id id, double tolerance_em)
     {
-        using namespace typemesh;
         if (!record(font, id, outline_) || outline_.curves.empty()) return {};
-        const auto cells = grid::fitting(font.units_per_em(), outline_.bounds);
-        if (!cells) return {};
-        no_observer nobody;
-        const auto made = caps_.build(outline_, tolerance_em * font.units_per_em(), *cells, {outline_.rule},
-                                      policies{certified{}, monotone{}, flat{}, nobody});
-        return made ? *made : region{};
+        return test::region_of(caps_, outline_, font.units_per_em(), tolerance_em);
     }
 
     /// Sweeps with and without joins, in one band and in four, over both triangulations.
@@ -54,7 +48,7 @@ public:
         f.points = r.points().size();
         f.blank = r.points().empty();
         if (f.blank) return f;
-        const double em = r.grid().units_per_em * r.grid().cells;
+        const double em = em_of(r);
         for (const double width : widths) {
             for (const double limit : {0.0, 2.0}) {
                 for (const int bands : {1, 4}) {

@@ -1,14 +1,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// What must be true of the bevels, the bolder and the hollow letters of one random outline.
+// Laws of the bevels, the bolder and the hollow letters of one random outline.
 
 #include "fuzz/offsets.hpp"
 #include "support/emboldened.hpp"
 #include "support/random_outlines.hpp"
-
-#include <typemesh/discretise/certified.hpp>
-#include <typemesh/extrude/flat.hpp>
 
 #include <cstddef>
 #include <cstdint>
@@ -16,13 +13,13 @@
 
 namespace test {
 
-/// What was found out about one outline, or about several.
+/// The findings about one outline, or about several.
 struct shape_findings {
     std::size_t shapes = 0, solids = 0;
-    std::size_t narrowed = 0;    ///< edges that have moved less than wanted, because the rest was not proven
-    std::size_t to_nothing = 0;  ///< of those bevels, less than a hundredth as wide
+    std::size_t narrowed = 0;    ///< edges that moved less than wanted, because more was not proven
+    std::size_t to_nothing = 0;  ///< bevels among them less than a hundredth as wide
     std::size_t refused = 0;     ///< moved edges that cross at every distance
-    std::string wrong;           ///< the first law that is broken, and by what; empty: none
+    std::string wrong;           ///< the first law that is broken, and by what, or nothing
 
     void add(const shape_findings& f)
     {
@@ -39,16 +36,11 @@ public:
     {
         using namespace typemesh;
         static constexpr double tolerances[] = {0.02, 0.005, 0.00125, 1.0 / 3000.0, 0.0001};
-        const double tolerance = tolerances[d_.roll(5)] * shape_.units_per_em;
+        const double tolerance = tolerances[d_.roll(5)];
         if (!shape_.is_usable()) return;
-        const auto cells = grid::fitting(shape_.units_per_em, shape_.curves.bounds);
-        if (!cells) return;
-        no_observer nobody;
-        const auto made = from_.caps.build(shape_.curves, tolerance, *cells, {shape_.curves.rule},
-                                           policies{certified{}, monotone{}, flat{}, nobody});
-        if (!made || made->points().empty()) return;
-        from_.made = *made;
-        from_.em = cells->cells * cells->units_per_em;
+        from_.made = region_of(from_.caps, shape_.curves, shape_.units_per_em, tolerance);
+        if (from_.made.points().empty()) return;
+        from_.em = em_of(from_.made);
         found_.shapes = 1;
         examine();
     }

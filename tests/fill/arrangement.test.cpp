@@ -2,8 +2,7 @@
 
 #include <typemesh/fill/impl/arrangement.hpp>
 
-#include "support/catch.hpp"
-#include "support/regions.hpp"
+#include "fill/taken_apart.hpp"
 
 #include <map>
 
@@ -13,16 +12,13 @@ namespace {
 
 test::shape random_shape(test::dice& d)
 {
-    test::shape s{"polylines", {}};
-    for (int c = 1 + d.roll(3); c > 0; --c) {
-        test::polyline l;
-        for (int n = 1 + d.roll(9); n > 0; --n) l.push_back({d.roll(7) - 3, d.roll(7) - 3});
-        s.loops.push_back(l);
-    }
-    return s;
+    return test::random_polylines(d, 1 + d.roll(3), 1, 9, [&](const test::polyline&, int) {
+        const std::int32_t x = d.roll(7) - 3;
+        return grid_point{x, d.roll(7) - 3};
+    });
 }
 
-/// Turns in less turns out, of every point: zero everywhere for closed contours.
+/// Whether the turns into every point equal the turns out of it, as in closed contours.
 bool is_closed(const detail::arrangement& a)
 {
     std::map<std::int64_t, int> sum;
@@ -53,18 +49,13 @@ bool is_in_order(const detail::arrangement& a)
 
 }  // namespace
 
-TEST_CASE("Contours taken apart are one segment an edge with length, in order, and closed", "[fill][arrangement]")
+TEST_CASE("Contours taken apart are closed and in order, with one segment for each edge", "[fill][arrangement]")
 {
     test::dice d{61};
     for (int i = 0; i < 2000; ++i) {
         const test::shape s = random_shape(d);
-        contours loops = test::contours_of(s);
-        workspace space;
-        workspace::scope scratch{space};
-        detail::arrangement a;
-        REQUIRE(a.reserve(scratch, 64));
-        REQUIRE(sort_points(loops, space));
-        REQUIRE(a.from_contours(loops, space));
+        const taken_apart apart{s.loops, 64};
+        const detail::arrangement& a = apart.a;
         std::uint32_t edges = 0;
         for (const auto& l : s.loops)
             for (std::size_t k = 0; k < l.size(); ++k) edges += !(l[k] == l[(k + 1) % l.size()]);
@@ -82,18 +73,12 @@ TEST_CASE("Contours taken apart are one segment an edge with length, in order, a
     }
 }
 
-TEST_CASE("Segments flipped and cut at random are in order again afterwards, those without a turn gone",
-          "[fill][arrangement]")
+TEST_CASE("Segments flipped at random are in order again after put_in_order()", "[fill][arrangement]")
 {
     test::dice d{62};
     for (int i = 0; i < 1000; ++i) {
-        contours loops = test::contours_of(random_shape(d));
-        workspace space;
-        workspace::scope scratch{space};
-        detail::arrangement a;
-        REQUIRE(a.reserve(scratch, 64));
-        REQUIRE(sort_points(loops, space));
-        REQUIRE(a.from_contours(loops, space));
+        taken_apart apart{random_shape(d).loops, 64};
+        detail::arrangement& a = apart.a;
         std::uint32_t cancelled = 0;
         if (a.count != 0 && d.roll(2) == 0) {  // an edge and its reverse
             a.segments[a.count] = a.segments[0];
@@ -105,14 +90,14 @@ TEST_CASE("Segments flipped and cut at random are in order again afterwards, tho
         const std::uint32_t before = a.count;
         for (std::uint32_t k = 0; k < a.count; ++k)
             if (d.roll(2) == 0) a.segments[k].flip();
-        REQUIRE(a.reserve(scratch, 100));  // keeps what is there
-        REQUIRE(a.put_in_order(space));
+        REQUIRE(a.reserve(apart.scratch, 100));  // keeps what is there
+        REQUIRE(a.put_in_order(apart.space));
         CHECK(a.count == before - cancelled);
         CHECK(is_in_order(a));
     }
 }
 
-TEST_CASE("t_at() goes linearly along the longer side, place and point_at() undo each other", "[fill][arrangement]")
+TEST_CASE("t_at() is linear along the longer side, and point_at() undoes sweep_place()", "[fill][arrangement]")
 {
     detail::segment s{{-4, 8}, {4, -8}, 0, 1, 1, 0, {5, 0.0f, 1.0f}, 0, 0, 0, 0, 0};
     CHECK(s.t_at({-4, 8}) == 0.0f);

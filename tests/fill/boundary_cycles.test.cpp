@@ -3,8 +3,7 @@
 #include <typemesh/fill/impl/boundary_cycles.hpp>
 #include <typemesh/fill/impl/resolving_sweep.hpp>
 
-#include "support/catch.hpp"
-#include "support/regions.hpp"
+#include "fill/taken_apart.hpp"
 
 using namespace typemesh;
 
@@ -15,16 +14,11 @@ struct traced {
     std::uint32_t holes = 0, outers = 0;
 };
 
-/// One sweep, which suffices where every crossing is a grid point, and the boundary's.
+/// One sweep, which suffices if every crossing is a grid point, and the boundary that it leaves.
 traced trace_boundary(const std::vector<test::polyline>& given, fill_rule rule)
 {
-    contours loops = test::contours_of(given);
-    workspace space;
-    workspace::scope scratch{space};
-    detail::arrangement a;
-    REQUIRE(a.reserve(scratch, 400));
-    REQUIRE(sort_points(loops, space));
-    REQUIRE(a.from_contours(loops, space));
+    taken_apart apart{given, 400};
+    auto& [loops, space, scratch, a] = apart;
     detail::resolving_sweep sweep{a, rule};
     REQUIRE(sweep.run(space));
     REQUIRE_FALSE(sweep.again);
@@ -34,7 +28,7 @@ traced trace_boundary(const std::vector<test::polyline>& given, fill_rule rule)
     REQUIRE_FALSE(boundary.write(a, loops, scratch));
     std::vector<std::uint32_t> sorted(loops.points.size());
     REQUIRE(sweep_order(loops.points.view(), space, sorted.data()));
-    CHECK(std::equal(sorted.begin(), sorted.end(), loops.order().begin(), loops.order().end()));
+    CHECK(std::ranges::equal(sorted, loops.order()));
     traced w{{}, boundary.holes, boundary.outers};
     for (const auto l : test::oracle::loops_of(loops)) w.loops.emplace_back(l.begin(), l.end());
     return w;
@@ -42,54 +36,43 @@ traced trace_boundary(const std::vector<test::polyline>& given, fill_rule rule)
 
 std::vector<test::oracle::loop> views(const traced& w) { return {w.loops.begin(), w.loops.end()}; }
 
+void check_traced(const traced& w, std::uint32_t outers, std::uint32_t holes)
+{
+    CHECK(w.outers == outers);
+    CHECK(w.holes == holes);
+    CHECK(test::oracle::broken_cycle(views(w)).empty());
+}
+
 }  // namespace
 
-TEST_CASE("A boundary cycle stays in its sector: outer loops that touch stay apart, holes that touch are one",
-          "[fill][boundary_cycles]")
+TEST_CASE("Outer loops that touch stay apart, and holes that touch become one", "[fill][boundary_cycles]")
 {
     const test::polyline around{{0, 0}, {8, 0}, {8, 8}, {0, 8}};
-    const traced two = trace_boundary({test::square(0, 0, 4), test::square(4, 4, 4)}, fill_rule::non_zero);
-    CHECK(two.outers == 2);
-    CHECK(two.holes == 0);
-    CHECK(test::oracle::broken_cycle(views(two)).empty());
-
-    const traced holes =
-        trace_boundary({around, {{2, 2}, {2, 4}, {4, 4}}, {{4, 4}, {4, 6}, {6, 6}}}, fill_rule::non_zero);
-    CHECK(holes.outers == 1);
-    CHECK(holes.holes == 1);
-    CHECK(test::oracle::broken_cycle(views(holes)).empty());
-
+    check_traced(trace_boundary({test::square(0, 0, 4), test::square(4, 4, 4)}, fill_rule::non_zero), 2, 0);
+    check_traced(trace_boundary({around, {{2, 2}, {2, 4}, {4, 4}}, {{4, 4}, {4, 6}, {6, 6}}}, fill_rule::non_zero), 1,
+                 1);
     const traced joined = trace_boundary({around, {{0, 0}, {2, 4}, {4, 2}}}, fill_rule::even_odd);
-    CHECK(joined.outers == 1);
-    CHECK(joined.holes == 0);
+    check_traced(joined, 1, 0);
     REQUIRE(joined.loops.size() == 1);
     CHECK(joined.loops[0].size() == 7);
 }
 
-TEST_CASE("Any number of sectors round one point are told apart", "[fill][boundary_cycles]")
+TEST_CASE("A boundary cycle finds its way among any number of sectors round one point", "[fill][boundary_cycles]")
 {
-    // A windmill of n triangles round (0, 0), which alternate with holes of a square round them.
+    // A windmill of n triangles round (0, 0), which become holes inside a square.
     const test::polyline rim{{9, 0},  {9, 4},   {9, 9},   {4, 9},   {0, 9},  {-4, 9}, {-9, 9}, {-9, 4},
                              {-9, 0}, {-9, -4}, {-9, -9}, {-4, -9}, {0, -9}, {4, -9}, {9, -9}, {9, -4}};
     for (std::size_t wings = 1; wings <= 8; ++wings) {
         std::vector<test::polyline> loops;
         for (std::size_t i = 0; i < wings; ++i) loops.push_back({{0, 0}, rim[2 * i], rim[2 * i + 1]});
-        const traced outers = trace_boundary(loops, fill_rule::non_zero);
         INFO(wings);
-        CHECK(outers.outers == wings);
-        CHECK(outers.holes == 0);
-        CHECK(test::oracle::broken_cycle(views(outers)).empty());
-
+        check_traced(trace_boundary(loops, fill_rule::non_zero), static_cast<std::uint32_t>(wings), 0);
         loops.push_back({{-20, -20}, {20, -20}, {20, 20}, {-20, 20}});
-        const traced holes = trace_boundary(loops, fill_rule::even_odd);
-        CHECK(holes.outers == 1);
-        CHECK(holes.holes == 1);  // they touch in one point: one
-        CHECK(test::oracle::broken_cycle(views(holes)).empty());
+        check_traced(trace_boundary(loops, fill_rule::even_odd), 1, 1);  // the holes touch in one point
     }
 }
 
-TEST_CASE("The boundary encloses what is filled and nothing else, where all crossings are grid points",
-          "[fill][boundary_cycles]")
+TEST_CASE("The boundary encloses exactly what is filled if all crossings are grid points", "[fill][boundary_cycles]")
 {
     test::dice d{71};
     for (int i = 0; i < 3000; ++i) {

@@ -8,8 +8,6 @@
 
 #include <array>
 #include <cstdint>
-#include <cstdlib>
-#include <initializer_list>
 #include <random>
 #include <set>
 #include <utility>
@@ -21,11 +19,12 @@ namespace {
 
 using polygon = std::vector<grid_point>;
 
-/// Polygons as one contours, each edge on a curve of its own.
+/// Polygons as one contours object, each edge on a curve of its own.
 struct drawn_polygons {
     contours loops;
     buffer<curve> curves;
     workspace space;
+    corner_parting parting;
 
     explicit drawn_polygons(touching corners, memory source = heap()) : loops{source}, curves{source}, space{source}
     {
@@ -47,7 +46,25 @@ struct drawn_polygons {
         return ok;
     }
 
-    [[nodiscard]] result<region> fill() { return resolve(loops, fill_rule::non_zero, space); }
+    void add_squares(const std::vector<std::array<std::int32_t, 3>>& squares)  // x, y, size
+    {
+        for (const auto& [x, y, size] : squares)
+            REQUIRE(add({{x, y}, {x + size, y}, {x + size, y + size}, {x, y + size}}));
+    }
+
+    [[nodiscard]] region fill()
+    {
+        const auto made = resolve(loops, fill_rule::non_zero, space);
+        REQUIRE(made);
+        return *made;
+    }
+    [[nodiscard]] result<region> try_to_part() { return parting(loops, curves, space); }
+    [[nodiscard]] region part()
+    {
+        const auto made = try_to_part();
+        REQUIRE(made);
+        return *made;
+    }
 };
 
 std::vector<polygon> loops_of(const region& r)
@@ -65,7 +82,7 @@ double area(const region& r)
     return 0.5 * twice;
 }
 
-/// What must hold of a region without corners that touch, found by brute force.
+/// What must be true of a region without touching corners, found by brute force.
 void check_parted(const region& r)
 {
     const auto polygons = loops_of(r);
@@ -85,32 +102,24 @@ void check_parted(const region& r)
     }
 }
 
-polygon square(std::int32_t x, std::int32_t y, std::int32_t size)
-{
-    return {{x, y}, {x + size, y}, {x + size, y + size}, {x, y + size}};
-}
-
 }  // namespace
 
 TEST_CASE("two squares that touch in a corner are parted, or joined", "[corner_parting]")
 {
     for (const touching way : {touching::part, touching::join}) {
         drawn_polygons d{way};
-        REQUIRE((d.add(square(0, 0, 1000)) && d.add(square(1000, 1000, 1000))));
-        const auto before = d.fill();
-        REQUIRE(before);
-        REQUIRE(before->is_touching());
-        const double drawn = area(*before);
-        corner_parting parting;
-        const auto after = parting(d.loops, d.curves, d.space);
-        REQUIRE(after);
-        check_parted(*after);
-        CHECK(parting.corners == 1);
-        CHECK_FALSE(parting.still_touching);
+        d.add_squares({{0, 0, 1000}, {1000, 1000, 1000}});
+        const region before = d.fill();
+        REQUIRE(before.is_touching());
+        const double drawn = area(before);
+        const region after = d.part();
+        check_parted(after);
+        CHECK(d.parting.corners == 1);
+        CHECK_FALSE(d.parting.still_touching);
         // 2^-15 em are 32 cells: each of the two corners loses, or each of the two gaps gains, half of 32 x 32.
-        CHECK(same(area(*after), drawn + (way == touching::part ? -1024.0 : 1024.0)));
-        CHECK(after->outers() == (way == touching::part ? 2u : 1u));
-        CHECK(after->points().size() == 10);
+        CHECK(same(area(after), drawn + (way == touching::part ? -1024.0 : 1024.0)));
+        CHECK(after.outers() == (way == touching::part ? 2u : 1u));
+        CHECK(after.points().size() == 10);
     }
 }
 
@@ -120,48 +129,41 @@ TEST_CASE("a hole that touches the outer loop opens, or is closed off", "[corner
         drawn_polygons d{way};
         REQUIRE(d.add({{0, 0}, {3000, 0}, {3000, 3000}, {0, 3000}, {0, 1000}}));
         REQUIRE(d.add({{0, 1000}, {1000, 2000}, {1000, 1000}}));  // clockwise
-        const auto before = d.fill();
-        REQUIRE((before && before->is_touching() && before->holes() == 0));  // the cycle passes twice
-        corner_parting parting;
-        const auto after = parting(d.loops, d.curves, d.space);
-        REQUIRE(after);
-        check_parted(*after);
-        CHECK(after->outers() == 1);
-        CHECK(after->holes() == (way == touching::part ? 0u : 1u));
+        const region before = d.fill();
+        REQUIRE((before.is_touching() && before.holes() == 0));  // the cycle passes twice
+        const region after = d.part();
+        check_parted(after);
+        CHECK(after.outers() == 1);
+        CHECK(after.holes() == (way == touching::part ? 0u : 1u));
     }
 }
 
-TEST_CASE("what touches nowhere, and what is to be kept, stays as it is", "[corner_parting]")
+TEST_CASE("parting keeps contours that do not touch, or that are to be kept", "[corner_parting]")
 {
     drawn_polygons apart{touching::part};
-    REQUIRE((apart.add(square(0, 0, 100)) && apart.add(square(200, 0, 100))));
-    REQUIRE(apart.fill());
-    corner_parting parting;
-    const auto same_squares = parting(apart.loops, apart.curves, apart.space);
-    REQUIRE(same_squares);
-    CHECK(same_squares->points().size() == 8);
-    CHECK(same_squares->outers() == 2);
-    CHECK(parting.corners == 0);
+    apart.add_squares({{0, 0, 100}, {200, 0, 100}});
+    (void)apart.fill();
+    const region same_squares = apart.part();
+    CHECK(same_squares.points().size() == 8);
+    CHECK(same_squares.outers() == 2);
+    CHECK(apart.parting.corners == 0);
 
     drawn_polygons kept{touching::keep};
-    REQUIRE((kept.add(square(0, 0, 100)) && kept.add(square(100, 100, 100))));
-    REQUIRE(kept.fill());
-    const auto as_drawn = parting(kept.loops, kept.curves, kept.space);
-    REQUIRE(as_drawn);
-    CHECK(as_drawn->points().size() == 8);
-    CHECK(as_drawn->is_touching());
+    kept.add_squares({{0, 0, 100}, {100, 100, 100}});
+    (void)kept.fill();
+    const region as_drawn = kept.part();
+    CHECK(as_drawn.points().size() == 8);
+    CHECK(as_drawn.is_touching());
 }
 
-TEST_CASE("specks vanish, and a region may lose all of its points", "[corner_parting]")
+TEST_CASE("specks vanish, so that a region may lose all points", "[corner_parting]")
 {
     drawn_polygons d{touching::part};
-    REQUIRE((d.add(square(0, 0, 1)) && d.add(square(1, 1, 1))));
-    REQUIRE(d.fill());
-    corner_parting parting;
-    const auto nothing = parting(d.loops, d.curves, d.space);
-    REQUIRE(nothing);
-    CHECK(nothing->points().empty());
-    CHECK(parting.corners == 1);
+    d.add_squares({{0, 0, 1}, {1, 1, 1}});
+    (void)d.fill();
+    const region nothing = d.part();
+    CHECK(nothing.points().empty());
+    CHECK(d.parting.corners == 1);
 }
 
 TEST_CASE("a slit that closes between the cells is opened, or filled", "[corner_parting]")
@@ -173,55 +175,49 @@ TEST_CASE("a slit that closes between the cells is opened, or filled", "[corner_
                 drawn_polygons d{way};
                 REQUIRE(d.add({{0, 0}, {length, -length / 2}, {length, 0}}));
                 REQUIRE(d.add({{0, 0}, {length, width}, {length, length / 2 + width}}));
-                const auto before = d.fill();
-                REQUIRE((before && before->is_touching()));
-                corner_parting parting;
-                const auto after = parting(d.loops, d.curves, d.space);
-                REQUIRE(after);
+                const region before = d.fill();
+                REQUIRE(before.is_touching());
+                const region after = d.part();
                 INFO(length << " " << width);
-                CHECK_FALSE(parting.still_touching);
-                if (!parting.still_touching) check_parted(*after);
+                CHECK_FALSE(d.parting.still_touching);
+                if (!d.parting.still_touching) check_parted(after);
             }
 }
 
-TEST_CASE("a slit that is narrow for a thousand cells is opened by larger diamonds", "[corner_parting]")
+TEST_CASE("larger diamonds open a slit that is narrow for a thousand cells", "[corner_parting]")
 {
     // Its sides meet again where it is half a cell wide: 250, 500, 750 cells from the corner.
     for (const std::int32_t length : {50000, 100000, 150000}) {
         drawn_polygons d{touching::part};
         REQUIRE(d.add({{0, 0}, {length, -length / 2}, {length, 0}}));
         REQUIRE(d.add({{0, 0}, {length, 100}, {length, length / 2}}));
-        REQUIRE(d.fill());
-        corner_parting parting;
-        const auto after = parting(d.loops, d.curves, d.space);
-        REQUIRE(after);
-        check_parted(*after);
-        CHECK(after->outers() == 2);  // filled, it would be one
-        CHECK(after->holes() == 0);
+        (void)d.fill();
+        const region after = d.part();
+        check_parted(after);
+        CHECK(after.outers() == 2);  // a filled slit would make it one
+        CHECK(after.holes() == 0);
     }
 }
 
-TEST_CASE("a corner at the end of the grid is left, and said to be", "[corner_parting]")
+TEST_CASE("a corner at the end of the grid stays, and is reported", "[corner_parting]")
 {
     constexpr std::int32_t end = (1 << 28) - 1;
     drawn_polygons d{touching::part};
-    REQUIRE((d.add(square(end - 20, 0, 10)) && d.add(square(end - 10, 10, 10))));
-    REQUIRE(d.fill());
-    corner_parting parting;
-    const auto left = parting(d.loops, d.curves, d.space);
-    REQUIRE(left);
-    CHECK(parting.still_touching);
-    CHECK(left->is_touching());
-    CHECK(same(area(*left), 200.0));
+    d.add_squares({{end - 20, 0, 10}, {end - 10, 10, 10}});
+    (void)d.fill();
+    const region left = d.part();
+    CHECK(d.parting.still_touching);
+    CHECK(left.is_touching());
+    CHECK(same(area(left), 200.0));
 
     drawn_polygons beyond{touching::part};
-    REQUIRE((beyond.add(square(end - 19, 0, 10)) && beyond.add(square(end - 9, 10, 10))));
-    REQUIRE(beyond.fill());
-    REQUIRE(parting(beyond.loops, beyond.curves, beyond.space));
-    CHECK(parting.still_touching);
+    beyond.add_squares({{end - 19, 0, 10}, {end - 9, 10, 10}});
+    (void)beyond.fill();
+    (void)beyond.part();
+    CHECK(beyond.parting.still_touching);
 }
 
-TEST_CASE("random grids of squares and triangles, turned and sheared, touch nowhere afterwards", "[corner_parting]")
+TEST_CASE("random grids of squares and triangles touch nowhere after parting", "[corner_parting]")
 {
     std::mt19937 random{7};
     int touched = 0;
@@ -249,21 +245,18 @@ TEST_CASE("random grids of squares and triangles, turned and sheared, touch nowh
                 if (kind == 1) REQUIRE(d.add({a, b, c}));
                 if (kind == 2) REQUIRE(d.add({a, c, e}));
             }
-        const auto before = d.fill();
-        REQUIRE(before);
-        if (!before->is_touching()) continue;
+        const region before = d.fill();
+        if (!before.is_touching()) continue;
         ++touched;
-        const double drawn = area(*before);
-        corner_parting parting;
-        const auto after = parting(d.loops, d.curves, d.space);
-        REQUIRE(after);
-        CHECK_FALSE(parting.still_touching);
-        CHECK(parting.corners > 0);
-        check_parted(*after);
-        if (unit == 20000 && turn != 2) {  // where edges are cut in cells: what a diamond holds, at each corner
-            const double changed = way == touching::part ? drawn - area(*after) : area(*after) - drawn;
+        const double drawn = area(before);
+        const region after = d.part();
+        CHECK_FALSE(d.parting.still_touching);
+        CHECK(d.parting.corners > 0);
+        check_parted(after);
+        if (unit == 20000 && turn != 2) {  // edges are cut at whole cells: each corner changes by a diamond
+            const double changed = way == touching::part ? drawn - area(after) : area(after) - drawn;
             CHECK(changed > 0.0);
-            CHECK(changed <= 2.0 * 32.0 * 32.0 * parting.corners);
+            CHECK(changed <= 2.0 * 32.0 * 32.0 * d.parting.corners);
         }
     }
     CHECK(touched > 900);
@@ -277,12 +270,11 @@ TEST_CASE("parting survives memory that fails at every request", "[corner_partin
             REQUIRE(allowed < 200);
             test::counting_memory counted;
             drawn_polygons d{way, counted.source()};
-            REQUIRE((d.add(square(0, 0, 1000)) && d.add(square(1000, 1000, 1000)) && d.add(square(2000, 2000, 1000))));
-            REQUIRE(d.fill());
+            d.add_squares({{0, 0, 1000}, {1000, 1000, 1000}, {2000, 2000, 1000}});
+            (void)d.fill();
             d.space.trim();
             counted.fail_at = counted.requests + allowed + 1;
-            corner_parting parting;
-            const auto made = parting(d.loops, d.curves, d.space);
+            const auto made = d.try_to_part();
             done = static_cast<bool>(made);
             if (!done) CHECK(made.error() == error::out_of_memory);
             if (done) check_parted(*made);

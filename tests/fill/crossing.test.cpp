@@ -11,7 +11,7 @@ using namespace typemesh;
 
 namespace {
 
-/// Unsigned numbers of 128 bits: multiplied, added and compared, nothing more.
+/// Unsigned numbers of 128 bits, which can only be multiplied and compared.
 struct wide {
     std::uint64_t high, low;
     static wide product(std::uint64_t a, std::uint64_t b)
@@ -36,8 +36,7 @@ bool is_nearest(std::uint64_t size, std::uint64_t part, std::uint64_t whole, std
 
 }  // namespace
 
-TEST_CASE("scaled() is the nearest integer to size * part / whole in 128-bit arithmetic, up to the budget",
-          "[fill][crossing]")
+TEST_CASE("scaled() rounds size * part / whole exactly, up to the budget", "[fill][crossing]")
 {
     test::dice d{31};
     const auto any = [&](int bits) {
@@ -94,7 +93,7 @@ TEST_CASE("crossing_of() lies in both boxes, and within half a cell of both line
     CHECK(found > 5000);
 }
 
-TEST_CASE("crossing_of() says no to segments that miss, only touch with an end, or are parallel", "[fill][crossing]")
+TEST_CASE("crossing_of() rejects segments that miss, touch with an end, or are parallel", "[fill][crossing]")
 {
     const grid_point a{0, 0}, b{10, 10};
     const std::pair<grid_point, grid_point> others[] = {
@@ -121,11 +120,10 @@ TEST_CASE("an edge that ends on another one does not cross it", "[fill][crossing
     for (const std::int32_t to : {4, -4}) {
         const grid_point foot{2, 0}, top{2, to}, left{0, 0}, right{4, 0};
         grid_point at;
-        for (const auto& [c, d] : {std::pair{left, right}, {right, left}}) {
-            CHECK_FALSE(crossing_of(foot, top, c, d, at));
-            CHECK_FALSE(crossing_of(top, foot, c, d, at));
-            CHECK_FALSE(crossing_of(c, d, foot, top, at));
-            CHECK_FALSE(crossing_of(c, d, top, foot, at));
-        }
+        for (const auto& [c, d] : {std::pair{left, right}, {right, left}})
+            for (const auto& [a, b] : {std::pair{foot, top}, {top, foot}}) {
+                CHECK_FALSE(crossing_of(a, b, c, d, at));
+                CHECK_FALSE(crossing_of(c, d, a, b, at));
+            }
     }
 }

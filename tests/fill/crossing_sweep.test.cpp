@@ -39,7 +39,7 @@ std::int32_t rounded(std::int32_t from, int128 part, int128 whole, std::int64_t 
     return static_cast<std::int32_t>(from + static_cast<std::int64_t>(q));
 }
 
-/// Every two edges that cross between their ends, found by trying all pairs.
+/// Every two edges that cross between their ends, found by a trial of all pairs.
 std::vector<met> all_pairs(const std::vector<net_edge>& edges)
 {
     std::vector<met> all;
@@ -61,7 +61,7 @@ std::vector<met> all_pairs(const std::vector<net_edge>& edges)
     return all;
 }
 
-/// Edges as net_edges makes them: from before to, no two alike, in the order of where they start.
+/// Edges as net_edges makes them: directed, all different, in the order of their starts.
 std::vector<net_edge> random_edges(test::dice& d, int n, std::int32_t width)
 {
     std::vector<net_edge> edges;
@@ -94,7 +94,7 @@ std::vector<met> swept(const std::vector<net_edge>& edges)
 
 }  // namespace
 
-TEST_CASE("every crossing is found once, with the grid point nearest to it", "[fill][crossing_sweep]")
+TEST_CASE("a crossing sweep finds every crossing once, with its nearest grid point", "[fill][crossing_sweep]")
 {
     test::dice d{41};
     std::size_t crossings = 0;
@@ -108,7 +108,7 @@ TEST_CASE("every crossing is found once, with the grid point nearest to it", "[f
     CHECK(crossings > 50'000);
 }
 
-TEST_CASE("a crossing sweep ends when it is told to, and reports a memory that gives nothing", "[fill][crossing_sweep]")
+TEST_CASE("a crossing sweep stops when its callback does, and reports that memory ran out", "[fill][crossing_sweep]")
 {
     test::dice d{42};
     const std::vector<net_edge> edges = random_edges(d, 30, 1000);

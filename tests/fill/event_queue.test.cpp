@@ -8,7 +8,7 @@
 
 using namespace typemesh;
 
-TEST_CASE("Events come by place, whatever is pushed between, and none is lost", "[fill][event_queue]")
+TEST_CASE("Events leave their queue by place, and none is lost", "[fill][event_queue]")
 {
     test::dice d{41};
     for (int run = 0; run < 300; ++run) {
@@ -46,8 +46,7 @@ TEST_CASE("Events come by place, whatever is pushed between, and none is lost", 
 
 TEST_CASE("An event queue without memory does not open", "[fill][event_queue]")
 {
-    test::counting_memory memory;
-    memory.fail_at = 1;
+    test::counting_memory memory{.fail_at = 1};
     workspace space{memory.source()};
     workspace::scope scratch{space};
     detail::event_queue queue;

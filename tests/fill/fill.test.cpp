@@ -7,18 +7,13 @@
 
 using namespace typemesh;
 
-TEST_CASE("fill() leaves contours that do not meet as nest() does, and resolves the others", "[fill]")
+TEST_CASE("fill() treats contours that do not meet as nest() does, and resolves the others", "[fill]")
 {
     test::dice d{31};
     int nested = 0, resolved = 0;
     for (int i = 0; i < 5000; ++i) {
         const int width = 3 + d.roll(7), count = 1 + d.roll(3);
-        test::shape s{"polylines " + std::to_string(i), {}};
-        for (int c = 0; c < count; ++c) {
-            test::polyline l;
-            for (int n = 3 + d.roll(3); n > 0; --n) l.push_back({d.roll(width) * 8, d.roll(width) * 8});
-            s.loops.push_back(l);
-        }
+        const test::shape s = test::random_polylines(d, count, 3, 3, width, 8);
         for (const fill_rule rule : {fill_rule::non_zero, fill_rule::even_odd}) {
             INFO(s);
             contours one = test::contours_of(s), two = test::contours_of(s);
@@ -28,8 +23,8 @@ TEST_CASE("fill() leaves contours that do not meet as nest() does, and resolves 
             const result<region> reference = meets ? resolve(two, rule, space) : nest(two, rule, space);
             REQUIRE(filled);
             REQUIRE(reference);
-            CHECK(std::equal(one.points.begin(), one.points.end(), two.points.begin(), two.points.end()));
-            CHECK(std::equal(one.starts.begin(), one.starts.end(), two.starts.begin(), two.starts.end()));
+            CHECK(std::ranges::equal(one.points, two.points));
+            CHECK(std::ranges::equal(one.starts, two.starts));
             CHECK(filled->holes() == reference->holes());
             CHECK(filled->outers() == reference->outers());
             ++(meets ? resolved : nested);
@@ -39,7 +34,7 @@ TEST_CASE("fill() leaves contours that do not meet as nest() does, and resolves 
     CHECK(resolved > 500);
 }
 
-TEST_CASE("fill() refuses contours that cross more often than it is told, and no others", "[fill]")
+TEST_CASE("fill() refuses contours of more than max_pieces pieces, and no others", "[fill]")
 {
     const test::polyline square{{0, 0}, {80, 0}, {80, 80}, {0, 80}};
     const test::shape crossing{"crossing squares", {square, {{40, 40}, {120, 40}, {120, 120}, {40, 120}}}};
@@ -51,7 +46,7 @@ TEST_CASE("fill() refuses contours that cross more often than it is told, and no
         if (!made) {
             CHECK(made.error() == error::too_many_pieces);
             CHECK(made.error().count == most);
-            CHECK(std::equal(loops.points.begin(), loops.points.end(), given.points.begin(), given.points.end()));
+            CHECK(std::ranges::equal(loops.points, given.points));
         }
         return static_cast<bool>(made);
     };
@@ -60,20 +55,17 @@ TEST_CASE("fill() refuses contours that cross more often than it is told, and no
     CHECK(filled(apart, 7));
 }
 
-TEST_CASE("fill() of nothing is the empty region", "[fill]")
+TEST_CASE("fill() makes the empty region of contours without area", "[fill]")
 {
-    workspace space;
     contours none;
-    const result<region> empty = fill(none, fill_rule::non_zero, space);
-    REQUIRE(empty);
-    CHECK(empty->points().empty());
-    CHECK(empty->triangle_count() == 0);
-    for (const test::polyline& l : {test::polyline{}, test::polyline{{3, 4}}, test::polyline{{3, 4}, {5, 6}},
-                                    test::polyline{{3, 4}, {5, 6}, {3, 4}}}) {
-        contours point = test::contours_of({l});
-        const result<region> nothing = fill(point, fill_rule::non_zero, space);
-        REQUIRE(nothing);
-        CHECK(nothing->points().empty());
-        CHECK(nothing->loop_count() == 0);
+    contours lines[] = {test::contours_of({test::polyline{}}), test::contours_of({test::polyline{{3, 4}}}),
+                        test::contours_of({{{3, 4}, {5, 6}}}), test::contours_of({{{3, 4}, {5, 6}, {3, 4}}})};
+    for (contours* const empty : {&none, lines, lines + 1, lines + 2, lines + 3}) {
+        workspace space;
+        const result<region> filled = fill(*empty, fill_rule::non_zero, space);
+        REQUIRE(filled);
+        CHECK(filled->points().empty());
+        CHECK(filled->loop_count() == 0);
+        CHECK(filled->triangle_count() == 0);
     }
 }

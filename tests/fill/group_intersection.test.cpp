@@ -12,7 +12,7 @@ using namespace typemesh;
 
 namespace {
 
-/// Squares of a size and where they lie.
+/// Squares of one size, and their places.
 struct tiles {
     contours tile;
     std::vector<placed_loops> all;
@@ -30,8 +30,7 @@ struct tiles {
 
 }  // namespace
 
-TEST_CASE("groups are the classes of the relation that two regions meet, closed under chains",
-          "[fill][group_intersection]")
+TEST_CASE("a group contains all regions that meet directly or through others", "[fill][group_intersection]")
 {
     test::dice d{31};
     for (int round = 0; round < 300; ++round) {
@@ -57,7 +56,7 @@ TEST_CASE("groups are the classes of the relation that two regions meet, closed 
     }
 }
 
-TEST_CASE("a chain over many lines is one group, whichever way the page is longer", "[fill][group_intersection]")
+TEST_CASE("a chain over many lines is one group, upward and across", "[fill][group_intersection]")
 {
     for (const bool upward : {false, true}) {
         tiles t{10};
@@ -66,15 +65,14 @@ TEST_CASE("a chain over many lines is one group, whichever way the page is longe
     }
 }
 
-TEST_CASE("group_intersection() reports that memory ran out, at whichever request", "[fill][group_intersection]")
+TEST_CASE("group_intersection() reports that memory ran out, at every request", "[fill][group_intersection]")
 {
     tiles t{10};
     for (int i = 0; i < 2000; ++i) t.add(i * 10, 0);
     std::vector<std::uint32_t> group(t.all.size());
     int failures = 0;
     for (std::size_t fail_at = 1;; ++fail_at) {
-        test::counting_memory counted;
-        counted.fail_at = fail_at;
+        test::counting_memory counted{.fail_at = fail_at};
         workspace space{counted.source()};
         const error e = group_intersection(t.all, group, space);
         if (!e) break;

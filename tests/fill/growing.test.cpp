@@ -7,7 +7,7 @@
 
 using namespace typemesh;
 
-TEST_CASE("a growing array keeps what was added, however often it has moved", "[fill][growing]")
+TEST_CASE("a growing array keeps its values however often it moves", "[fill][growing]")
 {
     workspace space;
     workspace::scope scratch{space};
@@ -23,7 +23,7 @@ TEST_CASE("a growing array keeps what was added, however often it has moved", "[
     CHECK(numbers.values[4999] == 4999u * 4999u);
 }
 
-TEST_CASE("a growing array that gets no memory is as it was", "[fill][growing]")
+TEST_CASE("a growing array without memory keeps its values", "[fill][growing]")
 {
     test::counting_memory failing{.fail_at = 2};
     workspace space{failing.source()};

@@ -24,7 +24,7 @@ struct share {
     friend bool operator==(share a, share b) { return a.part * b.whole == b.part * a.whole; }
 };
 
-/// Where a segment is in the pixel of a point, which is half open: found by clipping, one axis after the other.
+/// The part of a segment in the half-open pixel of a point, clipped along one axis after the other.
 struct clipped {
     share first{0, 1}, last{1, 1};
     bool without_first = false, without_last = false, empty = false;
@@ -43,7 +43,7 @@ struct clipped {
             empty = empty || at < -1 || at >= 1;
             return;
         }
-        share in{-1 - at, step}, out{1 - at, step};  // where it comes to the closed side and to the open one
+        share in{-1 - at, step}, out{1 - at, step};  // where it reaches the closed side and the open one
         if (step < 0) in = {1 + at, -step}, out = {at - 1, -step};
         const bool rising = step > 0;
         begin_at(rising ? in : out, !rising);
@@ -81,7 +81,7 @@ met along(hot_pixels& pixels, grid_point from, grid_point to)
     return m;
 }
 
-/// What clipping every point says, each once, ends left out.
+/// Compares with the clipping of every point: each point is met once, except for the ends.
 void check_segment(hot_pixels& pixels, const std::vector<grid_point>& points, grid_point from, grid_point to)
 {
     std::set<std::uint32_t> wanted;
@@ -128,7 +128,7 @@ void check_points(test::dice& d, const std::vector<grid_point>& points, grid_poi
 
 }  // namespace
 
-TEST_CASE("a segment meets the points whose pixels it comes through, in its own order", "[fill][hot_pixels]")
+TEST_CASE("a segment meets the points whose pixels it passes through, in order", "[fill][hot_pixels]")
 {
     test::dice d{21};
     for (int round = 0; round < 2000; ++round) {
@@ -137,7 +137,7 @@ TEST_CASE("a segment meets the points whose pixels it comes through, in its own 
     }
 }
 
-TEST_CASE("so it does where shapes are long and flat, and at the ends of the grid", "[fill][hot_pixels]")
+TEST_CASE("hot pixels work for long flat shapes and at the ends of the grid", "[fill][hot_pixels]")
 {
     test::dice d{22};
     constexpr std::int32_t reach = 1 << 28;
@@ -150,14 +150,14 @@ TEST_CASE("so it does where shapes are long and flat, and at the ends of the gri
     }
 }
 
-TEST_CASE("points beside a long segment are met where it comes within half a cell", "[fill][hot_pixels]")
+TEST_CASE("a long segment meets points within half a cell beside it", "[fill][hot_pixels]")
 {
     test::dice d{23};
     for (int round = 0; round < 300; ++round) {
         grid_point from{d.roll(1 << 28), d.roll(1 << 28)}, to{-d.roll(1 << 28), -d.roll(1 << 28)};
         if (lexicographic_less(to, from)) std::swap(from, to);
         std::vector<grid_point> points;
-        for (int k = 0; k < 50; ++k) {  // rounded onto it, or one cell off
+        for (int k = 0; k < 50; ++k) {  // rounded onto it, or one cell beside it
             const double t = d.fraction();
             const grid_point p{
                 static_cast<std::int32_t>(std::lround(from.x + t * (double(to.x) - from.x))) + d.roll(3) - 1,
@@ -172,7 +172,7 @@ TEST_CASE("points beside a long segment are met where it comes within half a cel
     }
 }
 
-TEST_CASE("no points are met by nobody, and who has met enough says so", "[fill][hot_pixels]")
+TEST_CASE("no points are never met, and along() stops when its callback does", "[fill][hot_pixels]")
 {
     workspace space, sorting;
     workspace::scope scratch{space};
@@ -188,7 +188,7 @@ TEST_CASE("no points are met by nobody, and who has met enough says so", "[fill]
     CHECK(calls == 3);
 }
 
-TEST_CASE("a memory that gives nothing is told", "[fill][hot_pixels]")
+TEST_CASE("hot pixels report that memory ran out", "[fill][hot_pixels]")
 {
     const std::vector<grid_point> line{{1, 1}, {2, 2}, {3, 3}};
     test::counting_memory failing{.fail_at = 1};

@@ -55,27 +55,17 @@ std::vector<grid_point> sorted_points(const contours& loops)
     return all;
 }
 
-test::shape random_shape(test::dice& d, int width, int scale)
-{
-    test::shape s{"polylines", {}};
-    for (int count = 1 + d.roll(2); count > 0; --count) {
-        test::polyline l;
-        for (int n = 3 + d.roll(5); n > 0; --n) l.push_back({d.roll(width) * scale, d.roll(width) * scale});
-        s.loops.push_back(l);
-    }
-    return s;
-}
-
 }  // namespace
 
-TEST_CASE("two regions do not meet exactly when their union is both of them unchanged", "[fill][meet]")
+TEST_CASE("two regions meet exactly if their union changes them", "[fill][meet]")
 {
     test::dice d{77};
     int intersection = 0, apart = 0;
     for (int i = 0; i < 60'000; ++i) {
         const int scale = 1 << d.roll(6);
-        const owned_region a{random_shape(d, 5, scale), fill_rule::even_odd},
-            b{random_shape(d, 3 + d.roll(3), scale), fill_rule::non_zero};
+        const owned_region a{test::random_polylines(d, 1 + d.roll(2), 3, 5, 5, scale), fill_rule::even_odd};
+        const int width = 3 + d.roll(3);
+        const owned_region b{test::random_polylines(d, 1 + d.roll(2), 3, 5, width, scale), fill_rule::non_zero};
         if (a.made.points().empty() || a.made.is_touching()) continue;
         if (b.made.points().empty() || b.made.is_touching()) continue;
         const std::int32_t x = (d.roll(7) - 3) * scale, y = (d.roll(7) - 3) * scale;
@@ -95,7 +85,7 @@ TEST_CASE("two regions do not meet exactly when their union is both of them unch
     CHECK(apart > 2000);
 }
 
-TEST_CASE("what stands in a hole does not meet the region round it until it touches", "[fill][meet]")
+TEST_CASE("a region in a hole meets the region around it only when they touch", "[fill][meet]")
 {
     const owned_region ring{{"ring", {test::square(0, 0, 100), test::square(20, 20, 60)}}, fill_rule::even_odd},
         dot{{"dot", {test::square(0, 0, 10)}}, fill_rule::non_zero};
@@ -107,7 +97,7 @@ TEST_CASE("what stands in a hole does not meet the region round it until it touc
     CHECK_FALSE(do_meet(ring.at(0, 0), dot.at(101, 45)));
 }
 
-TEST_CASE("regions meet alike wherever the page begins", "[fill][meet]")
+TEST_CASE("regions meet in the same way anywhere on the page", "[fill][meet]")
 {
     const owned_region tile{{"tile", {test::square(0, 0, 400)}}, fill_rule::non_zero};
     for (const std::int64_t page : {std::int64_t{0}, std::int64_t{1} << 40, -(std::int64_t{1} << 59)}) {

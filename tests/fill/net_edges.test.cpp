@@ -22,7 +22,7 @@ struct both_ends {
     std::uint32_t lowest_curve = ~0u;
 };
 
-/// Random closed polylines on a tiny grid, many of whose edges lie on each other.
+/// Random closed polylines on a tiny grid, with many edges on each other.
 test::shape random_loops(test::dice& d)
 {
     test::shape s{"random", {}};
@@ -37,7 +37,7 @@ test::shape random_loops(test::dice& d)
     return s;
 }
 
-/// All edges counted between the same two points, those that a rule does not see left out.
+/// The contours' edges counted between the same two points, except for those that a rule ignores.
 std::map<ends, both_ends> counted(const contours& c, fill_rule rule)
 {
     std::map<ends, both_ends> all;
@@ -89,14 +89,14 @@ TEST_CASE("net edges are the contours' edges counted between the same two points
     }
 }
 
-TEST_CASE("a winding mask keeps what the rule sees", "[fill][net_edges]")
+TEST_CASE("a winding mask keeps the winding numbers that a rule fills", "[fill][net_edges]")
 {
     for (std::int32_t w = -5; w <= 5; ++w)
         for (const fill_rule rule : {fill_rule::non_zero, fill_rule::even_odd})
             CHECK(((w & detail::winding_mask(rule)) != 0) == is_filled(rule, w));
 }
 
-TEST_CASE("net edges report a memory that gives nothing", "[fill][net_edges]")
+TEST_CASE("net edges report that memory ran out", "[fill][net_edges]")
 {
     contours c = test::contours_of(test::generated_regions().back());
     workspace sorting;

@@ -9,8 +9,8 @@ using namespace typemesh;
 
 namespace {
 
-/// Edges of contours_of() carry the index of the point that they left: after turning, edge i must be the one between
-/// the places of point i and the next one, with t0 and t1 swapped.
+/// Edges of contours_of() carry the index of their first point. After turning, edge i must lie between the places of
+/// point i and the next one, with t0 and t1 swapped.
 bool edges_follow(const contours& now, const contours& before)
 {
     for (std::uint32_t c = 0; c < now.contour_count(); ++c) {
@@ -28,16 +28,16 @@ bool edges_follow(const contours& now, const contours& before)
 
 }  // namespace
 
-TEST_CASE("orient() turns clockwise outlines and leaves others alone", "[fill][orient]")
+TEST_CASE("orient() turns clockwise outlines and keeps others", "[fill][orient]")
 {
     for (const test::shape& s : test::generated_regions()) {
         INFO(s.name);
         const contours given = test::contours_of(s), clockwise = test::contours_of(test::reversed(s));
         contours left = test::contours_of(s), turned = test::contours_of(test::reversed(s));
         orient(left);
-        CHECK(std::equal(left.points.begin(), left.points.end(), given.points.begin(), given.points.end()));
+        CHECK(std::ranges::equal(left.points, given.points));
         orient(turned);
-        CHECK(std::equal(turned.points.begin(), turned.points.end(), given.points.begin(), given.points.end()));
+        CHECK(std::ranges::equal(turned.points, given.points));
         CHECK(edges_follow(turned, clockwise));
         CHECK(turned.edges[0].t0 == 0.75f);
         CHECK(test::oracle::doubled_area(test::oracle::loops_of(turned)) > 0);
@@ -64,7 +64,7 @@ TEST_CASE("orient() sums areas beyond 64 bits exactly", "[fill][orient]")
     CHECK(c.points.back() == grid_point{0, 1});  // turned
 }
 
-TEST_CASE("turning a contour round twice changes nothing", "[fill][orient]")
+TEST_CASE("a contour that is turned twice is unchanged", "[fill][orient]")
 {
     for (int n = 0; n < 8; ++n) {
         test::polyline l = test::circle(8, 100);
@@ -74,7 +74,7 @@ TEST_CASE("turning a contour round twice changes nothing", "[fill][orient]")
         reverse_contour(c.points.view(), c.edges.view());
         CHECK(edges_follow(c, before));
         reverse_contour(c.points.view(), c.edges.view());
-        CHECK(std::equal(c.points.begin(), c.points.end(), before.points.begin(), before.points.end()));
+        CHECK(std::ranges::equal(c.points, before.points));
         for (std::size_t i = 0; i < c.edges.size(); ++i) {
             CHECK(c.edges[i].curve == before.edges[i].curve);
             CHECK(c.edges[i].t0 == before.edges[i].t0);
@@ -82,7 +82,7 @@ TEST_CASE("turning a contour round twice changes nothing", "[fill][orient]")
     }
 }
 
-TEST_CASE("orient() does nothing to nothing", "[fill][orient]")
+TEST_CASE("orient() accepts contours without points", "[fill][orient]")
 {
     contours none;
     orient(none);

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 
-#include <typemesh/fill/fill.hpp>
 #include <typemesh/fill/outer_of.hpp>
 #include <typemesh/triangulate/monotone.hpp>
 
@@ -9,13 +8,14 @@
 
 #include "support/catch.hpp"
 #include "support/counting_memory.hpp"
+#include "support/filled_shape.hpp"
 #include "support/regions.hpp"
 
 using namespace typemesh;
 
 namespace {
 
-/// Which loops bound one piece of interior, from the triangles: those that share an edge are of one piece.
+/// The loops that bound one piece of interior, found from triangles: two that share an edge belong to one piece.
 class pieces {
 public:
     pieces(const region& r, workspace& space)
@@ -51,8 +51,10 @@ bool is_outer(const region& r, std::uint32_t k)
     return area > 0.0;
 }
 
-void check(const region& r, workspace& space)
+void check(const test::filled_shape& f)
 {
+    const region& r = f.filled;
+    workspace space;
     std::vector<std::uint32_t> outer(r.loop_count());
     REQUIRE(outer_of(r, space, outer));
     const pieces same_piece{r, space};
@@ -82,24 +84,21 @@ test::shape heap_of_boxes(test::dice& d, int count, int width)
 
 }  // namespace
 
-TEST_CASE("each hole is told the outer loop of the interior that it is cut out of", "[fill][outer_of]")
+TEST_CASE("each hole has the outer loop of the interior around it", "[fill][outer_of]")
 {
     test::dice d{77};
     std::size_t with_islands = 0;
     for (int i = 0; i < 1000; ++i) {
         const test::shape s = heap_of_boxes(d, 10 + d.roll(40), 10 + d.roll(30));
         INFO(s);
-        workspace space;
-        contours loops = test::contours_of(s);
-        const auto filled = fill(loops, fill_rule::even_odd, space);
-        REQUIRE(filled);
-        check(*filled, space);
-        with_islands += filled->outers() > 1 && filled->holes() > 0 ? 1u : 0u;
+        const test::filled_shape f{s, fill_rule::even_odd};
+        check(f);
+        with_islands += f.filled.outers() > 1 && f.filled.holes() > 0 ? 1u : 0u;
     }
     CHECK(with_islands > 100);
 }
 
-TEST_CASE("nests of any depth are told apart, whatever the order of their loops", "[fill][outer_of]")
+TEST_CASE("outer_of() works for nests of any depth and order", "[fill][outer_of]")
 {
     test::dice d{5};
     for (int i = 0; i < 200; ++i) {
@@ -110,30 +109,26 @@ TEST_CASE("nests of any depth are told apart, whatever the order of their loops"
         }
         for (std::size_t k = s.loops.size(); k > 1; --k)
             std::swap(s.loops[k - 1], s.loops[static_cast<std::size_t>(d.roll(static_cast<int>(k)))]);
-        workspace space;
-        contours loops = test::contours_of(s);
-        const auto filled = fill(loops, fill_rule::even_odd, space);
-        REQUIRE(filled);
-        REQUIRE(filled->holes() == 6);
-        check(*filled, space);
+        const test::filled_shape f{s, fill_rule::even_odd};
+        REQUIRE(f.filled.holes() == 6);
+        check(f);
     }
 }
 
-TEST_CASE("outer loops are told without memory of their own but for some bytes a loop", "[fill][outer_of]")
+TEST_CASE("outer_of() needs only a few bytes of scratch memory a loop", "[fill][outer_of]")
 {
     test::counting_memory memory;
     workspace space{memory.source()};
-    contours loops = test::contours_of({{{0, 0}, {90, 0}, {90, 90}, {0, 90}}, {{10, 10}, {20, 10}, {20, 20}}});
-    const auto filled = fill(loops, fill_rule::even_odd, space);
-    REQUIRE(filled);
+    const test::filled_shape f{{"hole", {{{0, 0}, {90, 0}, {90, 90}, {0, 90}}, {{10, 10}, {20, 10}, {20, 20}}}},
+                               fill_rule::even_odd};
     std::vector<std::uint32_t> outer(2);
-    REQUIRE(outer_of(*filled, space, outer));
+    REQUIRE(outer_of(f.filled, space, outer));
     const std::size_t before = memory.requests;
-    REQUIRE(outer_of(*filled, space, outer));
+    REQUIRE(outer_of(f.filled, space, outer));
     CHECK(memory.requests == before);
     CHECK(outer_of(region{}, space, {}));
 
     test::counting_memory none{.fail_at = 1};
     workspace empty{none.source()};
-    CHECK(outer_of(*filled, empty, outer) == error::out_of_memory);
+    CHECK(outer_of(f.filled, empty, outer) == error::out_of_memory);
 }

@@ -23,7 +23,7 @@ ray random_ray(test::dice& d, std::int32_t reach, std::uint32_t number)
 
 }  // namespace
 
-TEST_CASE("rays are sorted by their angle, those of one direction by their number", "[fill][ray]")
+TEST_CASE("rays are sorted by angle, and equal ones by number", "[fill][ray]")
 {
     test::dice d{14};
     for (const std::int32_t reach : {3, 1000}) {

@@ -8,14 +8,13 @@
 #include "support/regions.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <vector>
 
 using namespace typemesh;
 
 namespace {
 
-/// A region with a curve for each of its edges, and where it is set down.
+/// A region with a curve for each of its edges, and its place.
 struct member {
     contours loops;
     std::vector<curve> curves;
@@ -44,7 +43,7 @@ struct member {
 
 }  // namespace
 
-TEST_CASE("a union fills what any member fills, and its edges know whose they are", "[fill][region_union]")
+TEST_CASE("a union fills what any member fills, and its edges know their member", "[fill][region_union]")
 {
     test::dice d{33};
     region_union joined_by;
@@ -94,7 +93,7 @@ TEST_CASE("a union fills what any member fills, and its edges know whose they ar
     CHECK(looked_at > 5000);
 }
 
-TEST_CASE("members are scaled and rounded to the grid they are set down on", "[fill][region_union]")
+TEST_CASE("members are scaled and rounded to the grid of their union", "[fill][region_union]")
 {
     const member m{{"square", {test::square(1, 1, 6)}}, 0, 0};
     region_union joined_by;
@@ -107,7 +106,7 @@ TEST_CASE("members are scaled and rounded to the grid they are set down on", "[f
     for (const grid_point p : joined->points()) CHECK(((p.x == 10 || p.x == 12) && (p.y == -20 || p.y == -18)));
 }
 
-TEST_CASE("a member that cannot be added leaves the union as it was", "[fill][region_union]")
+TEST_CASE("a member that cannot be added leaves the union unchanged", "[fill][region_union]")
 {
     const member a{{"square", {test::square(0, 0, 10)}}, 0, 0};
     region_union joined_by;

@@ -30,9 +30,9 @@ bool is_exact(const std::vector<test::oracle::loop>& loops)
     return true;
 }
 
-/// Whether every edge knows which way it runs along the contour edge that it comes from, which has its number as its
-/// curve and t from 0.25 to 0.75: however short, t grows the one way and falls the other. Contours of more than 2^20 cells
-/// have more cells than there are floats for t: there t may stand still, but it does not turn back.
+/// Whether every edge knows its direction along the contour edge that it comes from. That edge has its number as its
+/// curve, and t from 0.25 to 0.75: t grows the one way and falls the other. Contours of more than 2^20 cells have more
+/// cells than there are floats for t: their t may stand still, but it does not turn back.
 bool knows_its_way(const region& made, const contours& given)
 {
     bool is_large = false;
@@ -50,17 +50,16 @@ bool knows_its_way(const region& made, const contours& given)
                              a = made.points()[i], b = made.points()[i + 1 < end ? i + 1 : begin];
             const double x = double(b.x) - a.x, y = double(b.y) - a.y;
             const double along = x * (double(to.x) - from.x) + y * (double(to.y) - from.y);
-            if (x * x + y * y > 25.0 && (along > 0 ? e.t0 > e.t1 : e.t0 < e.t1))
-                return false;  // too long for bends to turn it
+            if (x * x + y * y > 25.0 && (along > 0 ? e.t0 > e.t1 : e.t0 < e.t1)) return false;  // too long to be bent
         }
     }
     return true;
 }
 
-/// What is wrong with what resolve() makes of a shape under a rule; empty when nothing is.
+/// What is wrong with resolve()'s result for a shape under a rule, or nothing.
 ///
-/// The cycles must be proper cycles, and fill what the contours fill: at every grid point (of `samples` by `samples` round the
-/// shape) farther than a cell or so from all contours. Where nothing was bent the areas are equal.
+/// The cycles must be proper cycles, and fill what the contours fill at every grid point (of `samples` by `samples` round
+/// the shape) farther than a cell or so from all contours. If nothing was bent, the areas are equal.
 std::string mistake_on(const test::shape& s, fill_rule rule, int samples = 12)
 {
     contours loops = test::contours_of(s);
@@ -76,8 +75,8 @@ std::string mistake_on(const test::shape& s, fill_rule rule, int samples = 12)
     std::uint32_t holes = 0, outers = 0;
     for (const auto l : kept) ++(test::oracle::doubled_area(l) > 0 ? outers : holes);
     if (holes != made->holes() || outers != made->outers()) return "holes and outer loops are miscounted";
-    if (made->edges().size() != made->points().size()) return "not an edge a point";
-    if (!knows_its_way(*made, test::contours_of(s))) return "an edge does not know which way it runs along its curve";
+    if (made->edges().size() != made->points().size()) return "the numbers of edges and points differ";
+    if (!knows_its_way(*made, test::contours_of(s))) return "an edge does not know its direction along its curve";
 
     std::vector<std::int64_t> places;
     for (const grid_point p : made->points()) places.push_back(detail::sweep_place(p));
@@ -114,22 +113,11 @@ std::string mistake_on(const test::shape& s)
 TEST_CASE("resolve() makes regions of random polylines on tiny grids", "[fill][resolve]")
 {
     test::dice d{21};
-    int mistakes = 0;
-    for (int i = 0; i < 20'000 && mistakes < 3; ++i) {
+    for (int i = 0; i < 20'000; ++i) {
         const int width = 2 + d.roll(8), scale = 1 << d.roll(7), count = 1 + d.roll(4);
-        test::shape s{"polylines " + std::to_string(i), {}};
-        for (int c = 0; c < count; ++c) {
-            test::polyline l;
-            for (int n = 1 + d.roll(count == 1 ? 16 : 8); n > 0; --n)
-                l.push_back({d.roll(width) * scale, d.roll(width) * scale});
-            s.loops.push_back(l);
-        }
-        const std::string mistake = mistake_on(s);
-        if (!mistake.empty()) {
-            INFO(s);
-            CHECK(mistake == "");
-            ++mistakes;
-        }
+        const test::shape s = test::random_polylines(d, count, 1, count == 1 ? 16 : 8, width, scale);
+        INFO(s);
+        REQUIRE(mistake_on(s) == "");
     }
     CHECK(max_sweeps <= 12);
 }
@@ -137,27 +125,16 @@ TEST_CASE("resolve() makes regions of random polylines on tiny grids", "[fill][r
 TEST_CASE("resolve() makes regions of random polylines of all sizes and slants", "[fill][resolve]")
 {
     test::dice d{22};
-    int mistakes = 0;
-    for (int i = 0; i < 1500 && mistakes < 3; ++i) {
+    for (int i = 0; i < 1500; ++i) {
         const int wide = d.roll(29), high = d.roll(29), count = 1 + d.roll(3);
-        test::shape s{"polylines " + std::to_string(i), {}};
-        for (int c = 0; c < count; ++c) {
-            test::polyline l;
-            for (int n = 1 + d.roll(40); n > 0; --n) {
-                if (l.size() > 3 && d.roll(4) == 0)
-                    l.push_back(
-                        {l[l.size() - 3].x + d.roll(3) - 1, l[l.size() - 3].y + d.roll(3) - 1});  // all but back again
-                else
-                    l.push_back({d.roll(1 << wide) - (1 << wide) / 2, d.roll(1 << high) - (1 << high) / 2});
-            }
-            s.loops.push_back(l);
-        }
-        const std::string mistake = mistake_on(s);
-        if (!mistake.empty()) {
-            INFO(s);
-            CHECK(mistake == "");
-            ++mistakes;
-        }
+        const test::shape s = test::random_polylines(d, count, 1, 40, [&](const test::polyline& l, int) {
+            const bool is_back = l.size() > 3 && d.roll(4) == 0;  // almost at the point before the last one
+            const grid_point at = is_back ? l[l.size() - 3] : grid_point{-(1 << wide) / 2, -(1 << high) / 2};
+            const std::int32_t x = is_back ? d.roll(3) - 1 : d.roll(1 << wide);
+            return grid_point{at.x + x, at.y + (is_back ? d.roll(3) - 1 : d.roll(1 << high))};
+        });
+        INFO(s);
+        REQUIRE(mistake_on(s) == "");
     }
     CHECK(max_sweeps <= 12);
 }
@@ -166,12 +143,8 @@ TEST_CASE("resolve() makes regions of the corpus in every position", "[fill][res
 {
     for (const test::corpus_shape& c : test::corpus("regions.txt")) {
         INFO(c);
-        for (const double degrees : {0.0, 90.0, 180.0, 270.0, 33.0}) {
-            const test::shape s = test::turned(c.shape, degrees);
+        for (const test::shape& s : test::in_positions(c.shape, {0.0, 90.0, 180.0, 270.0, 33.0}))
             CHECK(mistake_on(s) == "");
-            CHECK(mistake_on(test::mirrored(s)) == "");
-            CHECK(mistake_on(test::reversed(s)) == "");
-        }
     }
 }
 
@@ -190,7 +163,7 @@ test::shape doubled(test::shape s, grid_point by, bool turned_round)
     return s;
 }
 
-/// A star drawn in one go: every point joined with the one `skip` further on.
+/// A star drawn in one stroke: every point is joined with the one `skip` further on.
 test::polyline pentagram(int n, int skip, double radius)
 {
     test::polyline l;
@@ -273,7 +246,7 @@ TEST_CASE("loops that touch in a point stay in their sector of interior", "[fill
     }
 }
 
-TEST_CASE("edges keep curve and t through resolving", "[fill][resolve]")
+TEST_CASE("edges keep their curve and t through resolve()", "[fill][resolve]")
 {
     contours loops = test::contours_of({test::square(0, 0, 8), test::square(4, 4, 8)});
     for (contour_edge& e : loops.edges) e.t0 = 0.0f, e.t1 = 1.0f;
@@ -321,41 +294,40 @@ TEST_CASE("crossing_of() rounds exactly, up to the largest coordinates", "[fill]
     }
 }
 
-TEST_CASE("resolve() without memory says so and leaves the contours as they were, warm it asks for none",
-          "[fill][resolve]")
+TEST_CASE("resolve() without memory reports it and keeps the contours, and needs none once warm", "[fill][resolve]")
 {
     const test::shape s{"pentagram", {pentagram(31, 9, 1000), test::square(-200, -100, 900)}};
-    const contours before = test::contours_of(s);
-    for (std::size_t nth = 1;; ++nth) {
+    const contours loops = test::contours_of(s);
+    const auto copy = [&](contours& to) {
+        to.points.clear(), to.edges.clear(), to.starts.clear();
+        REQUIRE(to.points.append(loops.points.view()));
+        REQUIRE(to.edges.append(loops.edges.view()));
+        REQUIRE(to.starts.append(loops.starts.view()));
+    };
+    bool was_asked = true;
+    for (std::size_t nth = 1; was_asked; ++nth) {
         test::counting_memory memory;
         workspace space{memory.source()};
-        contours loops = test::contours_of(s);
         contours own{memory.source()};
-        REQUIRE(own.points.append(loops.points.view()));
-        REQUIRE(own.edges.append(loops.edges.view()));
-        REQUIRE(own.starts.append(loops.starts.view()));
+        copy(own);
         memory.requests = 0;
         memory.fail_at = nth;
         memory.fail_once = true;
         const result<region> made = resolve(own, fill_rule::non_zero, space);
-        const bool was_asked = memory.requests >= nth;
+        was_asked = memory.requests >= nth;
         memory.fail_at = 0;
         INFO("request " << nth);
         if (!made) {
             CHECK(made.error() == error::out_of_memory);
-            CHECK(std::equal(own.points.begin(), own.points.end(), before.points.begin(), before.points.end()));
+            CHECK(std::ranges::equal(own.points, loops.points));
             REQUIRE(resolve(own, fill_rule::non_zero, space));
         }
         for (int again = 0; again < 2; ++again) {
-            own.points.clear(), own.edges.clear(), own.starts.clear();
-            REQUIRE(own.points.append(loops.points.view()));
-            REQUIRE(own.edges.append(loops.edges.view()));
-            REQUIRE(own.starts.append(loops.starts.view()));
+            copy(own);
             const std::size_t warm = memory.requests;
             REQUIRE(resolve(own, fill_rule::non_zero, space));
             if (again == 1) CHECK(memory.requests == warm);
         }
-        if (!was_asked) break;
     }
 }
 
@@ -369,7 +341,7 @@ TEST_CASE("An edge that is bent by rounding does not cross another one", "[fill]
     CHECK(mistake_on(test::shape{"one bent loop", {{{5, 30}, {30, 8}, {18, 38}, {25, 40}, {9, 4}, {16, 20}}}}) == "");
 }
 
-TEST_CASE("A crossing that waits for an edge that has ended is forgotten", "[fill][resolve][snap_rounding]")
+TEST_CASE("A crossing that waits for an edge is forgotten when the edge ends", "[fill][resolve][snap_rounding]")
 {
     const test::shape s{
         "three knots",
@@ -379,16 +351,13 @@ TEST_CASE("A crossing that waits for an edge that has ended is forgotten", "[fil
     CHECK(mistake_on(s) == "");
 }
 
-TEST_CASE("A resolved region's points are sorted, and it is the same whether they were before or not",
-          "[fill][resolve]")
+TEST_CASE("A resolved region has sorted points, whether its contours had them or not", "[fill][resolve]")
 {
     test::dice d{91};
     int touching = 0;
     for (int i = 0; i < 600; ++i) {
         const int width = i % 2 == 0 ? 9 : 3000;
-        std::vector<test::polyline> given(1 + static_cast<std::size_t>(d.roll(3)));
-        for (test::polyline& l : given)
-            for (int n = 3 + d.roll(20); n > 0; --n) l.push_back({d.roll(width), d.roll(width)});
+        const std::vector<test::polyline> given = test::random_polylines(d, 1 + d.roll(3), 3, 20, width).loops;
         for (const fill_rule rule : {fill_rule::non_zero, fill_rule::even_odd}) {
             contours loops = test::contours_of(given), sorted = test::contours_of(given);
             workspace space;
@@ -396,11 +365,10 @@ TEST_CASE("A resolved region's points are sorted, and it is the same whether the
             const auto made = resolve(loops, rule, space), again = resolve(sorted, rule, space);
             REQUIRE(made);
             REQUIRE(again);
-            CHECK(std::equal(made->points().begin(), made->points().end(), again->points().begin(),
-                             again->points().end()));
+            CHECK(std::ranges::equal(made->points(), again->points()));
             std::vector<std::uint32_t> expected(made->points().size());
             REQUIRE(sweep_order(made->points(), space, expected.data()));
-            CHECK(std::equal(made->order().begin(), made->order().end(), expected.begin(), expected.end()));
+            CHECK(std::ranges::equal(made->order(), expected));
             touching += made->is_touching();
         }
     }

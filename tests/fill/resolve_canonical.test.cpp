@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// What resolve() makes depends on the set of the contours' edges alone, and is what snap rounding is defined to be.
+// resolve()'s result depends only on the set of the contours' edges, and is the one that snap rounding defines.
 
 #include <typemesh/fill/resolve.hpp>
 #include <typemesh/triangulate/constrained_delaunay.hpp>
@@ -14,27 +14,16 @@ using namespace typemesh;
 namespace {
 
 /// Small grids, where nearly every point lies beside some edge, and long thin shapes.
-test::shape crowded(test::dice& d, int i)
+test::shape crowded(test::dice& d)
 {
-    test::shape s{"shape " + std::to_string(i), {}};
     const int kind = d.roll(5), width = 3 + d.roll(12), length = 20 + d.roll(400);
     const int count = 1 + d.roll(3);
-    for (int c = 0; c < count; ++c) {
-        test::polyline l;
-        for (int n = 3 + d.roll(count == 1 ? 9 : 5); n > 0; --n) {
-            if (kind == 0)
-                l.push_back({d.roll(width), d.roll(width)});
-            else if (kind == 1)
-                l.push_back({d.roll(40), d.roll(40)});
-            else if (kind == 2)
-                l.push_back({(n % 2) * length + d.roll(4), d.roll(9)});
-            else if (kind == 3)
-                l.push_back({d.roll(3), d.roll(length)});
-            else
-                l.push_back({d.roll(length), d.roll(length)});
-        }
-        s.loops.push_back(l);
-    }
+    test::shape s = test::random_polylines(d, count, 3, count == 1 ? 9 : 5, [&](const test::polyline&, int n) {
+        if (kind == 2) return grid_point{(n % 2) * length + d.roll(4), d.roll(9)};
+        const int across[] = {width, 40, 0, 3, length}, up[] = {width, 40, 0, length, length};
+        const std::int32_t x = d.roll(across[kind]);
+        return grid_point{x, d.roll(up[kind])};
+    });
     if (d.roll(6) == 0) s.loops.push_back(s.loops[0]);
     if (d.roll(12) == 0) s.loops.push_back(test::reversed(s.loops[0]));
     if (d.roll(8) == 0) {  // a spike
@@ -46,8 +35,8 @@ test::shape crowded(test::dice& d, int i)
     return s;
 }
 
-/// The same edges: every contour begun elsewhere, the contours in another order, all run the other way or, where
-/// even_odd counts, any of them.
+/// The same edges: every contour begins elsewhere, the contours are in another order, and all of them, or under
+/// even_odd any of them, run the other way.
 test::shape disguised(test::shape s, fill_rule rule, test::dice& d)
 {
     const bool all = d.roll(2) == 0;
@@ -71,12 +60,12 @@ std::vector<std::vector<test::oracle::place>> region_of(const test::shape& s, fi
 
 }  // namespace
 
-TEST_CASE("The region is bounded by what snap rounding is defined to make of the edges", "[fill][resolve]")
+TEST_CASE("The region has the boundary that snap rounding defines", "[fill][resolve]")
 {
     test::dice d{111};
     std::uint32_t quick = 0, rounded = 0;
     for (int i = 0; i < 6000; ++i) {
-        const test::shape s = crowded(d, i);
+        const test::shape s = crowded(d);
         for (const fill_rule rule : {fill_rule::non_zero, fill_rule::even_odd}) {
             const auto given = test::loops_of(s);
             contours loops = test::contours_of(s);
@@ -96,10 +85,9 @@ TEST_CASE("The region is bounded by what snap rounding is defined to make of the
     CHECK(rounded > 1000);
 }
 
-TEST_CASE("What crosses the rest of a cut edge is sought, though whole edges upon that rest cancel it",
-          "[fill][resolve]")
+TEST_CASE("Edges that cancel the rest of a cut edge do not hide its crossings", "[fill][resolve]")
 {
-    // From (2, 9) to (3, 18): the rest of one edge that is cut in (2, 9), and three whole edges; all four cancel.
+    // From (2, 9) to (3, 18) run the rest of an edge that is cut in (2, 9), and three whole edges; all four cancel.
     const test::shape s{
         "a rest among whole edges",
         {{{2, 9}, {3, 18}, {2, 9}, {4, 18}, {0, 6}}, {{1, 0}, {3, 18}, {2, 9}, {1, 4}, {1, 0}, {2, 9}}}};
@@ -113,12 +101,11 @@ TEST_CASE("What crosses the rest of a cut edge is sought, though whole edges upo
                                              fill_rule::non_zero));
 }
 
-TEST_CASE("The region does not depend on where contours begin, on their direction, or on their order",
-          "[fill][resolve]")
+TEST_CASE("The region does not depend on the start, direction or order of contours", "[fill][resolve]")
 {
     test::dice d{112};
     for (int i = 0; i < 6000; ++i) {
-        const test::shape s = crowded(d, i);
+        const test::shape s = crowded(d);
         for (const fill_rule rule : {fill_rule::non_zero, fill_rule::even_odd}) {
             const test::shape other = disguised(s, rule, d);
             resolve_effort effort;
@@ -129,8 +116,7 @@ TEST_CASE("The region does not depend on where contours begin, on their directio
     }
 }
 
-TEST_CASE("The triangles of crossings within two cells of each other do not depend on where a contour begins",
-          "[fill][resolve]")
+TEST_CASE("Triangles at crossings two cells apart do not depend on a contour's start", "[fill][resolve]")
 {
     test::polyline l{{8, 6}, {1, 10}, {11, 3}, {3, 10}, {6, 10}, {8, 5}};
     std::vector<std::vector<std::vector<std::pair<std::int32_t, std::int32_t>>>> all;
@@ -154,10 +140,7 @@ TEST_CASE("The triangles of crossings within two cells of each other do not depe
     }
 }
 
-TEST_CASE(
-    "A spike that cancels leaves the point where it stood, and those where it ends on the boundary, whichever "
-    "way it is run",
-    "[fill][resolve]")
+TEST_CASE("A spike that cancels leaves its points on the boundary, in both directions", "[fill][resolve]")
 {
     const test::polyline notched{{0, 0}, {8, 0}, {8, 8}, {4, 8}, {4, 0}, {4, 8}, {0, 8}};
     for (const fill_rule rule : {fill_rule::non_zero, fill_rule::even_odd}) {

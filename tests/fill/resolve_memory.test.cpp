@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// What resolve() takes at most, and how it is held to less.
+// The memory that resolve() takes at most, and how it is limited.
 
 #include <typemesh/fill/resolve.hpp>
 #include <typemesh/triangulate/monotone.hpp>
@@ -13,7 +13,7 @@ using namespace typemesh;
 
 namespace {
 
-/// A star of n random points, joined in one go.
+/// A star of n random points, drawn in one stroke.
 test::shape random_star(int n, int reach, unsigned seed)
 {
     test::dice d{seed};
@@ -22,7 +22,7 @@ test::shape random_star(int n, int reach, unsigned seed)
     return {"star of " + std::to_string(n) + " within " + std::to_string(reach), {l}};
 }
 
-/// Points on a circle, each joined with the one nearly opposite: every edge crosses nearly all others.
+/// Points on a circle, each joined with a nearly opposite one: every edge crosses nearly all others.
 test::shape round_star(int n, double radius)
 {
     test::polyline l;
@@ -50,7 +50,7 @@ test::shape stacked(int n)
     return s;
 }
 
-/// Many upright teeth: one edge that crosses them all.
+/// Many upright teeth, and one edge that crosses them all.
 test::shape comb(int n)
 {
     test::polyline l;
@@ -72,7 +72,7 @@ std::vector<test::shape> hostile()
             {"one crossing, rounded", {test::circle(6000, 100'000, 0, 0), test::circle(5, 2000, 100'000, 0)}}};
 }
 
-/// Needles side by side, and one that lies across the first of them: as many pieces more as it crosses.
+/// Needles side by side, and one that lies across the first of them: each crossing is one more piece.
 test::shape crossed_needles(int n, int crossed)
 {
     test::shape s{"needles crossed by one", {}};
@@ -84,8 +84,7 @@ test::shape crossed_needles(int n, int crossed)
 
 }  // namespace
 
-TEST_CASE("resolve() takes at most 200 bytes a piece, 210 where it rounds, and the triangulation behind it too",
-          "[fill][resolve]")
+TEST_CASE("resolve() and a triangulation after it take 200 bytes a piece, 210 if it rounds", "[fill][resolve]")
 {
     for (const test::shape& s : hostile()) {
         test::counting_memory memory;
@@ -108,8 +107,7 @@ TEST_CASE("resolve() takes at most 200 bytes a piece, 210 where it rounds, and t
     }
 }
 
-TEST_CASE("resolve() takes 210 bytes a piece before its blocks are joined, however many pieces are rounded",
-          "[fill][resolve]")
+TEST_CASE("resolve() takes 210 bytes a piece before it joins its blocks, however much it rounds", "[fill][resolve]")
 {
     for (const int n : {30, 250, 450, 2000}) {
         for (int crossed = n / 5; crossed <= n; crossed += n / 5) {
@@ -130,8 +128,7 @@ TEST_CASE("resolve() takes 210 bytes a piece before its blocks are joined, howev
     }
 }
 
-TEST_CASE("Contours that fall into more pieces than allowed are refused before memory is taken for them",
-          "[fill][resolve]")
+TEST_CASE("Contours of too many pieces are refused before they take memory", "[fill][resolve]")
 {
     for (const test::shape& s : hostile()) {
         INFO(s.name);
@@ -155,8 +152,7 @@ TEST_CASE("Contours that fall into more pieces than allowed are refused before m
         CHECK(made.error() == error::too_many_pieces);
         CHECK(made.error().count == most);
         CHECK(memory.peak <= 200 * std::size_t{most} + 16 * 1024);
-        const contours before = test::contours_of(s);
-        CHECK(std::equal(loops.points.begin(), loops.points.end(), before.points.begin(), before.points.end()));
+        CHECK(std::ranges::equal(loops.points, test::contours_of(s).points));
         const auto all = resolve(loops, fill_rule::non_zero, space);
         CHECK(all);
     }
@@ -178,7 +174,7 @@ TEST_CASE("Random points crowded on a small grid are rounded once", "[fill][reso
     }
 }
 
-TEST_CASE("A limit of one piece less than there are is enough to refuse", "[fill][resolve]")
+TEST_CASE("A limit of one piece less than needed is refused", "[fill][resolve]")
 {
     std::vector<test::shape> shapes = hostile();
     shapes.push_back({"two crossings", {test::circle(400, 100'000, 0, 0), test::circle(400, 100'000, 150'000, 0)}});

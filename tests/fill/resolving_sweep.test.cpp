@@ -2,8 +2,7 @@
 
 #include <typemesh/fill/impl/resolving_sweep.hpp>
 
-#include "support/catch.hpp"
-#include "support/regions.hpp"
+#include "fill/taken_apart.hpp"
 
 #include <map>
 
@@ -11,10 +10,10 @@ using namespace typemesh;
 
 namespace {
 
-/// What is wrong with an arrangement that a sweep trusts; empty if nothing is.
+/// What is wrong with an arrangement that a sweep trusts, or nothing.
 ///
-/// No two segments may have more than an end in common, the turns must be those of closed contours, and the winding
-/// number below each must be what counting along a ray gives, just below its middle.
+/// No two segments may share more than an end, the turns must be the turns of closed contours, and the winding number
+/// below each must equal the count along a ray just below its middle.
 std::string mistake_in(const detail::arrangement& a)
 {
     std::vector<detail::segment> all;
@@ -52,53 +51,36 @@ std::string mistake_in(const detail::arrangement& a)
 
 }  // namespace
 
-TEST_CASE("What a sweep trusts is an arrangement of closed contours, with the right winding numbers",
+TEST_CASE("A sweep trusts only closed contours that meet at their ends, and finds their winding numbers",
           "[fill][resolving_sweep]")
 {
     test::dice d{91};
     int believed = 0, bent = 0;
     for (int i = 0; i < 40'000; ++i) {
-        test::shape s{"shape " + std::to_string(i), {}};
         const int kind = d.roll(4), width = 4 + d.roll(60), length = 20 + d.roll(2000);
-        for (int c = 1 + d.roll(2); c > 0; --c) {
-            test::polyline l;
-            for (int n = 3 + d.roll(5); n > 0; --n) {
-                if (kind < 2)
-                    l.push_back({d.roll(width), d.roll(width)});
-                else if (kind == 2)
-                    l.push_back({(n % 2) * length + d.roll(4), d.roll(9)});
-                else
-                    l.push_back({d.roll(3), d.roll(length)});
-            }
-            s.loops.push_back(l);
-        }
-        contours loops = test::contours_of(s);
-        workspace space;
-        workspace::scope scratch{space};
-        detail::arrangement a;
-        REQUIRE(a.reserve(scratch, 500));
-        REQUIRE(sort_points(loops, space));
-        REQUIRE(a.from_contours(loops, space));
+        const test::shape s = test::random_polylines(d, 1 + d.roll(2), 3, 5, [&](const test::polyline&, int n) {
+            if (kind == 2) return grid_point{(n % 2) * length + d.roll(4), d.roll(9)};
+            const std::int32_t x = d.roll(kind < 2 ? width : 3);
+            return grid_point{x, d.roll(kind < 2 ? width : length)};
+        });
+        taken_apart apart{s.loops, 500};
+        detail::arrangement& a = apart.a;
         for (int round = 0; round < 4; ++round) {
             detail::resolving_sweep sweep{a, d.roll(2) == 0 ? fill_rule::non_zero : fill_rule::even_odd};
-            REQUIRE(sweep.run(space));
+            REQUIRE(sweep.run(apart.space));
             if (sweep.again) continue;
             ++believed;
             for (std::uint32_t k = 0; k < a.count; ++k) bent += a.segments[k].bent != 0 && round == 0;
-            const std::string mistake = mistake_in(a);
-            if (!mistake.empty()) {
-                INFO(s);
-                CHECK(mistake == "");
-            }
+            INFO(s);
+            CHECK(mistake_in(a) == "");
             break;
         }
     }
     CHECK(believed > 10'000);
-    CHECK(bent > 2000);  // of those that one sweep sufficed for: the shortcut is taken
+    CHECK(bent > 2000);  // in those that needed one sweep: the shortcut is taken
 }
 
-TEST_CASE("Contours of ordinary size nearly always need one sweep although every crossing is bent",
-          "[fill][resolving_sweep]")
+TEST_CASE("Contours of ordinary size nearly always need one sweep, with every crossing bent", "[fill][resolving_sweep]")
 {
     test::dice d{92};
     int once = 0;
@@ -106,34 +88,23 @@ TEST_CASE("Contours of ordinary size nearly always need one sweep although every
         std::vector<test::polyline> given;
         for (int c = 0; c < 4; ++c)
             given.push_back(test::circle(20 + d.roll(40), 100'000 + d.roll(200'000), d.roll(300'000), d.roll(300'000)));
-        contours loops = test::contours_of(given);
-        workspace space;
-        workspace::scope scratch{space};
-        detail::arrangement a;
-        REQUIRE(a.reserve(scratch, 2000));
-        REQUIRE(sort_points(loops, space));
-        REQUIRE(a.from_contours(loops, space));
-        detail::resolving_sweep sweep{a, fill_rule::non_zero};
-        REQUIRE(sweep.run(space));
+        taken_apart apart{given, 2000};
+        detail::resolving_sweep sweep{apart.a, fill_rule::non_zero};
+        REQUIRE(sweep.run(apart.space));
         once += !sweep.again;
     }
     CHECK(once >= 450);
 }
 
-TEST_CASE("A sweep without capacity says so and leaves closed contours", "[fill][resolving_sweep]")
+TEST_CASE("A sweep without capacity reports it and leaves closed contours", "[fill][resolving_sweep]")
 {
     test::polyline star;
     for (int i = 0; i < 31; ++i) star.push_back(test::on_circle(0, 0, 10'000, test::turn_once * i * 13 / 31));
-    contours loops = test::contours_of({star});
     for (std::uint32_t room = 31; room < 200; room += 13) {
-        workspace space;
-        workspace::scope scratch{space};
-        detail::arrangement a;
-        REQUIRE(a.reserve(scratch, room));
-        REQUIRE(sort_points(loops, space));
-        REQUIRE(a.from_contours(loops, space));
+        taken_apart apart{{star}, room};
+        detail::arrangement& a = apart.a;
         detail::resolving_sweep sweep{a, fill_rule::non_zero};
-        REQUIRE(sweep.run(space));
+        REQUIRE(sweep.run(apart.space));
         CHECK(sweep.full);
         CHECK(sweep.again);
         CHECK(a.count <= room);

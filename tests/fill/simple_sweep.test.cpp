@@ -11,7 +11,7 @@ using namespace typemesh;
 
 namespace {
 
-/// What simple_sweep says against what trying all pairs says.
+/// Compares simple_sweep with a trial of all pairs.
 void compare(const test::shape& s)
 {
     contours loops = test::contours_of(s);
@@ -34,8 +34,7 @@ void compare(const test::shape& s)
 
 }  // namespace
 
-TEST_CASE("The simple sweep finds whether any two edges meet, and else what every contour separates",
-          "[fill][simple_sweep]")
+TEST_CASE("The simple sweep finds whether two edges meet, or what every contour separates", "[fill][simple_sweep]")
 {
     test::dice d{101};
     for (int i = 0; i < 20'000; ++i) {
@@ -52,7 +51,7 @@ TEST_CASE("The simple sweep finds whether any two edges meet, and else what ever
     }
 }
 
-TEST_CASE("The simple sweep tells nested contours apart in every direction", "[fill][simple_sweep]")
+TEST_CASE("The simple sweep separates nested contours of every direction", "[fill][simple_sweep]")
 {
     for (int depth = 1; depth < 12; ++depth) {
         for (const bool alternating : {false, true}) {
@@ -65,13 +64,12 @@ TEST_CASE("The simple sweep tells nested contours apart in every direction", "[f
     }
 }
 
-TEST_CASE("The simple sweep without memory says so", "[fill][simple_sweep]")
+TEST_CASE("The simple sweep reports that memory ran out", "[fill][simple_sweep]")
 {
     contours loops = test::contours_of({test::square(0, 0, 8)});
     workspace sorting;
     REQUIRE(sort_points(loops, sorting));
-    test::counting_memory memory;
-    memory.fail_at = 1;
+    test::counting_memory memory{.fail_at = 1};
     workspace space{memory.source()};
     detail::contour_sides sides[1];
     CHECK(detail::simple_sweep{}.run(loops, space, sides) == error::out_of_memory);

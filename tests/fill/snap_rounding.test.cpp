@@ -16,7 +16,7 @@ struct piece {
     detail::arrangement::edge home;
 };
 
-/// What snap rounding makes of contours; a sweep over that must have nothing to bend.
+/// The pieces that snap rounding makes of contours. A sweep over them must have nothing to bend.
 std::vector<piece> rounded(const test::shape& s)
 {
     contours loops = test::contours_of(s);
@@ -44,27 +44,18 @@ bool cross(const piece& p, const piece& q)
 
 test::shape random_shape(test::dice& d)
 {
-    test::shape s{"shape", {}};
     const int kind = d.roll(3), length = 20 + d.roll(2000);
-    for (int c = 1 + d.roll(2); c > 0; --c) {
-        test::polyline l;
-        for (int n = 3 + d.roll(9); n > 0; --n) {
-            if (kind == 0)
-                l.push_back({d.roll(20), d.roll(20)});
-            else if (kind == 1)
-                l.push_back({(n % 2) * length + d.roll(4), d.roll(5)});
-            else
-                l.push_back({(n % 2) * length / 4 + d.roll(4), (n % 2) * length + d.roll(5)});
-        }
-        s.loops.push_back(l);
-    }
-    return s;
+    return test::random_polylines(d, 1 + d.roll(2), 3, 9, [&](const test::polyline&, int n) {
+        const std::int32_t x = kind == 0   ? d.roll(20)
+                               : kind == 1 ? (n % 2) * length + d.roll(4)
+                                           : (n % 2) * length / 4 + d.roll(4);
+        return grid_point{x, kind == 0 ? d.roll(20) : kind == 1 ? d.roll(5) : (n % 2) * length + d.roll(5)};
+    });
 }
 
 }  // namespace
 
-TEST_CASE("Snap rounding leaves no two pieces that cross, moves none by more than half a cell, and is believed at once",
-          "[fill][snap_rounding]")
+TEST_CASE("Snap rounding leaves no crossing, and moves no point by more than half a cell", "[fill][snap_rounding]")
 {
     test::dice d{81};
     for (int i = 0; i < 1500; ++i) {
@@ -85,8 +76,7 @@ TEST_CASE("Snap rounding leaves no two pieces that cross, moves none by more tha
     }
 }
 
-TEST_CASE("The sweep that swaps neighbours finds every crossing, each once, and whether it is a grid point",
-          "[fill][crossing_sweep]")
+TEST_CASE("A crossing sweep finds every crossing once, and whether it is a grid point", "[fill][crossing_sweep]")
 {
     test::dice d{82};
     for (int i = 0; i < 4000; ++i) {
@@ -121,7 +111,7 @@ TEST_CASE("The sweep that swaps neighbours finds every crossing, each once, and 
     }
 }
 
-TEST_CASE("The sweep that swaps neighbours ends when it is told to", "[fill][crossing_sweep]")
+TEST_CASE("A crossing sweep over net edges stops when its callback does", "[fill][crossing_sweep]")
 {
     contours loops = test::contours_of({{{0, 0}, {90, 50}, {0, 10}, {90, 40}, {0, 20}, {90, 30}}});
     workspace space;
@@ -135,8 +125,7 @@ TEST_CASE("The sweep that swaps neighbours ends when it is told to", "[fill][cro
     CHECK(calls == 3);
 }
 
-TEST_CASE("A segment comes through exactly the hot pixels that trying all of them finds, in its own order",
-          "[fill][hot_pixels]")
+TEST_CASE("A segment meets the same hot pixels as a trial of all, in order", "[fill][hot_pixels]")
 {
     test::dice d{83};
     for (int i = 0; i < 600; ++i) {
@@ -179,9 +168,9 @@ TEST_CASE("A segment comes through exactly the hot pixels that trying all of the
     CHECK_FALSE(detail::hot_pixels::comes_through({0, 0}, {2, 2}, {0, 1}));
 }
 
-TEST_CASE("more than 2^30 pieces count as 2^30, in what is rounded and in what is resolved", "[fill][snap_rounding]")
+TEST_CASE("A limit of more than 2^30 pieces counts as 2^30", "[fill][snap_rounding]")
 {
-    // Numbers of pieces are doubled and grown by half in 32 bits: a limit that is taken as it is would overflow.
+    // Numbers of pieces are doubled, and grow by half, in 32 bits: a larger limit would overflow.
     constexpr std::uint32_t limits[] = {(1u << 30) - 1, 1u << 30, (1u << 30) + 1, 0xFFFF'FFFFu};
     for (const std::uint32_t most : limits) {
         contours loops = test::contours_of(test::shape{"bow tie", {{{0, 0}, {9, 7}, {9, 0}, {0, 7}}}});
@@ -199,8 +188,7 @@ TEST_CASE("more than 2^30 pieces count as 2^30, in what is rounded and in what i
             INFO(s << "at most " << most << " pieces");
             REQUIRE(bool(made) == bool(wanted));
             if (!made) continue;
-            REQUIRE(std::equal(made->points().begin(), made->points().end(), wanted->points().begin(),
-                               wanted->points().end()));
+            REQUIRE(std::ranges::equal(made->points(), wanted->points()));
         }
     }
 }

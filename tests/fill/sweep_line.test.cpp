@@ -7,7 +7,7 @@
 using namespace typemesh;
 using detail::sweep_line;
 
-TEST_CASE("A sweep line finds the last edge below a point, and uses its slots again", "[fill][sweep_line]")
+TEST_CASE("A sweep line finds the last edge below a point, and reuses its slots", "[fill][sweep_line]")
 {
     workspace space;
     workspace::scope scratch{space};

@@ -8,7 +8,7 @@
 
 using namespace typemesh;
 
-TEST_CASE("A swept edge holds the points of its box, however it runs", "[fill][swept_edge]")
+TEST_CASE("A swept edge holds the points of its box, in every direction", "[fill][swept_edge]")
 {
     test::dice d{51};
     for (int i = 0; i < 3000; ++i) {
@@ -24,7 +24,7 @@ TEST_CASE("A swept edge holds the points of its box, however it runs", "[fill][s
     }
 }
 
-TEST_CASE("reach() is the orientation of a point one cell off, so bending within it changes no side",
+TEST_CASE("reach() is the orientation of a point one cell off, and a bend within it changes no side",
           "[fill][swept_edge]")
 {
     test::dice d{52};
@@ -37,7 +37,8 @@ TEST_CASE("reach() is the orientation of a point one cell off, so bending within
         const grid_point p{d.roll(b.x + 1), d.roll(121) - 60};
         const std::int64_t off = orientation(a, b, x), side = orientation(a, b, p);
         if (std::abs(off) > e.reach() || std::abs(side) <= e.reach()) continue;
-        if (!lexicographic_less(a, p) || !lexicographic_less(p, x)) continue;  // the sweep came by before it came to x
+        if (!lexicographic_less(a, p) || !lexicographic_less(p, x))
+            continue;  // the sweep passed it before it reached x
         ++bent;
         CHECK((orientation(a, x, p) > 0) == (side > 0));
         CHECK(orientation(a, x, p) != 0);
@@ -45,7 +46,7 @@ TEST_CASE("reach() is the orientation of a point one cell off, so bending within
     CHECK(bent > 2000);
 }
 
-TEST_CASE("Rays are sorted from below to above, equal ones by number", "[fill][ray]")
+TEST_CASE("Rays are sorted from below to above, and equal ones by number", "[fill][ray]")
 {
     test::dice d{53};
     for (const int count : {1, 2, 5, 16, 17, 100}) {
@@ -67,7 +68,7 @@ TEST_CASE("Rays are sorted from below to above, equal ones by number", "[fill][r
     }
 }
 
-TEST_CASE("An edge is far from its neighbour if all within a cell of where one ends lies on that one's side",
+TEST_CASE("An edge is far from its neighbour if the whole cell round the neighbour's end lies on one side",
           "[fill][swept_edge]")
 {
     test::dice d{53};

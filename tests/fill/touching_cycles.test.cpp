@@ -5,7 +5,6 @@
 #include "support/catch.hpp"
 #include "support/regions.hpp"
 
-#include <set>
 #include <tuple>
 
 using namespace typemesh;
@@ -27,27 +26,20 @@ auto edges_of(const contours& loops)
 
 bool equal(const contours& a, const contours& b)
 {
-    return std::equal(a.points.begin(), a.points.end(), b.points.begin(), b.points.end()) &&
-           std::equal(a.starts.begin(), a.starts.end(), b.starts.begin(), b.starts.end()) &&
-           std::equal(a.edges.begin(), a.edges.end(), b.edges.begin(), b.edges.end(),
-                      [](const contour_edge& e, const contour_edge& f) { return e.curve == f.curve; });
+    return std::ranges::equal(a.points, b.points) && std::ranges::equal(a.starts, b.starts) &&
+           std::ranges::equal(a.edges, b.edges, {}, &contour_edge::curve, &contour_edge::curve);
 }
 
 }  // namespace
 
-TEST_CASE("Walking anew keeps every directed edge, is done after one time, and can be undone",
+TEST_CASE("link() keeps every directed edge, changes nothing the second time, and can be undone",
           "[fill][touching_cycles]")
 {
     test::dice d{611};
     int linked = 0, changed = 0;
     for (int i = 0; i < 100'000; ++i) {
         const int width = 3 + d.roll(6), count = 1 + d.roll(3);
-        test::shape s{"polylines " + std::to_string(i), {}};
-        for (int c = 0; c < count; ++c) {
-            test::polyline l;
-            for (int n = 1 + d.roll(8); n > 0; --n) l.push_back({d.roll(width), d.roll(width)});
-            s.loops.push_back(l);
-        }
+        const test::shape s = test::random_polylines(d, count, 1, 8, width);
         const contours given = test::contours_of(s);
         contours loops = test::contours_of(s);
         workspace space;
@@ -64,7 +56,7 @@ TEST_CASE("Walking anew keeps every directed edge, is done after one time, and c
         REQUIRE(edges_of(loops) == edges_of(given));
         const std::vector<grid_point> first{loops.points.begin(), loops.points.end()};
         REQUIRE_FALSE(again.link(loops, scratch, space));
-        REQUIRE(std::equal(first.begin(), first.end(), loops.points.begin(), loops.points.end()));
+        REQUIRE(std::ranges::equal(first, loops.points));
         cycles.undo(loops);
         REQUIRE(equal(loops, given));
         cycles.undo(loops);  // nothing

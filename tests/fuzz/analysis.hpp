@@ -21,7 +21,7 @@ namespace analysis_laws {
 
 using namespace typemesh;
 
-/// Where each character of a text begins, and all of them in the other encoding, with their places there.
+/// The places of a text's characters, and the text in the other encoding, with the places there.
 struct other_encoding {
     std::string utf8;
     std::u16string utf16;
@@ -43,11 +43,11 @@ struct other_encoding {
     [[nodiscard]] text_view view() const { return utf8.empty() ? text_view{utf16} : text_view{utf8}; }
 };
 
-/// Every unit has a level and marks, paragraphs and runs of scripts lie in order.
+/// Every unit has a level and marks, and paragraphs and script runs are in order.
 inline broken_law of_places(text_view text, const text_analysis& found)
 {
     const auto size = static_cast<std::uint32_t>(text.size());
-    if (found.levels.size() != size || found.marks.size() != size) return "not a level and marks a unit";
+    if (found.levels.size() != size || found.marks.size() != size) return "not one level and one set of marks a unit";
     std::uint32_t at = 0;
     for (const text_paragraph& p : found.paragraphs) {
         if (p.first != at || p.last < p.first) return "paragraphs leave a gap";
@@ -66,7 +66,7 @@ inline broken_law of_places(text_view text, const text_analysis& found)
     return {};
 }
 
-/// Lines may end, and graphemes begin, only where characters begin; a unit has its character's level.
+/// Lines end and graphemes begin only where characters begin; a unit has its character's level.
 inline broken_law of_marks(const text_analysis& found, const other_encoding& other)
 {
     std::vector<bool> begins(found.marks.size(), false);
@@ -85,7 +85,7 @@ inline broken_law of_marks(const text_analysis& found, const other_encoding& oth
     return {};
 }
 
-/// Both encodings say the same of each character.
+/// Both encodings have the same result for each character.
 inline broken_law of_encodings(const text_analysis& a, const text_analysis& b, const other_encoding& places)
 {
     for (std::size_t k = 0; k < places.here.size(); ++k) {
@@ -96,7 +96,7 @@ inline broken_law of_encodings(const text_analysis& a, const text_analysis& b, c
     return a.paragraphs.size() == b.paragraphs.size() ? "" : "paragraphs depend on the encoding";
 }
 
-/// Rule L2 by the letter, unit by unit: from the highest level to the lowest odd one, what is of it or higher is turned.
+/// Rule L2 literally, unit by unit: from the highest level to the lowest odd one, all units of it or above are reversed.
 inline std::vector<std::uint32_t> order_by_units(const std::vector<std::uint8_t>& levels, std::uint32_t first)
 {
     std::vector<std::uint32_t> order(levels.size());
@@ -112,43 +112,32 @@ inline std::vector<std::uint32_t> order_by_units(const std::vector<std::uint8_t>
     return order;
 }
 
-/// Each paragraph by itself has the levels and the marks that it has in the text, but for where it begins.
+/// Each paragraph has the same levels and marks by itself as in the text, except at its start.
 inline broken_law of_parts(unicode_analyser& analyser, text_view text, const analysis_options& how,
                            const text_analysis& found)
 {
-    text_analysis alone;
+    text_analysis single;
     for (const text_paragraph& p : found.paragraphs) {
         const std::size_t size = p.last - p.first;
         const text_view part = text.encoding() == encoding::utf8
                                    ? text_view{std::string_view{text.utf8() + p.first, size}}
                                    : text_view{std::u16string_view{text.utf16() + p.first, size}};
-        if (analyser.analyse(part, how, alone)) return "what can be analysed cannot be analysed in part";
+        if (analyser.analyse(part, how, single)) return "a paragraph of a text cannot be analysed by itself";
         for (std::size_t i = 0; i < size; ++i) {
-            if (alone.levels[i] != found.levels[p.first + i]) return "levels depend on other paragraphs";
-            if (i != 0 && alone.marks[i] != found.marks[p.first + i]) return "marks depend on other paragraphs";
+            if (single.levels[i] != found.levels[p.first + i]) return "levels depend on other paragraphs";
+            if (i != 0 && single.marks[i] != found.marks[p.first + i]) return "marks depend on other paragraphs";
         }
     }
     return {};
 }
 
-/// Parts words at every so many units: also where there is no place, and beyond the word.
-struct any_hyphens {
-    std::uint32_t step = 1;
-
-    template <class Put>
-    void hyphenate(text_view, text_range word, std::string_view, const Put& put) noexcept
-    {
-        for (std::size_t i = word.first; i <= word.last + std::size_t{step}; i += step) put(i);
-    }
-};
-
-/// Hyphens add places where lines may end, all of them where graphemes begin, and change nothing else.
+/// Hyphens add places where lines may end, only where graphemes begin, and change nothing else.
 inline broken_law of_hyphens(text_view text, const analysis_options& how, const text_analysis& found,
                              std::uint32_t step)
 {
     hyphenating analyser{unicode_analyser{}, any_hyphens{step}};
     text_analysis parted;
-    if (analyser.analyse(text, how, parted)) return "what can be analysed cannot be parted";
+    if (analyser.analyse(text, how, parted)) return "a text cannot be hyphenated";
     constexpr text_mark added = text_mark::may_break | text_mark::hyphen;
     for (std::size_t i = 0; i < text.size(); ++i) {
         const text_mark was = found.marks[i], is = parted.marks[i];
@@ -156,12 +145,12 @@ inline broken_law of_hyphens(text_view text, const analysis_options& how, const 
         if (was == is) continue;
         if (!has(is, text_mark::hyphen) || !has(is, text_mark::may_break) || is != (was | added))
             return "hyphens change another mark";
-        if (!has(is, text_mark::grapheme) || has(was, text_mark::may_break)) return "a hyphen where there is no place";
+        if (!has(is, text_mark::grapheme) || has(was, text_mark::may_break)) return "a hyphen in a wrong place";
     }
     return {};
 }
 
-/// Each line's runs hold every unit once, in the order of rule L2.
+/// Each line's runs contain every unit once, in the order of rule L2.
 inline broken_law of_order(const text_analysis& found)
 {
     buffer<visual_run> runs;
@@ -172,7 +161,7 @@ inline broken_law of_order(const text_analysis& found)
         for (const visual_run& r : runs)
             for (std::uint32_t i = r.first; i < r.last; ++i) ++times.at(i - p.first);
         for (const std::uint32_t n : times)
-            if (n != 1) return "a unit does not stand once in its line";
+            if (n != 1) return "a unit is not in its line once";
         std::vector<std::uint8_t> levels(times.size());
         std::vector<std::uint32_t> order;
         for (const visual_run& r : runs) {
@@ -180,7 +169,7 @@ inline broken_law of_order(const text_analysis& found)
                 order.push_back(r.level % 2 == 0 ? r.first + i : r.last - 1 - i);
             std::fill(levels.begin() + (r.first - p.first), levels.begin() + (r.last - p.first), r.level);
         }
-        if (order != order_by_units(levels, p.first)) return "a line stands in another order than rule L2 has it";
+        if (order != order_by_units(levels, p.first)) return "a line is not in the order of rule L2";
     }
     return {};
 }

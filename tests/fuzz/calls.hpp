@@ -10,22 +10,21 @@
 #include <typemesh/glyph/glyph_cache.hpp>
 #include <typemesh/text/glyph_workers.hpp>
 
-#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
 
-/// Sequences of calls: meshers that share a small cache, plans, writing in all ways, updates of a text that has changed,
-/// workers, memory that fails. All meshes are those that a fresh mesher without a cache makes.
+/// Sequences of calls: meshers with a small cache in common, plans, all ways of writing, updates of a changed text,
+/// workers, failing memory. All meshes equal the meshes of a fresh mesher without a cache.
 namespace fuzz {
 
 namespace call_laws {
 
 using namespace typemesh;
 
-/// Meshers with two extruders, one with memory of its own that may fail.
+/// Meshers with two extruders. One has memory of its own that may fail.
 class session {
 public:
     explicit session(values& in)
@@ -63,7 +62,7 @@ private:
         }
     }
 
-    /// A plan and its mesh, against a fresh mesher's; then in chunks.
+    /// Compares a plan and its mesh with a fresh mesher's, and then in chunks.
     template <class Mesher>
     broken_law compare(Mesher& mesher)
     {
@@ -104,7 +103,7 @@ private:
         how.profile = round_profile(in_.below(9));
     }
 
-    /// What a glyph of a plan draws, and where: what must be written again where this has changed.
+    /// What a glyph of a plan draws, and where: if this changes, it must be written again.
     struct drawn {
         std::vector<std::uint32_t> ids;
         std::vector<double> places;
@@ -123,7 +122,7 @@ private:
         [[nodiscard]] bool draws_the_same(const drawn& d) const { return ids == d.ids && places == d.places; }
     };
 
-    /// A text of which some glyphs are moved or exchanged: if nothing else moves in memory, writing these is enough.
+    /// Some glyphs of a text are moved or exchanged: if nothing else moves in memory, writing these is enough.
     template <class Mesher>
     broken_law update(Mesher& mesher)
     {
@@ -158,10 +157,10 @@ private:
             if (now.draws_the_same(were[g])) continue;
             if (!plan->write(glyph_span{g, g + 1}, sink())) return "a glyph cannot be written anew";
         }
-        return same_bits(shown, wanted) ? "" : "a text that is updated is not the text";
+        return same_bits(shown, wanted) ? "" : "an updated text differs from the text";
     }
 
-    /// Several workers plan what one does.
+    /// Several workers plan the same as one.
     template <class Mesher>
     broken_law divide(Mesher& mesher)
     {
@@ -174,14 +173,14 @@ private:
         if (!pool) return pool.error().message();
         const auto plan = many.plan(text, how, *pool);
         const auto wanted = one.plan(text, how);
-        if (!plan || !wanted) return plan.error().code == wanted.error().code ? "" : "another error than of one worker";
+        if (!plan || !wanted) return plan.error().code == wanted.error().code ? "" : "another error than one worker's";
         test::full_mesh m, n;
         if (!plan->write(into(m.vertices, m.indices)) || !wanted->write(into(n.vertices, n.indices)))
             return "write failed";
         return same_bits(m, n) ? "" : "several workers plan another mesh";
     }
 
-    /// A plan that stays while others evict what they can: it writes what it wrote.
+    /// A plan that is kept while others evict what they can still writes the same.
     broken_law hold()
     {
         if (held_) {
@@ -200,7 +199,7 @@ private:
         return {};
     }
 
-    /// Memory that fails at some request: out_of_memory or a plan, and afterwards all is as before.
+    /// When memory fails at some request, the result is out_of_memory or a plan, and later all is as before.
     broken_law fail()
     {
         const std::string text = read_letters(in_, 12);

@@ -9,7 +9,7 @@
 
 namespace fuzz {
 
-/// In each contour a curve begins where the one before it ends, the first where the last does; and all are within bounds.
+/// In each contour a curve begins at the end of the one before it, the first at the end of the last; all are in bounds.
 inline broken_law of_contours(const typemesh::outline& o)
 {
     for (std::uint32_t k = 0; k < o.contour_count(); ++k) {

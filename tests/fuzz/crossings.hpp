@@ -18,15 +18,13 @@
 #include <typemesh/triangulate/monotone.hpp>
 
 #include <algorithm>
-#include <cmath>
 #include <concepts>
 #include <cstddef>
 #include <cstdint>
-#include <string>
 #include <vector>
 
-/// Contours of curves that nearly touch, as a font draws them -> each discretiser -> the guard against chords that cross
-/// where curves do not.
+/// Contours of curves that nearly touch, drawn like a font's -> each discretiser -> the guard against chords that cross
+/// although their curves do not.
 namespace fuzz {
 
 namespace crossing_laws {
@@ -57,7 +55,7 @@ inline path read_path(values& in)
     return all;
 }
 
-/// The same once more, a little moved, or a little smaller, or with one point elsewhere: curves that nearly touch.
+/// The same path slightly moved, slightly smaller, or with one point elsewhere: curves that nearly touch.
 inline path read_shadow(values& in, path all)
 {
     const std::uint32_t how = in.byte();
@@ -77,7 +75,7 @@ inline path read_shadow(values& in, path all)
     return all;
 }
 
-/// Paths as they are read, and as the recorder keeps what a font would say of them: without the last line.
+/// Paths as read, and as the recorder keeps a font's calls for them: without the last line.
 struct drawn_outline {
     outline given, recorded;
     error failure;
@@ -105,7 +103,7 @@ struct drawn_outline {
     }
 };
 
-/// A region with exact triangles, whatever flattens the curves; of a discretiser that keeps a tolerance near them, too.
+/// The result is a region with exact triangles and, if the discretiser keeps a tolerance, near the curves.
 template <discretiser Discretiser, triangulator Triangulator>
 broken_law of_caps(const drawn_outline& o, double tolerance, fill_rule rule, const Discretiser& flatten,
                    const Triangulator& cut)

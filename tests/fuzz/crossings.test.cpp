@@ -3,7 +3,7 @@
 #include "crossings.hpp"
 #include "replay.hpp"
 
-TEST_CASE("outlines that are kept, and random ones whose curves nearly touch, are filled as the curves say", "[fuzz]")
+TEST_CASE("kept and random outlines whose curves nearly touch are filled as their curves require", "[fuzz]")
 {
     fuzz::replay("crossings", fuzz::crossings, 300, 80);
 }

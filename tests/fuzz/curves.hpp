@@ -3,6 +3,8 @@
 
 #include "values.hpp"
 
+#include "support/segments.hpp"
+
 #include <typemesh/core/curve.hpp>
 #include <typemesh/core/finite.hpp>
 #include <typemesh/discretise/adaptive_subdivision.hpp>
@@ -24,29 +26,10 @@ namespace curve_laws {
 
 using namespace typemesh;
 
-struct emitted {
-    point p;
-    double t;
-};
+using test::emitted;
+using test::points_of;
 
-template <class D>
-std::vector<emitted> points_of(const D& how, const curve& c, double tolerance)
-{
-    std::vector<emitted> all;
-    const auto put = [&](point p, double t) noexcept { all.push_back({p, t}); };
-    c.degree == 2 ? how(c.as_quadratic(), tolerance, put) : how(c.as_cubic(), tolerance, put);
-    return all;
-}
-
-inline double distance_to_segment(point q, point a, point b)
-{
-    const point along = b - a;
-    const double square = dot(along, along);
-    const double t = square > 0.0 ? (std::max)(0.0, (std::min)(1.0, dot(q - a, along) / square)) : 0.0;
-    return length(q - a - t * along);
-}
-
-/// How large the numbers are that a curve is computed from.
+/// The size of the numbers that a curve is computed from.
 inline double size_of(const curve& c)
 {
     double size = 0.0;
@@ -54,7 +37,7 @@ inline double size_of(const curve& c)
     return size;
 }
 
-/// What every discretiser promises: t ascends, and the curve's end comes last; and the points lie on the curve.
+/// Laws of every discretiser: t ascends, the curve's end comes last, and the points lie on the curve.
 inline broken_law of_points(const std::vector<emitted>& points, const curve& c)
 {
     if (points.empty()) return "no point";
@@ -76,7 +59,7 @@ inline broken_law of_chords(const std::vector<emitted>& points, const curve& c, 
     for (const emitted& e : points) {
         for (int i = 1; i < samples; ++i) {
             const double t = before.t + (e.t - before.t) * i / samples;
-            const double off = distance_to_segment(c.at(t), before.p, e.p);
+            const double off = test::distance_to_segment(c.at(t), before.p, e.p);
             if (!(off <= tolerance)) return "a chord is off by " + std::to_string(off / tolerance) + " tolerances";
         }
         before = e;
@@ -93,7 +76,7 @@ inline double steps_by_wang(const curve& c, double tolerance)
     return std::ceil(std::sqrt(c.degree * (c.degree - 1) * bend / (8.0 * tolerance)));
 }
 
-/// On a grid of 16, of 256, of whole numbers, or with fractions; points may coincide and lie in line.
+/// On a grid of 16, of 256, of whole numbers, or with fractions; points may coincide or lie on a line.
 inline curve read_curve(values& in)
 {
     curve c;

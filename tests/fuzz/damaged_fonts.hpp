@@ -18,7 +18,7 @@
 
 namespace fuzz {
 
-/// Those that are installed, read once: TrueType, CFF, variable, coloured. TYPEMESH_FONT_DIR, or where Debian has them.
+/// Installed fonts, read once: TrueType, CFF, variable, coloured. From TYPEMESH_FONT_DIR, or Debian's folder.
 inline const std::vector<std::vector<std::byte>>& whole_fonts()
 {
     static const std::vector<std::vector<std::byte>> all = [] {
@@ -37,7 +37,7 @@ inline const std::vector<std::vector<std::byte>>& whole_fonts()
     return all;
 }
 
-/// Where things lie in a font's bytes. Of a damaged font every answer means something, too.
+/// The places of things in a font's bytes. Even in a damaged font every answer is usable.
 class font_places {
 public:
     struct place {
@@ -88,7 +88,7 @@ private:
         return sum;
     }
 
-    /// Of CFF's INDEX at a place: its object `which`; the place behind it for `which` = count.
+    /// Object `which` of CFF's INDEX at a place; the place after it for `which` = count.
     [[nodiscard]] place in_index(std::size_t index, std::size_t which) const noexcept
     {
         const std::size_t count = number(index, 2), width = number(index + 2, 1);
@@ -98,12 +98,12 @@ private:
         if (which >= count) return {data + offset(count), 0};
         return {data + offset(which), offset(which + 1) - offset(which)};
     }
-    [[nodiscard]] std::size_t behind(std::size_t index) const noexcept { return in_index(index, 0x10000).at; }
+    [[nodiscard]] std::size_t after(std::size_t index) const noexcept { return in_index(index, 0x10000).at; }
 
-    /// Where CFF's charstrings are: operator 17 of its Top DICT, with an operand of 3 or 5 bytes as all have it.
+    /// The place of CFF's charstrings: operator 17 of its Top DICT, with its usual operand of 3 or 5 bytes.
     [[nodiscard]] std::size_t char_strings(std::size_t cff) const noexcept
     {
-        const place top = in_index(behind(cff + number(cff + 2, 1)), 0);
+        const place top = in_index(after(cff + number(cff + 2, 1)), 0);
         for (std::size_t i = top.at, operand = 0; i < top.at + (std::min)(top.size, std::size_t{1000});) {
             const std::size_t b = number(i, 1);
             if (b == 17) return cff + operand;
@@ -121,8 +121,8 @@ private:
     std::span<const std::byte> font_;
 };
 
-/// A copy of a font of which up to 15 places are changed: two bytes to an extreme number, or up to 64 to the same; sometimes
-/// cut short. And the glyphs whose outlines have been changed, if any have.
+/// A copy of a font with up to 15 damaged places: two bytes become an extreme number, or up to 64 become equal. Some
+/// copies are cut short. And the glyphs whose outlines were changed, if any.
 struct damaged_font {
     std::vector<std::byte> bytes;
     std::vector<typemesh::glyph_id> glyphs;
@@ -145,7 +145,7 @@ struct damaged_font {
     }
 
 private:
-    /// The first bytes, which count and point, are changed more often than the rest.
+    /// The first bytes, which count and point, are changed more often than the others.
     void damage(values& in, font_places::place where, unsigned offset_bytes)
     {
         constexpr std::uint32_t extremes[] = {0x0000, 0xFFFF, 0x7FFF, 0x8000};

@@ -16,12 +16,12 @@
 
 namespace fuzz {
 
-/// What a font library itself draws for a glyph, as short chords, in font units: asked for without the adapters.
+/// What a font library itself draws for a glyph, without the adapters: short chords, in font units.
 class drawn_chords {
 public:
     drawn_chords(const typemesh::freetype_font& font, unsigned glyph)
     {
-        FT_Face face = font.handle();  // of which a font unit is a pixel
+        FT_Face face = font.handle();  // a font unit is a pixel
         if (FT_Load_Glyph(face, glyph, FT_LOAD_NO_HINTING | FT_LOAD_NO_BITMAP | FT_LOAD_IGNORE_TRANSFORM)) return;
         FT_Outline_Funcs calls{};
         calls.move_to = [](const FT_Vector* p, void* to) { return of(to).move(units(p->x), units(p->y)); };
@@ -68,7 +68,7 @@ public:
         close();
     }
 
-    static constexpr std::size_t most = 5000;  ///< of an outline with more only the beginning is kept
+    static constexpr std::size_t most = 5000;  ///< only the beginning of a longer outline is kept
 
     [[nodiscard]] bool empty() const noexcept { return chords_.empty(); }
     [[nodiscard]] bool is_whole() const noexcept { return chords_.size() < most; }
@@ -122,7 +122,7 @@ private:
     {
         return curve(unit_ * a, unit_ * b, unit_ * c, unit_ * d, unit_ * x, unit_ * y);
     }
-    /// As many chords as keep within a quarter of a unit, by Wang's bound.
+    /// So many chords that they stay within a quarter of a unit, by Wang's bound.
     int curve(double a, double b, double c, double d, double x, double y)
     {
         const double x0 = x_, y0 = y_;

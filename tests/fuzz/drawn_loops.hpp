@@ -8,7 +8,6 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <cstdlib>
 #include <vector>
 
 namespace fuzz {
@@ -16,8 +15,8 @@ namespace fuzz {
 using test::polyline;
 using typemesh::grid_point;
 
-/// Reads closed polylines: on a grid of 16 by 16, of that size but stretched, of 256, of 65,536, over the whole grid, or at
-/// the grid's ends and round 0.
+/// Reads closed polylines: on a grid of 16 by 16, on the same grid stretched, on one of 256, of 65,536, over the whole
+/// grid, or at the grid's ends and round 0.
 ///
 ///     kind | loops as drawn, or uncrossed | for each loop: its points, fewer than 16 or 48 | points
 class loop_reader {
@@ -70,7 +69,7 @@ private:
         return static_cast<std::int32_t>(in_.bits(4) % (2u * end + 1u)) - end;
     }
 
-    /// Reverses what lies between two edges that meet, a few times over: mostly simple then.
+    /// Reverses the points between two edges that meet, a few times over: the result is mostly simple.
     static void uncross(polyline& l)
     {
         const auto at = [&](std::size_t i) { return l.begin() + static_cast<std::ptrdiff_t>(i); };

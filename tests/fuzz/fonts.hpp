@@ -17,10 +17,8 @@
 #include <typemesh/vertex/growing_sink.hpp>
 
 #include <cmath>
-#include <cstddef>
 #include <cstdint>
 #include <span>
-#include <string>
 #include <vector>
 
 /// Font bytes and a text -> everything: damaged copies of installed fonts, through both libraries.
@@ -53,7 +51,7 @@ broken_law of_text(Mesher& mesher, const Text& text, const text_options& how)
     return {};
 }
 
-/// The front of a glyph is where the font library itself draws it, farther than the tolerance from its curves.
+/// The front of a glyph is where the font library itself draws it, except within the tolerance of its curves.
 template <class Font>
 broken_law of_front(Font& font, glyph_id id)
 {
@@ -71,7 +69,7 @@ broken_law of_front(Font& font, glyph_id id)
     if (!plan->write(into(m.vertices, m.indices))) return "write failed";
     const front_cap front{m, plan->range(part::front)};
     constexpr int rows = 9;
-    const double slack = 1.05 * tolerance + 1.0;  // their chords are no curves, either
+    const double slack = 1.05 * tolerance + 1.0;  // their chords are not curves either
     for (int i = 0; i < rows; ++i)
         for (int k = 0; k < rows; ++k) {
             const double x = wanted.left + (wanted.right - wanted.left) * (i + 0.37) / rows;
@@ -84,7 +82,7 @@ broken_law of_front(Font& font, glyph_id id)
     return {};
 }
 
-/// The glyphs that have been changed, alone and in a row.
+/// The glyphs that were changed, one by one and in a row.
 template <class Font, class Mesher>
 broken_law of_glyphs(Font& font, Mesher& mesher, const std::vector<glyph_id>& glyphs, const text_options& how)
 {
@@ -102,7 +100,7 @@ broken_law of_glyphs(Font& font, Mesher& mesher, const std::vector<glyph_id>& gl
     return run.glyphs.empty() ? "" : of_text(mesher, run, how);
 }
 
-/// What is asked of a font.
+/// The options for a font.
 struct request {
     text_options how;
     double width = 0.0;

@@ -3,7 +3,7 @@
 #include "fonts.hpp"
 #include "replay.hpp"
 
-TEST_CASE("damaged fonts that are kept, and random ones, give closed meshes or clear errors", "[fuzz]")
+TEST_CASE("kept and random damaged fonts make closed meshes or clear errors", "[fuzz]")
 {
     fuzz::replay("fonts", fuzz::fonts, 1200, 96);
 }

@@ -15,7 +15,7 @@ struct front_cap {
     const test::full_mesh& m;
     typemesh::mesh_range range;
 
-    /// How many triangles hold a place; -1 if it is nearer than `margin` to an edge of one.
+    /// The number of triangles over a place; -1 if it is nearer than `margin` to an edge of one.
     [[nodiscard]] int count_at(double x, double y, double margin) const
     {
         int count = 0;

@@ -18,10 +18,9 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <string>
 
-/// Glyphs put anywhere, of several faces, sizes, slants and styles -> merged solids: in each style they fill what the
-/// glyphs fill, once.
+/// Glyphs anywhere, of several faces, sizes, slants and styles -> merged solids: in each style they fill once what the
+/// glyphs fill.
 namespace fuzz {
 
 namespace merge_laws {
@@ -43,7 +42,7 @@ inline look read_look(values& in)
     return {bits & 1, maps[bits >> 1 & 7], style_id{bits >> 4 & 3}};
 }
 
-/// In font units, 10,000 from the origin at most, often on a lattice where edges coincide.
+/// In font units, at most 10,000 from the origin, often on a lattice so that edges coincide.
 inline glyph_run read_run(values& in)
 {
     glyph_run run;
@@ -65,7 +64,7 @@ inline glyph_run read_run(values& in)
     return run;
 }
 
-/// At places all over, the merged front is there once where any glyph's is, and nowhere else.
+/// Places all over: the merged front is there once where any glyph's is, and nowhere else.
 inline broken_law of_fronts(const front_cap& apart, const front_cap& merged)
 {
     float right = 0.0f, top = 0.0f, left = 1e9f, bottom = 1e9f;
@@ -87,7 +86,7 @@ inline broken_law of_fronts(const front_cap& apart, const front_cap& merged)
     return {};
 }
 
-/// What holds of merged solids whatever raises them: closed, each glyph in one group, written the same in all ways.
+/// Laws of merged solids of every extruder: closed, each glyph in one group, written the same in all ways.
 template <class Plan>
 broken_law of_groups(const Plan& merged, std::size_t drawn, const test::full_mesh& m)
 {
@@ -102,12 +101,12 @@ broken_law of_groups(const Plan& merged, std::size_t drawn, const test::full_mes
             ++members;
             const std::uint32_t look = merged.run().glyphs[k].look;
             if (!merged.run().looks.empty() && merged.run().looks[look].style != merged.glyphs()[g].style)
-                return "a glyph is merged with those of another style";
+                return "a glyph is merged with glyphs of another style";
         }
     return members == drawn ? "" : "a glyph belongs to no group";
 }
 
-/// Letters that grow, or bevels put round them, are merged where they meet then.
+/// Letters that grow, or have outward bevels, are merged where they then meet.
 template <class Mesher>
 broken_law of_grown(Mesher mesher, const glyph_run& run, const text_options& how, values& in)
 {

@@ -3,7 +3,7 @@
 #include "merges.hpp"
 #include "replay.hpp"
 
-TEST_CASE("glyphs that are kept, and random ones, are merged to what they fill together", "[fuzz]")
+TEST_CASE("kept and random glyphs are merged to what they fill together", "[fuzz]")
 {
     fuzz::replay("merges", fuzz::merges, 500, 48);
 }

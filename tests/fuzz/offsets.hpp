@@ -25,12 +25,7 @@ struct made_solid {
 
     broken_law make(const Extruder& how, drawn_region& from)
     {
-        placement at;
-        at.unit_per_depth = from.em;
-        at.em_per_cell = 1.0 / from.em;
-        const monotone cut;
-        region_caps maker{from.caps, from.further, cut};
-        const auto planned = plan_solid(how, from.made, data, maker);
+        const auto planned = test::write_in_cells(how, from.made, from.caps, from.em, data, m);
         if (!planned) {
             const error e = failed = planned.error();
             const bool refused = e == error::bad_option || e == error::outline_beyond_grid ||
@@ -40,15 +35,12 @@ struct made_solid {
         }
         exists = true;
         plan = *planned;
-        const solid_of<Extruder> form{{from.made.points(), from.made.starts(), from.caps.triangles().view()},
-                                      data.read()};
-        if (const auto done = write_solid<Extruder>({form, plan}, how, at, m); !done) return done.error().message();
         return of_mesh(m, how, from, plan.sizes);
     }
 };
 
-/// At places all over: within the loops of a letter whose edges have moved by a distance, outwards where it is positive,
-/// is whatever lies nearer than that, and nothing that lies farther than the mitre limit lets corners reach.
+/// Places all over: a letter whose edges have moved by a distance, outwards if it is positive, contains everything
+/// nearer than that, and nothing farther than the mitre limit lets corners reach.
 inline broken_law of_places(const drawn_region& from, const std::vector<inspect::loop>& moved, double distance,
                             double limit)
 {
@@ -72,7 +64,7 @@ inline broken_law of_places(const drawn_region& from, const std::vector<inspect:
             const double away = inspect::distance(before, p) * (inspect::winding(before, p) != 0 ? -1.0 : 1.0);
             const bool within = inspect::winding(moved, p) == 1;
             if (!within && inspect::winding(moved, p) != 0) return "a place is covered twice";
-            // A bolder letter holds all nearer than the distance; a thinner one leaves the same of what lies around.
+            // A bolder letter contains all places nearer than the distance. For a thinner one that is true of its outside.
             const double way = distance < 0.0 ? -away : away, far = std::fabs(distance);
             const bool reached = distance < 0.0 ? !within : within;
             if (way < far - slack && !reached) return "an edge has not moved as far as it should";
@@ -106,7 +98,7 @@ inline broken_law of_bolder(const test::emboldened<>& how, drawn_region& from)
     return of_places(from, loops, distance, double(how.mitre_limit));
 }
 
-/// Ring and letter lie beside each other, and are together what the letter is with the ring round it.
+/// Ring and letter lie beside each other, and together are the original letter and the ring around it.
 inline broken_law of_hollow(const outlined<extruded<>, extruded<>>& how, drawn_region& from)
 {
     made_solid<outlined<extruded<>, extruded<>>> s;

@@ -3,7 +3,7 @@
 #include "offsets.hpp"
 #include "replay.hpp"
 
-TEST_CASE("polylines that are kept, and random ones, grow bolder, thinner and hollow as they should", "[fuzz]")
+TEST_CASE("kept and random polylines become bolder, thinner and hollow letters", "[fuzz]")
 {
     fuzz::replay("offsets", fuzz::offsets, 700, 120);
 }

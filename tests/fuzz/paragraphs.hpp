@@ -17,12 +17,10 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <string>
-#include <string_view>
 #include <utility>
 #include <vector>
 
-/// A text -> paragraph: lines, glyphs, carets, styles, hyphens, columns, fonts that stand in for others.
+/// A text -> paragraph: lines, glyphs, carets, styles, hyphens, columns, fallback fonts.
 namespace fuzz {
 
 namespace paragraph_laws {
@@ -101,7 +99,7 @@ struct layout_settings {
         options.tab_stops = stops;
     }
 
-    /// All that the text has is drawn, and nothing else but hyphens.
+    /// Everything in the text is drawn, and nothing else except hyphens.
     [[nodiscard]] bool shows_all() const
     {
         const bool strokes = options.align == alignment::justify && options.justify == justification::kashida;
@@ -131,7 +129,7 @@ broken_law of_lines(const Words& words, const layout_settings& how, const glyph_
     const auto lines = words.lines();
     const auto size = static_cast<std::uint32_t>(words.shaped().text().size());
     if (lines.empty() || lines.size() != run.lines.size()) return "lines are miscounted";
-    if (lines.size() > how.options.max_lines) return "more lines than asked for";
+    if (lines.size() > how.options.max_lines) return "more lines than allowed";
     std::uint32_t at = 0;
     for (std::size_t k = 0; k < lines.size(); ++k) {
         if (lines[k].first != at || lines[k].last < at) return "lines leave a gap";
@@ -150,9 +148,9 @@ broken_law of_lines(const Words& words, const layout_settings& how, const glyph_
 
 using glyph_places = std::vector<std::pair<std::uint32_t, std::uint32_t>>;  // cluster, id
 
-/// What a line's text gives when it is shaped alone, but for what is drawn beside it: sorted.
+/// The sorted glyphs of a line's text when it is shaped by itself, without hyphens and bars.
 template <class Words, class Font>
-error shape_alone(const Words& words, Font& font, const laid_line& line, glyph_places& alone)
+error shape_line_only(const Words& words, Font& font, const laid_line& line, glyph_places& shaped_glyphs)
 {
     buffer<shaped_glyph> glyphs;
     const shaped_text& shaped = words.shaped();
@@ -165,28 +163,28 @@ error shape_alone(const Words& words, Font& font, const laid_line& line, glyph_p
         const auto before = glyphs.size();
         if (error e = font.shape(shaped.text(), item, shaped.options_of(k), glyphs)) return e;
         for (const shaped_glyph& g : glyphs.view().subspan(before))
-            alone.emplace_back(one_cluster ? item.first : g.cluster, g.id);
+            shaped_glyphs.emplace_back(one_cluster ? item.first : g.cluster, g.id);
     }
-    std::sort(alone.begin(), alone.end());
+    std::sort(shaped_glyphs.begin(), shaped_glyphs.end());
     return {};
 }
 
-/// Every cluster is drawn once, in its own line, with the glyphs that the line's text has alone.
+/// Every cluster is drawn once, in its own line, with the same glyphs as the line's text by itself.
 template <class Words, class Font>
 broken_law of_glyphs(const Words& words, Font& font, const glyph_run& run)
 {
     for (std::size_t k = 0; k < words.lines().size(); ++k) {
         const laid_line& line = words.lines()[k];
-        glyph_places drawn, alone;
+        glyph_places drawn, single;
         for (std::uint32_t i = 0; i < run.lines[k].glyph_count; ++i) {
             const placed_glyph& g = run.glyphs[run.lines[k].first_glyph + i];
             if (!run.looks.empty() && run.looks[g.look].face == bar_face) continue;
-            if (g.cluster < line.first || g.cluster >= line.last) return "a glyph stands in another line";
+            if (g.cluster < line.first || g.cluster >= line.last) return "a glyph is in another line";
             drawn.emplace_back(g.cluster, g.id);
         }
         std::sort(drawn.begin(), drawn.end());
-        if (shape_alone(words, font, line, alone)) return "what could be shaped no longer can";
-        if (drawn != alone && !words.shaped().hyphenates(line.last)) return "a line is not its text, shaped alone";
+        if (shape_line_only(words, font, line, single)) return "a shaped line cannot be shaped again";
+        if (drawn != single && !words.shaped().hyphenates(line.last)) return "a line differs from its text by itself";
     }
     return {};
 }
@@ -202,7 +200,7 @@ struct caret_place {
     }
 };
 
-/// Whether a caret stands in the box of its own line, and of no other.
+/// Whether a caret is in the box of its own line, and of no other.
 template <class Words>
 bool stands_in_its_line(const Words& words, const caret& c)
 {
@@ -215,7 +213,7 @@ bool stands_in_its_line(const Words& words, const caret& c)
     return true;
 }
 
-/// A caret's own point leads back to it.
+/// A caret's own point leads back to the caret.
 template <class Words>
 broken_law of_carets(const Words& words)
 {
@@ -232,7 +230,7 @@ broken_law of_carets(const Words& words)
             return "a caret stands nowhere";
         if (!stands_in_its_line(words, one.at)) continue;
         const text_place found = laid.caret_from(one.at.at);
-        if (found.unit > marks.size()) return "a place behind the text";
+        if (found.unit > marks.size()) return "a place after the end of the text";
         if (!one.is_at(laid.caret_at(found.unit, found.side))) return "a caret's point leads elsewhere";
         std::size_t others = 0, here = 0;
         for (const caret_place& other : all) {
@@ -240,13 +238,13 @@ broken_law of_carets(const Words& words)
             others += other.unit != one.unit ? 1u : 0u;
             ++here;
         }
-        if (others == 0 && found.unit != one.unit) return "the point of one caret alone leads to another unit";
-        if (here == 1 && found.side != one.side) return "the point of one caret alone leads to its other side";
+        if (others == 0 && found.unit != one.unit) return "the point of a single caret leads to another unit";
+        if (here == 1 && found.side != one.side) return "the point of a single caret leads to its other side";
     }
     return {};
 }
 
-/// No stretch of the text has a box that is none.
+/// Every range of the text has proper boxes.
 template <class Words>
 broken_law of_boxes(const Words& words, values& in)
 {
@@ -256,12 +254,12 @@ broken_law of_boxes(const Words& words, values& in)
     words.laid().boxes_of(a, b, [&](const box& found) {
         const bool good = is_finite(found.low.x) && is_finite(found.high.x) && found.low.x <= found.high.x + 1e-9 &&
                           found.low.y <= found.high.y + 1e-9;
-        if (!good) broken = "a box that is none";
+        if (!good) broken = "a box is not finite or turned over";
     });
     return broken;
 }
 
-/// Lays a text out as told, by two paragraphs: one of which has had other layouts, and its spans in another order.
+/// Lays out a text in two paragraphs: one with other layouts before it, and with its spans in another order.
 template <class Words, class Font>
 broken_law of_layout(Words& words, Words& fresh, Font& font, const layout_settings& how, values& in)
 {
@@ -273,23 +271,23 @@ broken_law of_layout(Words& words, Words& fresh, Font& font, const layout_settin
     if (how.shows_all() && words.shaped().text().size() < 80)
         if (broken_law broken = of_carets(words); !broken.empty()) return broken;
     if (broken_law broken = of_boxes(words, in); !broken.empty()) return broken;
-    if (!fresh.lay_out(how.options, again)) return "what can be laid out cannot be laid out afresh";
-    if (!equal(run, again)) return "a layout depends on those before, or on the order of the spans";
+    if (!fresh.lay_out(how.options, again)) return "a laid-out text cannot be laid out afresh";
+    if (!equal(run, again)) return "a layout depends on earlier ones, or on the order of the spans";
     const paragraph_widths widths = words.widths();
     if (!(widths.narrowest <= widths.widest)) return "the narrowest width is wider than the widest";
     const auto measured = words.measure(how.options);
-    if (!measured || !(measured->width <= widths.widest * 1e9 + 1e9)) return "what is laid out cannot be measured";
+    if (!measured || !(measured->width <= widths.widest * 1e9 + 1e9)) return "a laid-out text cannot be measured";
     return words.lines().size() == run.lines.size() ? "" : "measured in other lines than laid out";
 }
 
-/// At the size that fits the text fits.
+/// At the size that fit_size() finds, the text fits.
 template <class Words>
 broken_law of_size(Words& words, const layout_settings& how, values& in)
 {
     const double width = in.between(0.1, 40.0), height = in.between(0.1, 20.0);
     const auto size = fit_size(words, width, height, how.options);
     if (!size) return size.error() == error::bad_option ? "" : size.error().message();
-    if (!(*size > 0.0) || !is_finite(*size)) return "a size that is none";
+    if (!(*size > 0.0) || !is_finite(*size)) return "a size is not positive";
     layout_options options = how.options;
     options.width = width / *size;
     options.ellipsis = {};
@@ -300,16 +298,6 @@ broken_law of_size(Words& words, const layout_settings& how, values& in)
     return fits ? "" : "at the size that was found the text does not fit";
 }
 
-/// Parts words at every so many units: also where there is no place, and beyond the word.
-struct any_hyphens {
-    std::uint32_t step = 0;
-
-    template <class Put>
-    void hyphenate(text_view, text_range word, std::string_view, const Put& put) noexcept
-    {
-        for (std::size_t i = word.first; step != 0 && i <= word.last + std::size_t{step}; i += step) put(i);
-    }
-};
 using analyser = hyphenating<unicode_analyser, any_hyphens>;
 
 template <class Font, class Breaker>
@@ -336,7 +324,7 @@ broken_law of_paragraph(values& in, Font& font, const Breaker& breaker)
     return {};
 }
 
-/// Of three fonts each draws what it has, and nothing is missing that one of them has alone in its grapheme.
+/// Each of three fonts draws what it has, and nothing is missing that only one of them has.
 template <class Breaker>
 broken_law of_cascade(values& in, const Breaker& breaker)
 {
@@ -355,8 +343,8 @@ broken_law of_cascade(values& in, const Breaker& breaker)
             const std::uint32_t face = run.looks.empty() ? 0 : run.looks[g.look].face;
             if (g.missing || g.id == 0 || face == bar_face) continue;
             if (is_default_ignorable(g.id)) continue;
-            if (face > 2) return "a glyph is of a font that there is not";
-            if (!all[face]->covers(g.id)) return "a font draws what it does not have";
+            if (face > 2) return "a glyph has a font that does not exist";
+            if (!all[face]->covers(g.id)) return "a font draws a glyph that it lacks";
         }
     }
     return of_paragraph(in, fonts, breaker);

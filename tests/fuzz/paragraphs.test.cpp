@@ -3,7 +3,7 @@
 #include "paragraphs.hpp"
 #include "replay.hpp"
 
-TEST_CASE("paragraphs that are kept, and random ones, are whole, and their carets lead back", "[fuzz]")
+TEST_CASE("kept and random paragraphs are complete, and their carets lead back", "[fuzz]")
 {
     fuzz::replay("paragraphs", fuzz::paragraphs, 2000, 160);
 }

@@ -26,7 +26,7 @@ namespace polylines_laws {
 using namespace typemesh;
 using placed_cycles = std::vector<std::vector<std::array<std::int32_t, 2>>>;
 
-/// Each cycle from its smallest rotation on, sorted: equal when the regions are.
+/// Each cycle in its smallest rotation, sorted: equal if the regions are equal.
 inline placed_cycles cycles_of(const region& r)
 {
     placed_cycles all;
@@ -41,7 +41,7 @@ inline placed_cycles cycles_of(const region& r)
     return all;
 }
 
-/// What the region is compared with, found without it.
+/// The loops that the region is compared with, examined without it.
 struct given_loops {
     const std::vector<polyline>& drawn;
     std::vector<inspect::loop> loops{drawn.begin(), drawn.end()};
@@ -86,7 +86,7 @@ broken_law of_caps(const std::vector<polyline>& drawn, const given_loops& given,
     return {};
 }
 
-/// The region does not depend on where contours begin, on their order, or on their direction when all are reversed.
+/// The region does not depend on the start or order of contours, nor on their direction if all are reversed.
 inline broken_law of_resolve(std::vector<polyline> drawn, fill_rule rule, const placed_cycles& wanted)
 {
     for (int way = 0; way < 2; ++way) {

@@ -3,7 +3,7 @@
 #include "polylines.hpp"
 #include "replay.hpp"
 
-TEST_CASE("polylines that are kept, and random ones, are filled and triangulated", "[fuzz]")
+TEST_CASE("kept and random polylines are filled and triangulated", "[fuzz]")
 {
     fuzz::replay("polylines", fuzz::polylines, 800, 96);
 }

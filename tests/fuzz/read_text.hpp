@@ -3,38 +3,29 @@
 
 #include "values.hpp"
 
+#include "support/encoded.hpp"
+
+#include <typemesh/unicode/text_range.hpp>
 #include <typemesh/unicode/text_view.hpp>
 
 #include <cstddef>
 #include <cstdint>
 #include <string>
+#include <string_view>
 
 namespace fuzz {
 
-inline void append_utf8(std::string& text, char32_t c)
-{
-    const auto put = [&](char32_t byte) { text += static_cast<char>(static_cast<unsigned char>(byte)); };
-    if (c < 0x80) return put(c);
-    if (c >= 0x1'0000) put(0xF0 | c >> 18);
-    if (c >= 0x800) put((c >= 0x1'0000 ? 0x80u : 0xE0u) | (c >> 12 & (c >= 0x1'0000 ? 0x3Fu : 0x0Fu)));
-    put((c >= 0x800 ? 0x80u : 0xC0u) | (c >> 6 & (c >= 0x800 ? 0x3Fu : 0x1Fu)));
-    put(0x80 | (c & 0x3F));
-}
+using test::append_utf16;
+using test::append_utf8;
 
-inline void append_utf16(std::u16string& text, char32_t c)
-{
-    if (c >= 0x1'0000) text += static_cast<char16_t>(0xD800 + ((c - 0x1'0000) >> 10));
-    text += static_cast<char16_t>(c >= 0x1'0000 ? 0xDC00 + (c & 0x3FF) : c);
-}
-
-/// A character of a byte: those that decide something more often than chance would have it.
+/// The character of a byte: critical characters are more frequent than others.
 inline char32_t character_of(std::uint32_t byte) noexcept
 {
     static constexpr char32_t others[] = {
-        // directions: embeddings, isolates, marks; what is not seen
+        // directions: embeddings, isolates, marks; invisible characters
         0x202A, 0x202B, 0x202C, 0x202D, 0x202E, 0x2066, 0x2067, 0x2068, 0x2069, 0x200E, 0x200F, 0x061C, 0x00AD, 0x200B,
         0x200C, 0x200D, 0x2060, 0xFEFF, 0xFE0F, 0x20E3,
-        // what ends lines and paragraphs, and spaces
+        // ends of lines and paragraphs, and spaces
         0x0A, 0x0D, 0x09, 0x0B, 0x0C, 0x1C, 0x1D, 0x1E, 0x1F, 0x85, 0x2028, 0x2029, 0xA0, 0x2003, 0x202F, 0x3000,
         0x1680,
         // letters of both directions, marks, digits
@@ -49,7 +40,7 @@ inline char32_t character_of(std::uint32_t byte) noexcept
                                                : U' ' + byte % 95;
 }
 
-/// A text of up to `most` units, and the memory that it is in: any bytes, or well-formed ones.
+/// A text of up to `most` units, and its memory: any bytes, or well-formed ones.
 class read_text {
 public:
     read_text(values& in, std::size_t most)
@@ -77,6 +68,17 @@ private:
     bool is_wide_ = false;
     std::string utf8_;
     std::u16string utf16_;
+};
+
+/// Hyphenates words at every so many units, also in wrong places and after the word.
+struct any_hyphens {
+    std::uint32_t step = 0;
+
+    template <class Put>
+    void hyphenate(typemesh::text_view, typemesh::text_range word, std::string_view, const Put& put) noexcept
+    {
+        for (std::size_t i = word.first; step != 0 && i <= word.last + std::size_t{step}; i += step) put(i);
+    }
 };
 
 }  // namespace fuzz

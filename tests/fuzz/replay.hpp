@@ -11,13 +11,12 @@
 #include <filesystem>
 #include <fstream>
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace fuzz {
 
-/// The bytes of a file of tests/corpus/fuzz: pairs of hexadecimal digits, white space, and comments from # to the line's
-/// end.
+/// The bytes of a file of tests/corpus/fuzz: pairs of hexadecimal digits, white space, and comments from # to the end of
+/// the line.
 inline std::vector<std::uint8_t> read_hex(const std::filesystem::path& file)
 {
     std::ifstream in{file};
@@ -42,7 +41,7 @@ inline std::string to_hex(const std::vector<std::uint8_t>& bytes)
     return digits;
 }
 
-/// Runs a target over what is kept for it, and over `count` random inputs, the same everywhere: half of them short.
+/// Runs a target over its kept inputs, and over `count` random ones, which are the same everywhere. Half of them are short.
 template <class Target>
 void replay(const std::string& name, const Target& target, int count, std::int32_t longest)
 {

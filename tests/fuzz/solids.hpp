@@ -4,6 +4,7 @@
 #include "drawn_loops.hpp"
 
 #include "support/mesh_laws.hpp"
+#include "support/solid_in_cells.hpp"
 
 #include <typemesh/extrude/averaged_normals.hpp>
 #include <typemesh/extrude/bevelled.hpp>
@@ -19,13 +20,10 @@
 #include <typemesh/triangulate/monotone.hpp>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <iterator>
-#include <span>
-#include <string>
 #include <vector>
 
 /// Closed polylines -> region -> solids: extruded, and bevelled. An em is as large as the drawing, or 2^20 cells.
@@ -35,7 +33,7 @@ namespace solid_laws {
 
 using namespace typemesh;
 
-/// A mesh as a sink gets it; positions in cells.
+/// A mesh as a sink gets it, with positions in cells.
 struct mesh {
     static constexpr attribute wants = attribute::position | attribute::normal | attribute::uv | attribute::tangent;
     std::vector<surface_point<wants>> vertices;
@@ -93,14 +91,14 @@ struct drawn_region {
     }
 };
 
-/// Closed, finite, of the announced size; right side out and lit from outside where floats can tell points apart.
+/// Closed, finite, of the announced size.
 template <class Extruder>
 broken_law of_mesh(const mesh& m, const Extruder& how, const drawn_region& from, const part_sizes& sizes)
 {
     if (m.announced.vertices != m.vertices.size() || 3 * m.announced.triangles != m.indices.size())
         return "another size than announced";
     const inspect::closedness closed = inspect::check_closedness(m.view());
-    if (closed.bad_corners != 0) return "a corner that is none";
+    if (closed.bad_corners != 0) return "a corner is no vertex or not finite";
     if (closed.unmatched_edges != 0) return "the mesh is open";
     for (const auto& v : m.vertices) {
         const inspect::place n = inspect::to_place(v.normal), t = inspect::to_place(v.tangent);
@@ -117,20 +115,14 @@ broken_law of_mesh(const mesh& m, const Extruder& how, const drawn_region& from,
     return {};
 }
 
-/// The volume is the cap's area times the depth, and solids and holes are as many as the region's.
+/// The volume is the cap's area times the depth, and the region has as many solids and holes.
 template <class Extruder>
 broken_law of_extruded(const Extruder& how, drawn_region& from)
 {
-    placement at;
-    at.unit_per_depth = from.em;
-    at.em_per_cell = 1.0 / from.em;
     mesh m;
     plan_data_of<Extruder> data;
-    no_caps nothing;
-    const auto plan = plan_solid(how, from.made, data, nothing);
+    const auto plan = test::write_in_cells(how, from.made, from.caps, from.em, data, m);
     if (!plan) return plan.error().message();
-    const solid_of<Extruder> form{{from.made.points(), from.made.starts(), from.caps.triangles().view()}, data.read()};
-    if (const auto done = write_solid<Extruder>({form, *plan}, how, at, m); !done) return done.error().message();
     if (broken_law broken = of_mesh(m, how, from, plan->sizes); !broken.empty()) return broken;
     if (!from.is_small) return {};
     const double depth = double(static_cast<float>(double(how.depth) * from.em)),
@@ -141,13 +133,13 @@ broken_law of_extruded(const Extruder& how, drawn_region& from)
     const auto lit = inspect::check_normals(m.view(), [](const auto& v) { return v.normal; }, 1, 2e-5);
     if (lit.against_winding != 0) return "a triangle is lit from inside";
     const inspect::euler_count euler = inspect::count_euler(m.view());
-    const bool alone = !from.made.is_touching();
-    if (alone && euler.solids != from.made.outers()) return "solids are not as many as outer loops";
-    if (alone && euler.holes() != from.made.holes()) return "holes are not as many as the region's";
+    const bool apart = !from.made.is_touching();
+    if (apart && euler.solids != from.made.outers()) return "the numbers of solids and outer loops differ";
+    if (apart && euler.holes() != from.made.holes()) return "the numbers of holes differ";
     return {};
 }
 
-/// One of the ready profiles by its number, 1 to 6, with options of some bytes; or else one of points of some bytes.
+/// One of the ready profiles by its number, 1 to 6, with options from some bytes, or else a profile of random points.
 inline bevel_profile read_profile(values& in, std::uint32_t ready)
 {
     const std::uint32_t steps = ready >= 1 && ready <= 6 ? in.byte() % 67 : 0;
@@ -197,25 +189,17 @@ inline bevelled read_bevel(values& in, std::uint32_t ready)
     return how;
 }
 
-/// Closed, and never larger than the letter, which an outward bevel only adds to.
+/// Closed, and never larger than the letter. An outward bevel only adds to the letter.
 inline broken_law of_bevelled(const bevelled& how, drawn_region& from)
 {
-    placement at;
-    at.unit_per_depth = from.em;
-    at.em_per_cell = 1.0 / from.em;
     bevel_data data;
-    const monotone cut;
-    region_caps maker{from.caps, from.further, cut};
-    const auto plan = plan_solid(how, from.made, data, maker);
+    mesh m;
+    const auto plan = test::write_in_cells(how, from.made, from.caps, from.em, data, m);
     if (!plan) {
         const error e = plan.error();
         const bool refused = e == error::bad_option || e == error::outline_beyond_grid;
         return refused || (how.outward && e == error::crossing_contours) ? "" : e.message();
     }
-    using type = bevelled;
-    mesh m;
-    const solid_of<type> form{{from.made.points(), from.made.starts(), from.caps.triangles().view()}, data.read()};
-    if (const auto done = write_solid<type>({form, *plan}, how, at, m); !done) return done.error().message();
     if (broken_law broken = of_mesh(m, how, from, plan->sizes); !broken.empty()) return broken;
     if (!from.is_small || how.outward) return {};
     const double depth = double(how.depth) * from.em,
@@ -223,7 +207,7 @@ inline broken_law of_bevelled(const bevelled& how, drawn_region& from)
     const double length = inspect::length(inspect::loops_of(from.made)), volume = inspect::measure(m.view()).volume;
     const double rounded = (2.0 * length + 16.0) * depth;  // nodes are rounded to cells
     if (!(volume <= area * depth + rounded && volume >= -rounded))
-        return "a bevel takes more away than there is, or adds";
+        return "a bevel takes away more than there is, or adds something";
     return {};
 }
 

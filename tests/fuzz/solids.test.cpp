@@ -3,7 +3,7 @@
 #include "solids.hpp"
 #include "replay.hpp"
 
-TEST_CASE("solids of polylines that are kept, and of random ones, are closed and as large as they should be", "[fuzz]")
+TEST_CASE("kept and random polylines become closed solids of the right size", "[fuzz]")
 {
     fuzz::replay("solids", fuzz::solids, 700, 120);
 }

@@ -14,7 +14,7 @@
 
 namespace fuzz {
 
-/// Letters that the toy font has, lacks, or cannot draw, and ends of lines.
+/// Letters that the toy font has, lacks, or cannot draw, and line ends.
 inline std::string read_letters(values& in, std::uint32_t most)
 {
     std::string text;

@@ -1,26 +1,22 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <span>
 #include <string>
 
-/// Fuzz targets: each is a function that makes input of a few bytes, runs stages of the library, and returns the first law
-/// that is broken, "" if none is. fuzzer.cpp makes a libFuzzer target of one, replay.hpp a test.
+/// Fuzz targets: each is a function that makes input from a few bytes, runs stages of the library, and returns the first
+/// broken law, or "". fuzzer.cpp makes a libFuzzer target of it, replay.hpp a test.
 namespace fuzz {
 
-/// Reads numbers from bytes, from the front. Behind the last byte everything is 0, so that every input means something, and
-/// a shorter one something similar.
+/// Reads numbers from the front of some bytes. After the last byte everything is 0, so that every input has a meaning,
+/// and a shorter input a similar one.
 class values {
 public:
     explicit values(std::span<const std::uint8_t> bytes) noexcept : rest_{bytes} {}
 
     [[nodiscard]] bool empty() const noexcept { return rest_.empty(); }
-    [[nodiscard]] std::size_t size() const noexcept { return rest_.size(); }
-    [[nodiscard]] std::span<const std::uint8_t> rest() const noexcept { return rest_; }
-
     std::uint32_t byte() noexcept
     {
         if (rest_.empty()) return 0;
@@ -37,7 +33,7 @@ public:
         for (unsigned i = 0; i < count; ++i) sum |= byte() << 8 * i;
         return sum;
     }
-    /// 0 to bound - 1, from as few bytes as hold that.
+    /// 0 to bound - 1, from as few bytes as possible.
     std::uint32_t below(std::uint32_t bound) noexcept
     {
         const unsigned count = bound <= 0x100 ? 1 : bound <= 0x1'0000 ? 2 : bound <= 0x100'0000 ? 3 : 4;
@@ -50,14 +46,6 @@ public:
     const T& one_of(const T (&all)[n]) noexcept
     {
         return all[below(static_cast<std::uint32_t>(n))];
-    }
-
-    /// The next bytes as they are, `most` at most.
-    std::span<const std::uint8_t> take(std::size_t most) noexcept
-    {
-        const auto taken = rest_.first((std::min)(most, rest_.size()));
-        rest_ = rest_.subspan(taken.size());
-        return taken;
     }
 
 private:

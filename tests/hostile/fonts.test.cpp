@@ -2,9 +2,9 @@
 //
 // Bad fonts get a clear error or an outline that is finite and whole; never a crash, a hang, or an index out of range.
 //
-// Damaged copies of installed fonts are made here, from fixed seeds. A folder of others' hostile fonts can be named in
-// TYPEMESH_HOSTILE_FONTS. Under the sanitizers (g++ -fsanitize=address,undefined) these tests say the most; what they
-// find inside HarfBuzz or FreeType is for those projects.
+// The tests damage copies of installed fonts, from fixed seeds. TYPEMESH_HOSTILE_FONTS can name a folder of other people's
+// hostile fonts. The tests find most under the sanitizers (g++ -fsanitize=address,undefined); faults inside HarfBuzz or
+// FreeType belong to those projects.
 #include "support/catch.hpp"
 #include "support/font_file.hpp"
 #include "support/lit_mesh.hpp"
@@ -33,7 +33,7 @@ const char* const texts[] = {"Hello world! AV fi 12,5%",
                              "a\u0301\u200D\U0001F468\u200D\U0001F469\uFE0F",
                              "\xFF\xC0\x80 \xED\xA0\x80"};
 
-/// What was seen, so that a run which tried nothing is noticed.
+/// The counts of a run, so that a run without any tries is noticed.
 struct tally {
     std::size_t fonts = 0, opened = 0, glyphs = 0, drawn = 0, refused = 0, bevelled = 0;
 };
@@ -50,7 +50,7 @@ bool is_an_answer(error e)
     }
 }
 
-/// The laws that every answer keeps; counts those broken.
+/// Counts the broken laws of an answer.
 template <class Font>
 std::size_t try_glyph(Font& font, glyph_id id, outline& out, tally& seen)
 {
@@ -116,8 +116,7 @@ std::size_t try_font(std::span<const std::byte> bytes, std::uint32_t max_glyphs,
     return wrong;
 }
 
-/// Bevels glyphs of the first face, `most` of them; counts those refused for a reason that is none, and meshes that are
-/// not closed.
+/// Bevels at most `most` glyphs of the first face; counts wrong refusals, and meshes that are not closed.
 template <class Font>
 std::size_t try_bevels(std::span<const std::byte> bytes, std::uint32_t most, tally& seen)
 {
@@ -163,16 +162,16 @@ const char* const victims[] = {
 
 }  // namespace
 
-TEST_CASE("a font cut short anywhere is refused or drawn as far as it goes", "[hostile]")
+TEST_CASE("a font cut short anywhere is refused or partly drawn", "[hostile]")
 {
     tally seen;
     for (const char* name : victims) {
         const auto whole = bytes_of(font_file(name));
         for (std::size_t i = 0; i < 40; ++i) {
-            // Densest in the table directory, where most of the decisions are made.
+            // Most cuts are in the table directory, where most decisions are made.
             const std::size_t kept = i < 20 ? i * i : whole.size() - whole.size() * (i - 19) / 21;
             INFO(name << " cut to " << kept << " bytes");
-            // A copy of its own, so that a read past its end is seen by the sanitizers.
+            // A separate copy, so that the sanitizers notice a read past its end.
             const std::vector<std::byte> cut(whole.begin(), whole.begin() + static_cast<std::ptrdiff_t>(kept));
             CHECK(try_both(cut, 30, seen) == 0);
         }
@@ -181,7 +180,7 @@ TEST_CASE("a font cut short anywhere is refused or drawn as far as it goes", "[h
     CHECK(seen.opened < seen.fonts);
 }
 
-TEST_CASE("a font with damaged bytes is refused or drawn finitely", "[hostile]")
+TEST_CASE("a font with damaged bytes is refused or its outlines are finite", "[hostile]")
 {
     tally seen;
     std::mt19937 random{20200607};
@@ -218,7 +217,7 @@ TEST_CASE("a font with damaged bytes is refused or drawn finitely", "[hostile]")
     CHECK(seen.bevelled > 150);
 }
 
-TEST_CASE("noise is no font", "[hostile]")
+TEST_CASE("random bytes are not a font", "[hostile]")
 {
     std::mt19937 random{1};
     tally seen;
@@ -230,7 +229,7 @@ TEST_CASE("noise is no font", "[hostile]")
     }
 }
 
-TEST_CASE("the fonts of fuzzing suites are refused or drawn finitely", "[hostile]")
+TEST_CASE("fuzzing suites' fonts are refused or their outlines are finite", "[hostile]")
 {
     const char* folder = std::getenv("TYPEMESH_HOSTILE_FONTS");
     if (folder == nullptr) {

@@ -17,15 +17,13 @@
 #include <map>
 #include <string>
 #include <type_traits>
-#include <vector>
 
-/// A glyph that nobody vouches for, with every kind of policy: a lawful mesh or a clear refusal, in bounded time and
-/// memory.
+/// A glyph from an untrusted font, with every kind of policy: a lawful mesh or a clear refusal, in bounded time and memory.
 namespace hostile {
 
 using namespace typemesh;
 
-/// The largest of something, and where it was.
+/// The largest of some values, and its place.
 struct worst {
     double value = 0.0;
     std::string where;
@@ -47,7 +45,7 @@ struct trials {
     void breaks(const std::string& law, const char* policies) { ++broken[law + ": " + place + ", " + policies]; }
 };
 
-/// What a program that does not trust its fonts would choose. Memory: 0.3 kB a point, 1.5 kB with bevels.
+/// The limits of a program that does not trust its fonts. Memory: 0.3 kB a point, 1.5 kB with bevels.
 inline constexpr std::uint32_t max_points = 50'000, max_pieces = 50'000;
 inline constexpr double max_bytes = 200e6;
 
@@ -78,7 +76,7 @@ struct held_glyph {
     }
 };
 
-/// Reasons that a glyph may have not to be built.
+/// Acceptable reasons not to build a glyph.
 inline bool is_a_refusal(const error& e)
 {
     for (const error::kind k : {error::outline_not_finite, error::outline_beyond_grid, error::too_many_pieces,

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Every kind of policy on glyphs of damaged fonts. tests/hostile/run.sh does the same with all glyphs of others' fonts.
+// Every kind of policy on glyphs of damaged fonts. tests/hostile/run.sh takes all glyphs of other people's fonts.
 #include "glyph_trials.hpp"
 
 #include "support/catch.hpp"
@@ -24,7 +24,7 @@ void try_both(std::span<const std::byte> bytes, const std::string& name, std::ui
     hostile::try_glyphs<freetype_font>(bytes, name + " (FreeType)", most, seen);
 }
 
-/// Where a table's entry in the directory begins; 0 if the font has none of that tag.
+/// The start of a table's entry in the directory; 0 if the font has no such table.
 std::size_t entry_of(std::span<const std::byte> font, const std::string& tag)
 {
     for (std::size_t i = 12; i + 16 <= font.size() && i < 12 + 16 * 64; i += 16)
@@ -34,7 +34,7 @@ std::size_t entry_of(std::span<const std::byte> font, const std::string& tag)
     return 0;
 }
 
-/// A font with extreme numbers in the table that holds its outlines.
+/// A font with extreme numbers in the table that contains its outlines.
 std::vector<std::byte> with_wild_outlines(std::vector<std::byte> font, std::mt19937& random)
 {
     const std::size_t entry = entry_of(font, "glyf") != 0 ? entry_of(font, "glyf") : entry_of(font, "CFF ");
@@ -55,7 +55,7 @@ std::vector<std::byte> with_wild_outlines(std::vector<std::byte> font, std::mt19
 
 }  // namespace glyph_trials_test
 
-TEST_CASE("glyphs of damaged fonts become lawful meshes with every kind of policy, or are refused", "[hostile]")
+TEST_CASE("glyphs of damaged fonts become lawful meshes or are refused, with every policy", "[hostile]")
 {
     using namespace glyph_trials_test;
     std::mt19937 random{20261123};
@@ -70,8 +70,7 @@ TEST_CASE("glyphs of damaged fonts become lawful meshes with every kind of polic
     CHECK(seen.seconds.value < 20.0);
 }
 
-TEST_CASE("glyphs of the fonts of fuzzing suites become lawful meshes with every kind of policy, or are refused",
-          "[hostile]")
+TEST_CASE("glyphs of fuzzing suites' fonts become lawful meshes or are refused, with every policy", "[hostile]")
 {
     using namespace glyph_trials_test;
     const char* folder = std::getenv("TYPEMESH_HOSTILE_FONTS");

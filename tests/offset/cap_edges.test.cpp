@@ -31,8 +31,8 @@ swept_shape swept_by(const shapes::shape& s, double units, double mitre_limit, d
     return made;
 }
 
-/// Where a point of the cap lies before the curve of an edge that begins or ends there: how far along it, and how far
-/// from it, in units.
+/// Where a point of the cap lies before the curve of an edge that begins or ends there: its distances along the curve
+/// and from it, in units.
 struct foot {
     double along, away;
 };
@@ -44,7 +44,7 @@ foot foot_of(const curve& c, double t, grid_point p)
 
 }  // namespace
 
-TEST_CASE("an edge of the cap names the part of its curve that lies before it", "[cap_edges]")
+TEST_CASE("an edge of the cap names the part of its curve that lies behind it", "[cap_edges]")
 {
     for (const auto& s : {shapes::ring(32), shapes::letter_d(32), shapes::drop(64), shapes::ribbon(32)}) {
         INFO(s.name);
@@ -68,7 +68,7 @@ TEST_CASE("an edge of the cap names the part of its curve that lies before it", 
     }
 }
 
-TEST_CASE("edges that follow one another on a curve still do so when they have moved", "[cap_edges]")
+TEST_CASE("edges that follow each other on a curve still do so after they have moved", "[cap_edges]")
 {
     const auto s = shapes::ring(16);
     const swept_shape made = swept_by(s, 20.0, 4.0, 0.0, true);
@@ -85,7 +85,7 @@ TEST_CASE("edges that follow one another on a curve still do so when they have m
     CHECK(joints == 4 + 8);
 }
 
-TEST_CASE("joins have curves of their own, round ones turn from edge to edge, others are straight", "[cap_edges]")
+TEST_CASE("joins have curves of their own: round ones turn from edge to edge, others are straight", "[cap_edges]")
 {
     const shapes::shape notch{
         "notch", {shapes::polygon({{0, 0}, {600, 0}, {600, 600}, {330, 600}, {300, 200}, {270, 600}, {0, 600}})}};
@@ -117,7 +117,7 @@ TEST_CASE("joins have curves of their own, round ones turn from edge to edge, ot
     }
 }
 
-TEST_CASE("nothing is named where nothing is left", "[cap_edges]")
+TEST_CASE("an empty cap has no names", "[cap_edges]")
 {
     const swept_shape made = swept_by(shapes::rectangle(), 250.0, 4.0, 0.0, true);
     CHECK(made.swept.cap.points.empty());

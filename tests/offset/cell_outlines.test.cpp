@@ -6,7 +6,6 @@
 #include "support/counting_memory.hpp"
 #include "support/regions.hpp"
 
-#include <algorithm>
 #include <cstdint>
 #include <list>
 #include <map>
@@ -41,7 +40,7 @@ struct slow_outline {
 
 }  // namespace
 
-TEST_CASE("a cell's outline begins with its segment and goes around counter-clockwise", "[offset][cell_outlines]")
+TEST_CASE("a cell's outline begins with its segment and runs counter-clockwise", "[offset][cell_outlines]")
 {
     cell_outlines all{heap()};
     auto ends = all.open(7, 0, 1);
@@ -58,7 +57,7 @@ TEST_CASE("a cell's outline begins with its segment and goes around counter-cloc
     CHECK(outline_of(all, 1) == std::vector<std::uint32_t>{5, 6, 7, 8});
 }
 
-TEST_CASE("of a split segment the right piece closes first on the way around", "[offset][cell_outlines]")
+TEST_CASE("when a segment is split, its right piece closes first", "[offset][cell_outlines]")
 {
     //   8--7      5--4
     //   |   \    /   |
@@ -79,7 +78,7 @@ TEST_CASE("of a split segment the right piece closes first on the way around", "
     CHECK(outline_of(all, 0) == std::vector<std::uint32_t>{0, 1, 3, 4, 5, 6, 7, 8, 9});
 }
 
-TEST_CASE("outlines grow, split and close as rings with gaps do, in any order", "[offset][cell_outlines]")
+TEST_CASE("outlines grow, split and close in any order like rings with gaps", "[offset][cell_outlines]")
 {
     test::dice d{1};
     for (int round = 0; round < 300; ++round) {
@@ -134,11 +133,10 @@ TEST_CASE("outlines grow, split and close as rings with gaps do, in any order", 
     }
 }
 
-TEST_CASE("outlines say when memory ran out, and go on harmlessly until they are asked", "[offset][cell_outlines]")
+TEST_CASE("outlines remember that memory ran out, and stay harmless", "[offset][cell_outlines]")
 {
     for (std::size_t fail_at = 1; fail_at <= 4; ++fail_at) {
-        test::counting_memory limited;
-        limited.fail_at = fail_at;
+        test::counting_memory limited{.fail_at = fail_at};
         cell_outlines all{limited.source()};
         auto ends = all.open(0, 0, 1);
         for (std::uint32_t node = 2; node < 200; ++node) {

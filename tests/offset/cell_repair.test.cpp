@@ -20,10 +20,11 @@ buffer<swept_node> nodes_at(const std::vector<grid_point>& places)
     return nodes;
 }
 
-buffer<std::uint32_t> ring_of(std::uint32_t size)
+/// A ring of so many nodes, one after the other.
+buffer<std::uint32_t> ring_of(std::uint32_t size, std::uint32_t first = 0)
 {
     buffer<std::uint32_t> ring;
-    for (std::uint32_t i = 0; i < size; ++i) REQUIRE(ring.push_back(i));
+    for (std::uint32_t i = 0; i < size; ++i) REQUIRE(ring.push_back(first + i));
     return ring;
 }
 
@@ -39,14 +40,14 @@ constexpr auto nowhere = [](std::uint32_t, std::uint32_t) { return false; };
 
 }  // namespace
 
-TEST_CASE("cell_repair leads a side over the node that is nearest to it, in both directions", "[offset]")
+TEST_CASE("cell_repair leads a side over its nearest node, in both directions", "[offset]")
 {
     auto nodes = nodes_at({{0, 0}, {1000, 0}, {600, -2}, {300, -1}});
     const auto ring = ring_of(4);
     detail::cell_repair repair{heap()};
     repair.begin(0);
     REQUIRE(repair.mend(ring, nodes, nowhere));
-    CHECK(way(repair, 0, 1) == std::vector<std::uint32_t>{0, 3});  // what comes before the end of the side
+    CHECK(way(repair, 0, 1) == std::vector<std::uint32_t>{0, 3});  // the nodes before the end of the side
     CHECK(way(repair, 1, 0) == std::vector<std::uint32_t>{1, 3});
     CHECK(way(repair, 1, 2) == std::vector<std::uint32_t>{1});
     CHECK(nodes[3].at == grid_point{300, -1});
@@ -55,9 +56,9 @@ TEST_CASE("cell_repair leads a side over the node that is nearest to it, in both
     CHECK(way(repair, 0, 1) == std::vector<std::uint32_t>{0});
 }
 
-TEST_CASE("cell_repair makes no detour that leads back over the side that it replaces", "[offset]")
+TEST_CASE("cell_repair makes no detour that returns over the side it replaces", "[offset]")
 {
-    // Each of three nodes lies beside the side between the two others, as far as rounding tells.
+    // Within rounding, each of three nodes lies beside the side between the two others.
     auto nodes = nodes_at({{0, 0}, {100, 0}, {50, -1}});
     detail::cell_repair repair{heap()};
     repair.begin(0);
@@ -70,7 +71,7 @@ TEST_CASE("cell_repair makes no detour that leads back over the side that it rep
     CHECK(way(repair, 0, 1) == std::vector<std::uint32_t>{0, 2});
 }
 
-TEST_CASE("cell_repair moves a node off a side at a level, unless the node belongs to an earlier band", "[offset]")
+TEST_CASE("cell_repair moves a node off a side at a level, unless an earlier band owns the node", "[offset]")
 {
     const auto at_level = [](std::uint32_t a, std::uint32_t b) { return a + b == 1; };
     for (const std::int32_t below : {0, 1}) {
@@ -90,7 +91,7 @@ TEST_CASE("cell_repair moves a node off a side at a level, unless the node belon
     CHECK(nodes[2].at == grid_point{500, 1});
 }
 
-TEST_CASE("cell_repair makes one of two nodes that follow each other closely, but not of nodes at levels", "[offset]")
+TEST_CASE("cell_repair joins two close neighbours, but not at levels", "[offset]")
 {
     auto nodes = nodes_at({{0, 2}, {2, 0}, {0, -2}, {-2, 0}});
     const auto ring = ring_of(4);
@@ -100,7 +101,7 @@ TEST_CASE("cell_repair makes one of two nodes that follow each other closely, bu
     CHECK(repair.node(0) == 1);
     CHECK(repair.node(2) == 2);
     CHECK(way(repair, 3, 0) == std::vector<std::uint32_t>{3});
-    repair.begin(4);  // all belong to an earlier band
+    repair.begin(4);  // an earlier band owns all of them
     CHECK(repair.node(0) == 0);
     CHECK_FALSE(repair.mend(ring, nodes, nowhere));
     repair.begin(0);
@@ -111,7 +112,7 @@ TEST_CASE("cell_repair makes one of two nodes that follow each other closely, bu
     CHECK(repair.node(1) == 0);
 }
 
-TEST_CASE("cell_repair leaves alone what is two cells apart", "[offset]")
+TEST_CASE("cell_repair changes nothing that is two cells apart", "[offset]")
 {
     auto nodes = nodes_at({{0, 0}, {1000, 0}, {500, -2}, {-10, 0}});
     detail::cell_repair repair{heap()};
@@ -120,7 +121,7 @@ TEST_CASE("cell_repair leaves alone what is two cells apart", "[offset]")
     CHECK_FALSE(repair.mend(ring_of(3), nodes, [](std::uint32_t, std::uint32_t) { return true; }));
 }
 
-TEST_CASE("cell_repair knows no way once it has made one of 64 pairs of nodes in a band", "[offset]")
+TEST_CASE("cell_repair joins at most 64 pairs of nodes in a band", "[offset]")
 {
     // Pairs 2 cells apart, far from each other: nothing else can be done about them.
     std::vector<grid_point> places;
@@ -133,21 +134,16 @@ TEST_CASE("cell_repair knows no way once it has made one of 64 pairs of nodes in
     detail::cell_repair repair{heap()};
     repair.begin(0);
     for (std::uint32_t pair = 0; pair < 66; ++pair) {
-        buffer<std::uint32_t> ring;
-        for (const std::uint32_t node : {2 * pair, 2 * pair + 1}) REQUIRE(ring.push_back(node));
-        CHECK(repair.mend(ring, nodes, nothing_near) == (pair < 64));
+        CHECK(repair.mend(ring_of(2, 2 * pair), nodes, nothing_near) == (pair < 64));
         CHECK((repair.node(2 * pair) == 2 * pair + 1) == (pair < 64));
     }
-    repair.begin(0);  // the next band may again
-    buffer<std::uint32_t> ring;
-    for (const std::uint32_t node : {130u, 131u}) REQUIRE(ring.push_back(node));
-    CHECK(repair.mend(ring, nodes, nothing_near));
+    repair.begin(0);  // the next band starts anew
+    CHECK(repair.mend(ring_of(2, 130), nodes, nothing_near));
 }
 
-TEST_CASE("cell_repair makes 1024 detours in a band, then one of two nodes instead, and forgets them", "[offset]")
+TEST_CASE("cell_repair makes at most 1024 detours in a band, joins nodes after that, and forgets both", "[offset]")
 {
-    // Triangles with a node that lies beside the longest side, a cell off; those after the first 1024 are close enough
-    // to be made one.
+    // Triangles with a node one cell beside the longest side. Those after the first 1024 are close enough to be joined.
     constexpr std::uint32_t most = 1024;
     std::vector<grid_point> places;
     for (std::uint32_t i = 0; i <= most; ++i) {
@@ -155,11 +151,7 @@ TEST_CASE("cell_repair makes 1024 detours in a band, then one of two nodes inste
         places.insert(places.end(), {{0, y}, {1000, y}, {2, y - 1}});
     }
     auto nodes = nodes_at(places);
-    const auto ring_at = [](std::uint32_t i) {
-        buffer<std::uint32_t> ring;
-        for (std::uint32_t k = 0; k < 3; ++k) REQUIRE(ring.push_back(3 * i + k));
-        return ring;
-    };
+    const auto ring_at = [](std::uint32_t i) { return ring_of(3, 3 * i); };
     detail::cell_repair repair{heap()};
     repair.begin(0);
     for (std::uint32_t i = 0; i < most; ++i) REQUIRE(repair.mend(ring_at(i), nodes, nowhere));

@@ -10,10 +10,9 @@ using namespace typemesh;
 using detail::collapse;
 using kind = detail::collapse::kind;
 
-TEST_CASE("collapses come by time, of one time first lengths, then the longest of the flat triangles",
-          "[offset][collapse]")
+TEST_CASE("collapses are sorted by time, lengths before triangles, then longest first", "[offset][collapse]")
 {
-    constexpr std::int64_t step = std::int64_t{1} << 20;  // in which times are told apart: 1/4096 cell
+    constexpr std::int64_t step = std::int64_t{1} << 20;  // the resolution of times: 1/4096 cell
     const std::vector<collapse> ordered{
         {5 * step - 1, 9, 0, kind::turn, 0, 1},    {5 * step, 3, 0, kind::close_up, 0, 0},
         {5 * step, 4, 0, kind::shrink, 0, 0},      {5 * step, 5, 0, kind::close_up, 0, 0},
@@ -26,7 +25,7 @@ TEST_CASE("collapses come by time, of one time first lengths, then the longest o
         for (std::size_t j = 0; j < ordered.size(); ++j) CHECK((ordered[i] < ordered[j]) == (i < j));
 }
 
-TEST_CASE("the stamp and the corner have no part in the order of collapses", "[offset][collapse]")
+TEST_CASE("the order of collapses ignores stamp and corner", "[offset][collapse]")
 {
     const collapse a{5, 3, 1, kind::meet, 0, 7}, b{5, 3, 2, kind::meet, 2, 7};
     CHECK_FALSE(a < b);

@@ -17,7 +17,7 @@ namespace {
 
 collapse roll(test::dice& d)
 {
-    return {std::int64_t{d.roll(50)} << 18,  // four to a time that is told apart
+    return {std::int64_t{d.roll(50)} << 18,  // four count as one time
             static_cast<std::uint32_t>(d.roll(20)),
             static_cast<std::uint32_t>(d.roll(4)),
             static_cast<collapse::kind>(d.roll(4)),
@@ -28,7 +28,7 @@ bool is_equal(const collapse& a, const collapse& b) { return !(a < b) && !(b < a
 
 }  // namespace
 
-TEST_CASE("collapses leave their queue in order, however pushes and pops alternate", "[offset][collapse_queue]")
+TEST_CASE("collapses leave their queue in order while pushes and pops alternate", "[offset][collapse_queue]")
 {
     test::dice d{1};
     for (int round = 0; round < 300; ++round) {
@@ -52,7 +52,7 @@ TEST_CASE("collapses leave their queue in order, however pushes and pops alterna
     }
 }
 
-TEST_CASE("every collapse that was pushed is popped once", "[offset][collapse_queue]")
+TEST_CASE("every pushed collapse is popped once", "[offset][collapse_queue]")
 {
     test::dice d{2};
     collapse_queue queue{heap()};
@@ -68,10 +68,9 @@ TEST_CASE("every collapse that was pushed is popped once", "[offset][collapse_qu
     CHECK(std::count(seen.begin(), seen.end(), true) == count);
 }
 
-TEST_CASE("a queue of collapses that gets no more memory keeps what it holds", "[offset][collapse_queue]")
+TEST_CASE("a queue of collapses without memory keeps its contents", "[offset][collapse_queue]")
 {
-    test::counting_memory limited;
-    limited.fail_at = 2;
+    test::counting_memory limited{.fail_at = 2};
     collapse_queue queue{limited.source()};
     constexpr std::uint32_t most = 1000;
     std::uint32_t taken = 0;

@@ -26,7 +26,7 @@ using wide = detail::int128;
 
 constexpr std::int64_t cell = place_one;
 
-/// One triangle of three corners, between diagonals until it gets segments.
+/// One triangle of three corners, whose edges are diagonals until they become segments.
 struct lone_triangle {
     kinetic_triangles mesh{heap()};
     collapse_times times{mesh};
@@ -38,7 +38,7 @@ struct lone_triangle {
         REQUIRE(mesh.triangles.push_back({{0, 1, 2}, {0, 0, 0}, 41}));
         times.limit = limit;
     }
-    /// Edge k becomes a segment, whose line lies where its corners are.
+    /// Makes edge k a segment, whose line runs through its corners.
     void put_segment(std::uint32_t k)
     {
         const std::uint32_t from = k, to = (k + 1) % 3, s = static_cast<std::uint32_t>(mesh.segments.size());
@@ -94,7 +94,7 @@ wide length_after(const lone_triangle& t, std::uint32_t segment, std::int64_t pa
     return ((static_cast<wide>(along.x) * all.x + static_cast<wide>(along.y) * all.y) << 48) +
            (static_cast<wide>(along.x) * rate.x + static_cast<wide>(along.y) * rate.y) * passed;
 }
-/// How far the apex is from the line of a segment, likewise.
+/// The distance of the apex from the line of a segment after `passed`, in 2^-94 cells.
 wide height_after(const lone_triangle& t, std::uint32_t segment, std::uint32_t apex, std::int64_t passed)
 {
     const auto& s = t.mesh.segments[segment];
@@ -129,13 +129,10 @@ TEST_CASE("a triangle between diagonals turns at the first root of its area", "[
         const auto left = static_cast<long double>(t.times.limit - t.times.now);
         const auto passed = static_cast<long double>((turns ? t.found.time : t.times.limit) - t.times.now);
         const long double end = passed / left, next = (passed + 2) / left;
-        bool positive = true;
-        for (int k = 0; k < 64; ++k) positive = positive && area.at(end * k / 64) > -rounding;
-        if (!positive) CHECK(positive);
+        for (int k = 0; k < 64; ++k) CHECK_QUICKLY(area.at(end * k / 64) > -rounding);
         if (turns) {
             CHECK((t.found.what == kind::turn && t.found.triangle == 0 && t.found.stamp == 41));
-            const bool zero = std::fabs(area.at(end)) <= rounding || area.at(next) <= 0;
-            if (!zero) CHECK(zero);
+            CHECK_QUICKLY(std::fabs(area.at(end)) <= rounding || area.at(next) <= 0);
         }
         ++(turns ? turning : staying);
     }
@@ -143,7 +140,7 @@ TEST_CASE("a triangle between diagonals turns at the first root of its area", "[
     CHECK(staying > 1000);
 }
 
-TEST_CASE("a triangle that is flat or turned over turns now, unless it opens", "[offset][collapse_times]")
+TEST_CASE("a flat or reversed triangle turns now, unless it opens", "[offset][collapse_times]")
 {
     constexpr std::int64_t limit = 100 * time_one;
     lone_triangle over{{0, 0}, {0, 9 * cell}, {9 * cell, 0}, limit};
@@ -158,7 +155,7 @@ TEST_CASE("a triangle that is flat or turned over turns now, unless it opens", "
     }
 }
 
-TEST_CASE("a triangle on a segment goes when that has no length or the apex meets its line", "[offset][collapse_times]")
+TEST_CASE("a triangle on a segment goes when that shrinks to a point or meets the apex", "[offset][collapse_times]")
 {
     test::dice d{2};
     int shrinking = 0, meeting = 0, staying = 0;
@@ -174,15 +171,13 @@ TEST_CASE("a triangle on a segment goes when that has no length or the apex meet
         const auto is_positive = [&](std::int64_t passed) {
             return length_after(t, 0, passed) > 0 && height_after(t, 0, (k + 2) % 3, passed) > 0;
         };
-        const bool late_enough = time < 2 || is_positive(time - 2);
-        if (!late_enough) CHECK(late_enough);
+        CHECK_QUICKLY(time < 2 || is_positive(time - 2));
         if (goes) {
             const bool shrinks = t.found.what == kind::shrink;
             CHECK((shrinks || t.found.what == kind::meet));
             CHECK(t.found.k == k);
             const wide then = shrinks ? length_after(t, 0, time + 2) : height_after(t, 0, (k + 2) % 3, time + 2);
-            const bool soon_enough = then <= 0;
-            if (!soon_enough) CHECK(soon_enough);
+            CHECK_QUICKLY(then <= 0);
             ++(shrinks ? shrinking : meeting);
         } else {
             ++staying;
@@ -193,7 +188,7 @@ TEST_CASE("a triangle on a segment goes when that has no length or the apex meet
     CHECK(staying > 1000);
 }
 
-TEST_CASE("a collapse at the limit is found, one after it is not", "[offset][collapse_times]")
+TEST_CASE("a collapse at the limit is found, and a later one is not", "[offset][collapse_times]")
 {
     lone_triangle t{{0, 0}, {100 * cell, 0}, {50 * cell, 30 * cell}, 30 * time_one};
     t.put_segment(0);
@@ -207,8 +202,7 @@ TEST_CASE("a collapse at the limit is found, one after it is not", "[offset][col
     CHECK(t.found.time > t.times.limit);
 }
 
-TEST_CASE("what waits for calm does not meet or turn before, but lengths vanish when they do",
-          "[offset][collapse_times]")
+TEST_CASE("a triangle that waits for calm does not meet or turn before, but may shrink", "[offset][collapse_times]")
 {
     lone_triangle over{{0, 0}, {0, 9 * cell}, {9 * cell, 0}, 100 * time_one};
     REQUIRE(over.find(3 * time_one));
@@ -227,7 +221,7 @@ TEST_CASE("what waits for calm does not meet or turn before, but lengths vanish 
     CHECK((t.found.what == kind::shrink && t.found.time == 25 * time_one));
 }
 
-TEST_CASE("beside an instant corner a triangle closes up now", "[offset][collapse_times]")
+TEST_CASE("a triangle beside an instant corner closes up now", "[offset][collapse_times]")
 {
     for (std::uint32_t instant = 0; instant < 3; ++instant) {
         lone_triangle t{{0, 0}, {100 * cell, 0}, {50 * cell, 300 * cell}, 10 * time_one};
@@ -251,7 +245,7 @@ TEST_CASE("a segment without length is gone unless it grows from the start", "[o
                            {cell / 32, 9 * time_one, 0, true},
                            {cell / 32, 9 * time_one, time_one, true},
                            {cell / 8, 9 * time_one, time_one, false},
-                           {cell / 32, time_one / 2, time_one, false},  // a join's, which turns by a few degrees
+                           {cell / 32, time_one / 2, time_one, false},  // of a join, which turns by a few degrees
                            {cell / 1024, time_one / 2, time_one, true}};
     for (const auto& c : cases) {
         lone_triangle t{{0, 0}, {9 * cell, 0}, {50 * cell, 300 * cell}, 10 * time_one};
@@ -264,7 +258,7 @@ TEST_CASE("a segment without length is gone unless it grows from the start", "[o
     }
 }
 
-TEST_CASE("between two segments that turn right a triangle goes now if the shorter one has a few cells",
+TEST_CASE("a triangle between two segments that turn right goes if the shorter has a few cells",
           "[offset][collapse_times]")
 {
     for (const std::int64_t size : {1, 3, 5}) {
@@ -278,7 +272,7 @@ TEST_CASE("between two segments that turn right a triangle goes now if the short
     }
 }
 
-TEST_CASE("triangles of regions have area until the time that is found, and none then", "[offset][collapse_times]")
+TEST_CASE("triangles of regions have area until their collapse, and none then", "[offset][collapse_times]")
 {
     test::dice d{3};
     int kinds[4] = {}, staying = 0;
@@ -304,8 +298,7 @@ TEST_CASE("triangles of regions have area until the time that is found, and none
             }
             if (!positive) CHECK(positive);
             if (goes) {
-                const bool zero = std::fabs(doubled_area(mesh, t, end)) <= most * 0x1p-12L + 1.0L;
-                if (!zero) CHECK(zero);
+                CHECK_QUICKLY(std::fabs(doubled_area(mesh, t, end)) <= most * 0x1p-12L + 1.0L);
                 ++kinds[static_cast<int>(found.what)];
             } else {
                 ++staying;

@@ -11,7 +11,7 @@ using namespace typemesh;
 using detail::flip_history;
 using detail::time_one;
 
-TEST_CASE("flips in a circle are noticed, however long it is and whatever came before", "[offset][flip_history]")
+TEST_CASE("a circle of flips is noticed, whatever its length and the flips before it", "[offset][flip_history]")
 {
     for (const std::uint32_t length : {2u, 3u, 7u, 100u}) {
         flip_history history{heap()};
@@ -25,7 +25,7 @@ TEST_CASE("flips in a circle are noticed, however long it is and whatever came b
     }
 }
 
-TEST_CASE("two triangles that undo each other's flips wait longer and longer", "[offset][flip_history]")
+TEST_CASE("two triangles that undo each other's flips wait longer each time", "[offset][flip_history]")
 {
     flip_history history{heap()};
     std::int64_t now = 77, calm = 0;
@@ -41,7 +41,7 @@ TEST_CASE("two triangles that undo each other's flips wait longer and longer", "
     CHECK(waits[59] == waits[38]);
 }
 
-TEST_CASE("no triangle waits for a flip that is new", "[offset][flip_history]")
+TEST_CASE("a new flip does not wait", "[offset][flip_history]")
 {
     const auto wait_after = [](auto nineteenth) {
         flip_history history{heap()};

@@ -15,23 +15,11 @@ namespace {
 
 constexpr std::int64_t least = (std::numeric_limits<std::int64_t>::min)(),
                        most = (std::numeric_limits<std::int64_t>::max)();
-constexpr std::int64_t edges[] = {least,
-                                  least + 1,
-                                  -(std::int64_t{1} << 32),
-                                  -3,
-                                  -2,
-                                  -1,
-                                  0,
-                                  1,
-                                  2,
-                                  3,
-                                  0xFFFF'FFFF,
-                                  std::int64_t{1} << 32,
-                                  std::int64_t{1} << 62,
-                                  most - 1,
-                                  most};
+constexpr std::int64_t one = 1;
+constexpr std::int64_t edges[] = {least, least + 1, -(one << 32), -3,        -2,        -1,       0,   1,
+                                  2,     3,         0xFFFF'FFFF,  one << 32, one << 62, most - 1, most};
 
-/// Of all sizes, some at the ends of what fits.
+/// Numbers of all sizes, some at the ends of the range.
 std::int64_t roll(test::dice& d)
 {
     if (d.roll(8) == 0) return edges[d.roll(static_cast<std::int32_t>(std::size(edges)))];
@@ -54,21 +42,17 @@ TEST_CASE("integers of two words obey the laws of arithmetic", "[offset][int128]
     test::dice d{8};
     for (int i = 0; i < 100'000; ++i) {
         const two_word_integer a = words(roll(d), roll(d)), b = words(roll(d), roll(d)), c = words(roll(d), roll(d));
-        const bool holds = a + b - b == a && a * b == b * a && (a + b) * c == a * c + b * c && a - b == -(b - a);
-        if (!holds) CHECK(holds);
-        const bool ordered = (a < b) == (b > a) && (a <= b) == !(b < a) && (a < b || b < a) == !(a == b);
-        if (!ordered) CHECK(ordered);
+        CHECK_QUICKLY(a + b - b == a && a * b == b * a && (a + b) * c == a * c + b * c && a - b == -(b - a));
+        CHECK_QUICKLY((a < b) == (b > a) && (a <= b) == !(b < a) && (a < b || b < a) == !(a == b));
         const std::int64_t p = roll(d), q = roll(d);
         if (q == 0) continue;
-        const bool divided = two_word_integer{p} * q / q == p;
-        if (!divided) CHECK(divided);
+        CHECK_QUICKLY(two_word_integer{p} * q / q == p);
         const int bits = d.roll(64);
-        const bool shifted = ((two_word_integer{p} << bits) >> bits) == p;
-        if (!shifted) CHECK(shifted);
+        CHECK_QUICKLY(((two_word_integer{p} << bits) >> bits) == p);
     }
 }
 
-TEST_CASE("integers of two words are constants, made of any signed integer", "[offset][int128]")
+TEST_CASE("integers of two words are constants made of any signed integer", "[offset][int128]")
 {
     constexpr two_word_integer a = -7, b = std::int64_t{1} << 40;
     STATIC_REQUIRE(a * b * b / (std::int64_t{1} << 40) == a * b);
@@ -98,13 +82,10 @@ TEST_CASE("integers of two words add, multiply, negate and compare like those of
                                                                              : words(roll(d), roll(d));
         const wide p = joined(a), q = joined(b);
         const auto u = static_cast<unsigned_wide>(p), v = static_cast<unsigned_wide>(q);
-        const bool equal = joined(a + b) == wrapped(u + v) && joined(a - b) == wrapped(u - v) &&
-                           joined(a * b) == wrapped(u * v) && joined(-a) == wrapped(0 - u);
-        if (!equal) CHECK(equal);
-        const bool ordered = (a < b) == (p < q) && (a <= b) == (p <= q) && (a > b) == (p > q) && (a == b) == (p == q);
-        if (!ordered) CHECK(ordered);
-        const bool converted = static_cast<std::int64_t>(a) == static_cast<std::int64_t>(p);
-        if (!converted) CHECK(converted);
+        CHECK_QUICKLY(joined(a + b) == wrapped(u + v) && joined(a - b) == wrapped(u - v) &&
+                      joined(a * b) == wrapped(u * v) && joined(-a) == wrapped(0 - u));
+        CHECK_QUICKLY((a < b) == (p < q) && (a <= b) == (p <= q) && (a > b) == (p > q) && (a == b) == (p == q));
+        CHECK_QUICKLY(static_cast<std::int64_t>(a) == static_cast<std::int64_t>(p));
     }
 }
 
@@ -116,37 +97,34 @@ TEST_CASE("integers of two words shift like those of 128 bits, by 0 to 127", "[o
         for (int bits = 0; bits < 128; ++bits) {
             two_word_integer shifted = a;
             shifted >>= bits;
-            const bool equal = joined(a >> bits) == joined(a) >> bits && shifted == a >> bits &&
-                               joined(a << bits) == wrapped(static_cast<unsigned_wide>(joined(a)) << bits);
-            if (!equal) CHECK(equal);
+            CHECK_QUICKLY(joined(a >> bits) == joined(a) >> bits && shifted == a >> bits &&
+                          joined(a << bits) == wrapped(static_cast<unsigned_wide>(joined(a)) << bits));
         }
     }
 }
 
-TEST_CASE("integers of two words are divided by those of 64 bits like those of 128 bits", "[offset][int128]")
+TEST_CASE("integers of two words divided by 64-bit integers agree with integers of 128 bits", "[offset][int128]")
 {
     test::dice d{3};
     for (int i = 0; i < 500'000; ++i) {
         const std::int64_t b = roll(d), near = roll(d);
         if (b == 0) continue;
-        // any number, or one beside a multiple, where a guessed digit is wrong most often
+        // Any number, or one beside a multiple, where the guess of a digit is wrong most often.
         const two_word_integer a = i % 2 == 0 ? words(roll(d), roll(d)) : two_word_integer{b} * near - d.roll(3);
         if (a == words(least, 0) && b == -1) continue;
-        const bool equal = joined(a / b) == joined(a) / b;
-        if (!equal) CHECK(equal);
+        CHECK_QUICKLY(joined(a / b) == joined(a) / b);
     }
     CHECK(joined(words(-1, 0) / std::int64_t{1}) == joined(words(-1, 0)));
 }
 
-TEST_CASE("integers of two words become the floating-point numbers near them", "[offset][int128]")
+TEST_CASE("integers of two words become the nearest floating-point numbers", "[offset][int128]")
 {
     test::dice d{4};
     for (int i = 0; i < 100'000; ++i) {
         const two_word_integer a = words(roll(d) >> d.roll(64), roll(d));
         const auto expected = static_cast<double>(joined(a));
         const double gap = static_cast<double>(a) - expected, size = expected < 0.0 ? -expected : expected;
-        const bool near = -size * 0x1p-51 <= gap && gap <= size * 0x1p-51;
-        if (!near) CHECK(near);
+        CHECK_QUICKLY(-size * 0x1p-51 <= gap && gap <= size * 0x1p-51);
     }
     CHECK(static_cast<double>(two_word_integer{-5}) == -5.0);
     CHECK(static_cast<double>(words(least, 0)) == -0x1p127);
@@ -154,7 +132,7 @@ TEST_CASE("integers of two words become the floating-point numbers near them", "
 
 #endif
 
-TEST_CASE("square_root() is the largest integer whose square is not larger", "[offset][int128]")
+TEST_CASE("square_root() is the largest integer whose square is not greater", "[offset][int128]")
 {
     const auto check = [](detail::int128 v) {
         const std::int64_t root = detail::square_root(v);
@@ -164,7 +142,7 @@ TEST_CASE("square_root() is the largest integer whose square is not larger", "[o
             CHECK(holds);
         }
     };
-    constexpr std::int64_t end = std::int64_t{1} << 62;  // of the roots
+    constexpr std::int64_t end = std::int64_t{1} << 62;  // of the range of roots
     test::dice d{5};
     for (int i = 0; i < 100'000; ++i) {
         const std::int64_t root = (static_cast<std::int64_t>(d.bits() >> 2)) >> d.roll(62);
@@ -189,14 +167,13 @@ TEST_CASE("shifted_product() rounds down", "[offset][int128]")
         const std::int64_t a = static_cast<std::int64_t>(d.bits()) >> 10, b = static_cast<std::int64_t>(d.bits()) >> 8;
         const detail::int128 product = static_cast<detail::int128>(a) * b, q = detail::shifted_product(a, b, 48);
         const detail::int128 one = static_cast<detail::int128>(1) << 48;
-        const bool holds = q * one <= product && product < (q + 1) * one;
-        if (!holds) CHECK(holds);
+        CHECK_QUICKLY(q * one <= product && product < (q + 1) * one);
     }
     CHECK(detail::shifted_product(-1, 1, 48) == -1);
     CHECK(detail::shifted_product(1, 1, 48) == 0);
 }
 
-TEST_CASE("nearest_quotient() is nearest, and of halves the one away from 0", "[offset][int128]")
+TEST_CASE("nearest_quotient() is the nearest, and rounds halves away from 0", "[offset][int128]")
 {
     using detail::nearest_quotient;
     test::dice d{7};
@@ -206,9 +183,8 @@ TEST_CASE("nearest_quotient() is nearest, and of halves the one away from 0", "[
         const std::int64_t size = half < 0 ? -half : half;
         const std::int64_t gap = size == 0 ? 0 : static_cast<std::int64_t>(d.bits() % static_cast<std::uint64_t>(size));
         const detail::int128 a = static_cast<detail::int128>(q) * b;  // b is odd: no halves
-        const bool holds = nearest_quotient(a + gap, b) == q && nearest_quotient(a - gap, b) == q &&
-                           nearest_quotient(-a, b) == -q && nearest_quotient(a + size, b) == q;
-        if (!holds) CHECK(holds);
+        CHECK_QUICKLY(nearest_quotient(a + gap, b) == q && nearest_quotient(a - gap, b) == q &&
+                      nearest_quotient(-a, b) == -q && nearest_quotient(a + size, b) == q);
     }
     CHECK(nearest_quotient(5, 2) == 3);
     CHECK(nearest_quotient(-5, 2) == -3);

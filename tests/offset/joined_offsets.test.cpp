@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: MIT
 
-// Joins change what is left of a region near their corners, and nowhere else.
+// Joins change the rest of a region near their corners, and nowhere else.
 
-#include <typemesh/fill/fill.hpp>
-
+#include "support/joined_offsets.hpp"
 #include "support/catch.hpp"
 #include "support/delaunay_shapes.hpp"
-#include "support/joined_offsets.hpp"
+#include "support/filled_shape.hpp"
 #include "support/regions.hpp"
 
 #include <algorithm>
@@ -21,7 +20,7 @@ using namespace typemesh;
 
 namespace joined_offset_shapes {
 
-/// A shape twice as large as an em usually is, if it has no more points than told.
+/// A shape enlarged to twice the usual size of an em.
 struct large_shape {
     test::shape shape;
     double size = 0.0;  ///< the larger of its extents, in cells
@@ -44,18 +43,15 @@ struct large_shape {
     }
 };
 
-/// What was found of all shapes together.
+/// The counts of all shapes together.
 struct joins_found {
     std::size_t corners = 0, compared = 0, refused = 0;
 };
 
 void check_joins(const test::shape& s, double width, joins_found& sum)
 {
-    contours loops = test::contours_of(s);
-    workspace space;
-    const auto filled = fill(loops, fill_rule::non_zero, space);
-    REQUIRE(filled);
-    const test::joined_offsets both{*filled, width};
+    const test::filled_shape f{s};
+    const test::joined_offsets both{f.filled, width};
     sum.corners += both.corners;
     sum.compared += both.compared;
     sum.refused += both.refused;
@@ -67,7 +63,7 @@ void check_joins(const test::shape& s, double width, joins_found& sum)
 
 }  // namespace joined_offset_shapes
 
-TEST_CASE("joins change a swept region within 4 widths of their corners only: generated shapes", "[offset][joins]")
+TEST_CASE("joins change generated shapes only within 4 widths of their corners", "[offset][joins]")
 {
     using namespace joined_offset_shapes;
     std::vector<test::shape> shapes = test::delaunay_shapes();
@@ -86,7 +82,7 @@ TEST_CASE("joins change a swept region within 4 widths of their corners only: ge
     CHECK(sum.refused == 0);
 }
 
-TEST_CASE("joins change a swept region within 4 widths of their corners only: random polygons", "[offset][joins]")
+TEST_CASE("joins change random polygons only within 4 widths of their corners", "[offset][joins]")
 {
     using namespace joined_offset_shapes;
     joins_found sum;
@@ -103,25 +99,17 @@ TEST_CASE("joins change a swept region within 4 widths of their corners only: ra
     CHECK(sum.refused == 0);
 }
 
-TEST_CASE("what joins change is seen: a cap swept farther, and a join's own corner", "[offset][joins]")
+TEST_CASE("the comparison notices a cap swept too far, and a join's own corner", "[offset][joins]")
 {
-    // Of a tooth that is 200 wide and 1,000 high, the mitre is 5.1 widths long: with joins the cap reaches closer.
-    contours loops = test::contours_of({"square with a narrow cut",
-                                        {{{0, 0},
-                                          {100'000, 0},
-                                          {100'000, 100'000},
-                                          {51'000, 100'000},
-                                          {50'000, 90'000},
-                                          {49'000, 100'000},
-                                          {0, 100'000}}}});
-    workspace space;
-    const auto filled = fill(loops, fill_rule::non_zero, space);
-    REQUIRE(filled);
-    const test::joined_offsets both{*filled, 1'000};
+    // The mitre of a tooth 200 wide and 1,000 high is 5.1 widths long: with joins the cap reaches closer.
+    const test::polyline cut{{0, 0},           {100'000, 0},      {100'000, 100'000}, {51'000, 100'000},
+                             {50'000, 90'000}, {49'000, 100'000}, {0, 100'000}};
+    const test::filled_shape f{{"square with a narrow cut", {cut}}};
+    const test::joined_offsets both{f.filled, 1'000};
     CHECK(both.corners == 1);
     CHECK(both.left_out >= 6);
     CHECK(both.compared >= 20);
     CHECK(both.farthest <= 1.0);
-    CHECK(test::joined_offsets{*filled, 1'000, 3.0}.farthest > 2.0);
-    CHECK(test::joined_offsets{*filled, 1'000, 0.0, 0.1}.farthest > 100.0);  // discs of a tenth of the width
+    CHECK(test::joined_offsets{f.filled, 1'000, 3.0}.farthest > 2.0);
+    CHECK(test::joined_offsets{f.filled, 1'000, 0.0, 0.1}.farthest > 100.0);  // discs of a tenth of the width
 }

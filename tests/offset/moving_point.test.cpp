@@ -17,7 +17,7 @@ using detail::unit_one;
 
 namespace {
 
-/// Of all sizes below 2^32, some along an axis.
+/// Vectors of all sizes below 2^32, some along an axis.
 fixed_vector roll_vector(test::dice& d)
 {
     const int less = 31 + d.roll(32);
@@ -40,7 +40,7 @@ real_vector real(fixed_vector v, long double unit)
 }
 bool equal(fixed_vector a, fixed_vector b) { return a.x == b.x && a.y == b.y; }
 
-/// How far v * inward is from 1.
+/// The distance of v * inward from 1.
 double error_of(const crossing_speed& v, const moving_line& line)
 {
     constexpr detail::int128 one = static_cast<detail::int128>(1) << 62;
@@ -57,31 +57,27 @@ TEST_CASE("unit_along() has the length 1 and the direction of its vector", "[off
         if (v.x == 0 && v.y == 0) v.y = 1;
         const real_vector unit = real(unit_along(v), 0x1p-30L), to = real(v, 1.0L);
         const long double off = std::hypot(to.x, to.y);
-        const bool one_long = std::fabs(std::hypot(unit.x, unit.y) - 1.0L) < 0x1p-29L;
-        if (!one_long) CHECK(one_long);
-        const bool along =
-            std::fabs(unit.x * to.y - unit.y * to.x) < 0x1p-30L * off && unit.x * to.x + unit.y * to.y > 0;
-        if (!along) CHECK(along);
+        CHECK_QUICKLY(std::fabs(std::hypot(unit.x, unit.y) - 1.0L) < 0x1p-29L);
+        CHECK_QUICKLY(std::fabs(unit.x * to.y - unit.y * to.x) < 0x1p-30L * off && unit.x * to.x + unit.y * to.y > 0);
     }
 }
 
-TEST_CASE("unit_along() of a turned or mirrored vector is the turned or mirrored unit vector", "[offset][moving_point]")
+TEST_CASE("unit_along() turns and mirrors with its vector", "[offset][moving_point]")
 {
     test::dice d{2};
     for (int i = 0; i < 10'000; ++i) {
         fixed_vector v = roll_vector(d);
         if (v.x == 0 && v.y == 0) v.y = 1;
         const fixed_vector unit = unit_along(v);
-        const bool same =
-            equal(unit_along({-v.y, v.x}), {-unit.y, unit.x}) && equal(unit_along({-v.x, v.y}), {-unit.x, unit.y});
-        if (!same) CHECK(same);
+        CHECK_QUICKLY(equal(unit_along({-v.y, v.x}), {-unit.y, unit.x}) &&
+                      equal(unit_along({-v.x, v.y}), {-unit.x, unit.y}));
     }
     for (const std::int64_t size : {std::int64_t{1}, std::int64_t{3}, (std::int64_t{1} << 32) - 1})
         CHECK(equal(unit_along({size, 0}), {unit_one, 0}));
     CHECK(equal(unit_along({3, 4}), {unit_one * 3 / 5, unit_one * 4 / 5}));
 }
 
-TEST_CASE("the common point of two lines stays on both, however they turn", "[offset][moving_point]")
+TEST_CASE("the common point of two moving lines stays on both, at any angle", "[offset][moving_point]")
 {
     test::dice d{3};
     int wide = 0, narrow = 0, instant = 0;
@@ -92,12 +88,11 @@ TEST_CASE("the common point of two lines stays on both, however they turn", "[of
         const moving_line before = towards(angle), after = towards(angle + turn);
         const crossing_speed v = detail::speed_of(before, after, false);
         if (v.instant) {
-            const bool opposite = std::fabs(std::sin(turn)) < 0x1.01p-20 && std::cos(turn) < 0.0;
-            if (!opposite) CHECK(opposite);
+            CHECK_QUICKLY(std::fabs(std::sin(turn)) < 0x1.01p-20 && std::cos(turn) < 0.0);
             ++instant;
             continue;
         }
-        // of less than a right angle the error of a unit vector's length counts, of more it cancels
+        // Below a right angle the error of a unit vector's length counts; above it cancels.
         const bool sharp = detail::dot(before.along, after.along) < 0;
         const double allowed = sharp ? 0x1p-32 : 0x1p-28;
         const bool on_both = error_of(v, before) < allowed && error_of(v, after) < allowed;
@@ -112,7 +107,7 @@ TEST_CASE("the common point of two lines stays on both, however they turn", "[of
     CHECK(instant > 1000);
 }
 
-TEST_CASE("both ways to a corner's speed agree", "[offset][moving_point]")
+TEST_CASE("two formulas for a corner's speed agree", "[offset][moving_point]")
 {
     test::dice d{4};
     for (int i = 0; i < 100'000; ++i) {
@@ -137,7 +132,7 @@ TEST_CASE("both ways to a corner's speed agree", "[offset][moving_point]")
     }
 }
 
-TEST_CASE("a mirrored corner moves mirrored, a turned one turned", "[offset][moving_point]")
+TEST_CASE("a corner's movement turns and mirrors with the corner", "[offset][moving_point]")
 {
     test::dice d{5};
     for (int i = 0; i < 100'000; ++i) {
@@ -148,14 +143,12 @@ TEST_CASE("a mirrored corner moves mirrored, a turned one turned", "[offset][mov
         const auto turned = [](const moving_line& l) { return moving_line{l.inward()}; };
         const crossing_speed m = detail::speed_of(mirrored(after), mirrored(before), born),
                              t = detail::speed_of(turned(before), turned(after), born);
-        const bool same = v.instant == m.instant && v.instant == t.instant && equal(m.of, {-v.of.x, v.of.y}) &&
-                          equal(t.of, {-v.of.y, v.of.x});
-        if (!same) CHECK(same);
+        CHECK_QUICKLY(v.instant == m.instant && v.instant == t.instant && equal(m.of, {-v.of.x, v.of.y}) &&
+                      equal(t.of, {-v.of.y, v.of.x}));
     }
 }
 
-TEST_CASE("only what turns by half a turn is instant, and a corner born on the way that turns right by nearly that",
-          "[offset][moving_point]")
+TEST_CASE("only half turns are instant, and near half turns to the right at new corners", "[offset][moving_point]")
 {
     const double half = test::turn_once / 2;
     const auto is_instant = [](double turn, bool born) {
@@ -184,21 +177,19 @@ TEST_CASE("a moving point starts at its place and moves by speed times time, rou
     for (int i = 0; i < 100'000; ++i) {
         const auto roll = [&](int bits) { return static_cast<std::int64_t>(d.bits()) >> (64 - bits); };
         const detail::moving_point p{{roll(45), roll(45)}, roll(50), {{roll(40), roll(40)}, false}};
-        const bool at_start = equal(p.place(p.since), p.start);
-        if (!at_start) CHECK(at_start);
+        CHECK_QUICKLY(equal(p.place(p.since), p.start));
         const std::int64_t passed = roll(50);
         const fixed_vector way = p.place(p.since + passed) - p.start;
         const real_vector speed = real(p.speed.of, 0x1p-48L);
         const long double x = speed.x * static_cast<long double>(passed) - static_cast<long double>(way.x),
                           y = speed.y * static_cast<long double>(passed) - static_cast<long double>(way.y);
-        const bool there = -0x1p-10L < x && x < 1.0L + 0x1p-10L && -0x1p-10L < y && y < 1.0L + 0x1p-10L;
-        if (!there) CHECK(there);
+        CHECK_QUICKLY(-0x1p-10L < x && x < 1.0L + 0x1p-10L && -0x1p-10L < y && y < 1.0L + 0x1p-10L);
     }
     const detail::moving_point p{{0, 0}, 5 * detail::time_one, {{detail::time_one, -2 * detail::time_one}, false}};
     CHECK(equal(p.place(8 * detail::time_one), {3 * detail::place_one, -6 * detail::place_one}));
 }
 
-TEST_CASE("a cell's place is nearest to that cell, up to half a cell away", "[offset][moving_point]")
+TEST_CASE("nearest_cell() of a cell's place is that cell, up to half a cell away", "[offset][moving_point]")
 {
     constexpr std::int64_t half = detail::place_one / 2;
     for (const grid_point p : {grid_point{0, 0}, {-1, 1}, {1 << 28, -(1 << 28)}, {-12345, 54321}}) {

@@ -44,7 +44,7 @@ struct joined {
     }
 };
 
-/// By how much the boundary turns right from one line to the next: below 0 for left turns.
+/// The angle by which the boundary turns right from one line to the next: negative for left turns.
 double right_turn(const detail::moving_line& before, const detail::moving_line& after)
 {
     return -std::atan2(static_cast<double>(detail::cross(before.along, after.along)),
@@ -55,7 +55,7 @@ double mitre(const kinetic_triangles::vertex& v)
     return std::hypot(static_cast<double>(v.moves.speed.of.x), static_cast<double>(v.moves.speed.of.y)) * 0x1p-32;
 }
 
-/// The lines from a corner's edge before to the one after, over the joins in between.
+/// The lines from the edge before a corner to the edge after it, over the joins in between.
 std::vector<detail::moving_line> lines_around(const kinetic_triangles& mesh, std::uint32_t v, std::uint32_t corners)
 {
     std::vector<detail::moving_line> lines{mesh.lines[mesh.segments[mesh.vertices[v].before].line]};
@@ -66,7 +66,7 @@ std::vector<detail::moving_line> lines_around(const kinetic_triangles& mesh, std
     return lines;
 }
 
-/// Everything that is true of the wavefront, whatever the joins.
+/// Everything that is true of every wavefront with joins.
 void check_front(const joined& j, std::uint32_t corners)
 {
     const kinetic_triangles& mesh = j.front.mesh;
@@ -80,42 +80,34 @@ void check_front(const joined& j, std::uint32_t corners)
     for (std::uint32_t s = corners; s < mesh.segments.size(); ++s) {
         const auto& [v, inward] = j.emitted[s - corners];
         const auto& one = mesh.segments[s];
-        const bool known = one.line == s && one.component == 0 && inward.x == mesh.lines[s].inward().x &&
-                           inward.y == mesh.lines[s].inward().y;
-        if (!known) CHECK(known);
+        CHECK_QUICKLY(one.line == s && one.component == 0 && inward.x == mesh.lines[s].inward().x &&
+                      inward.y == mesh.lines[s].inward().y);
         for (const std::uint32_t end : {one.from, one.to}) {
             const auto &start = mesh.vertices[end].moves.start, &at = mesh.vertices[v].moves.start;
-            const bool there = start.x == at.x && start.y == at.y && j.front.node_of[end] == v;
-            if (!there) CHECK(there);
+            CHECK_QUICKLY(start.x == at.x && start.y == at.y && j.front.node_of[end] == v);
         }
     }
-    // once it moves, every triangle has area
+    // As soon as it moves, every triangle has area.
     for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
         const auto place = [&](int k) { return mesh.vertices[mesh.triangles[t].corner[k]].moves.place(time_one / 8); };
-        const bool opens = detail::cross(place(1) - place(0), place(2) - place(0)) > 0;
-        if (!opens) CHECK(opens);
+        CHECK_QUICKLY(detail::cross(place(1) - place(0), place(2) - place(0)) > 0);
     }
 }
 
 const test::shape square_hole{"square hole",
                               {test::square(0, 0, 3000), test::reversed(test::square(1000, 1000, 1000))}};
 
-/// A square with a cut from above, as wide there as is told.
+/// A square with a cut from above, of this width at the top.
 test::shape slit(std::int32_t width)
 {
+    const std::int32_t end = 60'000, half = 30'000;
     return {"slit",
-            {{{0, 0},
-              {60'000, 0},
-              {60'000, 60'000},
-              {30'000 + width, 60'000},
-              {30'000, 20'000},
-              {30'000 - width, 60'000},
-              {0, 60'000}}}};
+            {{{0, 0}, {end, 0}, {end, end}, {half + width, end}, {half, 20'000}, {half - width, end}, {0, end}}}};
 }
 
 }  // namespace
 
-TEST_CASE("the tip of a needle so long that its sides are opposite once rounded is no reflex corner", "[offset]")
+TEST_CASE("a needle's tip is no reflex corner when its sides are opposite after rounding", "[offset]")
 {
     constexpr std::int32_t end = 1 << 28;
     for (const test::polyline& l : {test::polyline{{0, -end}, {1, 0}, {1, 1}},
@@ -130,8 +122,7 @@ TEST_CASE("the tip of a needle so long that its sides are opposite once rounded 
     }
 }
 
-TEST_CASE("joins turn a corner in equal steps, each within the limit, and no more than it needs",
-          "[offset][reflex_joins]")
+TEST_CASE("joins turn a corner in equal steps within the limit, and only as many as needed", "[offset][reflex_joins]")
 {
     test::dice d{1};
     std::size_t joins = 0, corners_with = 0, corners_without = 0;
@@ -172,7 +163,7 @@ TEST_CASE("joins turn a corner in equal steps, each within the limit, and no mor
     CHECK(corners_without > 500);
 }
 
-TEST_CASE("joins are as round as the tolerance at the width, up to 31 a corner", "[offset][reflex_joins]")
+TEST_CASE("joins are as round as the tolerance at the width, with up to 31 a corner", "[offset][reflex_joins]")
 {
     std::size_t last = 1;
     for (const double tolerance : {100.0, 10.0, 3.0, 1.0, 0.1}) {
@@ -190,19 +181,18 @@ TEST_CASE("joins are as round as the tolerance at the width, up to 31 a corner",
     CHECK(last == 31);
 }
 
-TEST_CASE("corners within the limit, flat ones and those that turn left get no joins", "[offset][reflex_joins]")
+TEST_CASE("corners within the limit, flat corners and left turns get no joins", "[offset][reflex_joins]")
 {
     CHECK(joined{square_hole, {0.0, 400.0, 1.0}}.emitted.empty());             // no limit
-    CHECK(joined{square_hole, {std::sqrt(2.0), 400.0, 1.0}}.emitted.empty());  // right at it
-    CHECK(joined{square_hole, {1.4, 400.0, 0.0}}.emitted.size() == 4);         // of the hole alone
+    CHECK(joined{square_hole, {std::sqrt(2.0), 400.0, 1.0}}.emitted.empty());  // exactly at it
+    CHECK(joined{square_hole, {1.4, 400.0, 0.0}}.emitted.size() == 4);         // only at the hole
     CHECK(joined{{"square", {test::square(0, 0, 9)}}, {1.0, 9.0, 0.1}}.emitted.empty());
     const test::shape flat{"flat", {{{0, 0}, {40'000, 0}, {40'000, 40'000}, {20'000, 39'600}, {0, 40'000}}}};
     CHECK(joined{flat, {1.0, 400.0, 0.0}}.emitted.empty());
     CHECK(joined{flat, {0.5, 400.0, 0.0}}.emitted.empty());
 }
 
-TEST_CASE("a limit near 1 wants corners within the tolerance of the arc, and no more joins than that takes",
-          "[offset][reflex_joins]")
+TEST_CASE("a limit near 1 keeps corners within the tolerance of the arc, with few joins", "[offset][reflex_joins]")
 {
     constexpr double width = 1000.0;
     std::size_t fewer = 0;
@@ -228,11 +218,11 @@ TEST_CASE("a limit near 1 wants corners within the tolerance of the arc, and no 
     }
     CHECK(fewer > 10);
     CHECK(joined{slit(1), {1.0, width, 3000.0}}.emitted.size() == 1);  // a needle's tip is joined at any tolerance
-    CHECK(joined{square_hole, {1.0, 100.0, 50.0}}.emitted.empty());    // its corners are within that as they are
+    CHECK(joined{square_hole, {1.0, 100.0, 50.0}}.emitted.empty());    // its corners are within it without joins
     CHECK(joined{square_hole, {1.0, 100.0, 40.0}}.emitted.size() == 4);
 }
 
-TEST_CASE("slits get joins, however narrow they are", "[offset][reflex_joins]")
+TEST_CASE("slits of any width get joins", "[offset][reflex_joins]")
 {
     for (const std::int32_t width : {10'000, 100, 1}) {
         for (const double limit : {1.0, 1.05, 1.5, 2.0}) {
@@ -250,7 +240,7 @@ TEST_CASE("slits get joins, however narrow they are", "[offset][reflex_joins]")
     }
 }
 
-TEST_CASE("a limit that no corner can keep gets as many joins as there are", "[offset][reflex_joins]")
+TEST_CASE("a limit that no corner can keep gets the most joins", "[offset][reflex_joins]")
 {
     const joined j{square_hole, {0.5, 400.0, 0.0}};
     CHECK(!j.failed);
@@ -258,19 +248,17 @@ TEST_CASE("a limit that no corner can keep gets as many joins as there are", "[o
     check_front(j, 8);
 }
 
-TEST_CASE("joins for which memory runs out fail, and so does what is told of them", "[offset][reflex_joins]")
+TEST_CASE("joins fail when memory runs out or their callback fails", "[offset][reflex_joins]")
 {
-    test::counting_memory counted;
+    test::counting_memory counted, before_joins;
     REQUIRE(!joined{square_hole, {1.01, 400.0, 0.01}, counted.source()}.failed);
-    test::counting_memory set_up_alone;
     {
-        detail::wavefront front{set_up_alone.source()};
+        detail::wavefront front{before_joins.source()};
         test::set_up(front, square_hole);
     }
-    REQUIRE(counted.requests > set_up_alone.requests);
-    for (std::size_t at = set_up_alone.requests + 1; at <= counted.requests; ++at) {
-        test::counting_memory limited;
-        limited.fail_at = at;
+    REQUIRE(counted.requests > before_joins.requests);
+    for (std::size_t at = before_joins.requests + 1; at <= counted.requests; ++at) {
+        test::counting_memory limited{.fail_at = at};
         CHECK(joined{square_hole, {1.01, 400.0, 0.01}, limited.source()}.failed == error::out_of_memory);
     }
 

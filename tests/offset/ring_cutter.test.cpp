@@ -9,7 +9,6 @@
 #include <cstdint>
 #include <set>
 #include <utility>
-#include <vector>
 
 using namespace typemesh;
 
@@ -23,7 +22,7 @@ struct cut {
 
     explicit cut(const test::polyline& polygon, memory source = heap()) : triangles{source}
     {
-        constexpr std::uint32_t elsewhere = 5;  // nodes that are not of the ring
+        constexpr std::uint32_t elsewhere = 5;  // nodes outside the ring
         for (std::uint32_t i = 0; i < elsewhere; ++i) REQUIRE(nodes.push_back({polygon[0]}));
         for (const grid_point p : polygon) {
             REQUIRE(ring.push_back(static_cast<std::uint32_t>(nodes.size())));
@@ -41,7 +40,7 @@ std::int64_t doubled_area(const test::polyline& l)
     return sum;
 }
 
-/// All triangles are counter-clockwise, and their common boundary is the ring's.
+/// All triangles are counter-clockwise, and their common boundary is the ring.
 void check_cut(const test::polyline& polygon)
 {
     const cut c{polygon};
@@ -69,14 +68,14 @@ void check_cut(const test::polyline& polygon)
     CHECK(open.empty());
 }
 
-/// Whether it is refused, and what was there before is all that is left.
+/// Whether a ring is refused and leaves no triangles.
 bool is_refused(const test::polyline& polygon)
 {
     const cut c{polygon};
     return c.failed == error::crossing_contours && c.triangles.empty();
 }
 
-/// Over an edge, of n + 1 corners: an arch, or rising and falling at random.
+/// A mountain of n + 1 corners over an edge: an arch, or one that rises and falls at random.
 test::polyline mountain(int n, bool round, std::uint64_t seed)
 {
     test::dice d{seed};
@@ -119,13 +118,13 @@ TEST_CASE("points on a straight edge stay corners of triangles that are not flat
     check_cut({{2, 0}, {3, 0}, {4, 0}, {2, 1}, {0, 0}, {1, 0}});
 }
 
-TEST_CASE("mountains of a hundred thousand corners are cut in one go", "[offset][ring_cutter]")
+TEST_CASE("mountains of a hundred thousand corners are cut in one pass", "[offset][ring_cutter]")
 {
-    // looking for ears would take 10^10 steps
+    // A search for ears would take 10^10 steps.
     for (const bool round : {false, true}) check_cut(mountain(100'000, round, 2));
 }
 
-TEST_CASE("rings without such triangles are refused, and add none", "[offset][ring_cutter]")
+TEST_CASE("rings that are not simple and counter-clockwise are refused, and add no triangles", "[offset][ring_cutter]")
 {
     CHECK(is_refused({{0, 0}, {0, 4}, {4, 0}}));                            // clockwise
     CHECK(is_refused(test::reversed(test::star(50, 10'000, 3))));           //
@@ -145,7 +144,7 @@ TEST_CASE("rings without such triangles are refused, and add none", "[offset][ri
     CHECK(crossing > 1000);
 }
 
-TEST_CASE("triangles of earlier rings stay as they are", "[offset][ring_cutter]")
+TEST_CASE("a ring cutter keeps the triangles of earlier rings", "[offset][ring_cutter]")
 {
     cut c{test::square(0, 0, 9)};
     const triangle first = c.triangles[0];
@@ -159,11 +158,10 @@ TEST_CASE("triangles of earlier rings stay as they are", "[offset][ring_cutter]"
     CHECK((c.triangles[0].a == first.a && c.triangles[0].b == first.b && c.triangles[0].c == first.c));
 }
 
-TEST_CASE("a ring for which memory runs out is refused as such", "[offset][ring_cutter]")
+TEST_CASE("a ring cutter reports that memory ran out", "[offset][ring_cutter]")
 {
     for (std::size_t fail_at = 1; fail_at <= 2; ++fail_at) {
-        test::counting_memory limited;
-        limited.fail_at = fail_at;
+        test::counting_memory limited{.fail_at = fail_at};
         CHECK(cut{test::circle(100, 1000), limited.source()}.failed == error::out_of_memory);
     }
 }

@@ -4,7 +4,7 @@
 
 #include "support/catch.hpp"
 
-TEST_CASE("what is swept is the same, bit for bit, where the compiler has no integers of 128 bits", "[offset]")
+TEST_CASE("a sweep is the same, bit for bit, with and without 128-bit integers of the compiler", "[offset]")
 {
     const swept_hash hash = hash_of_stars();
     CHECK(hash.failures == 0);

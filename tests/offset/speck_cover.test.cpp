@@ -10,24 +10,11 @@
 #include "support/regions.hpp"
 #include "support/swept_laws.hpp"
 
-#include <cmath>
 #include <cstdint>
-#include <set>
 
 using namespace typemesh;
 
 namespace {
-
-test::polyline circle(int n, double radius, double x, double y)
-{
-    test::polyline p;
-    for (int i = 0; i < n; ++i) {
-        const double angle = 6.283185307179586 * i / n;
-        p.push_back({static_cast<std::int32_t>(std::lround(x + radius * std::cos(angle))),
-                     static_cast<std::int32_t>(std::lround(y + radius * std::sin(angle)))});
-    }
-    return p;
-}
 
 /// A square, and the slivers between two circles that differ by a cell or two.
 test::shape square_with_slivers(int seed)
@@ -36,8 +23,8 @@ test::shape square_with_slivers(int seed)
     const int n = 90 + d.roll(300);
     const double radius = 2e5 + d.roll(100'000);
     return {"square with slivers",
-            {test::square(-1'000'000, -1'000'000, 400'000), circle(n, radius, 0, 0),
-             test::reversed(circle(n + d.roll(3), radius + d.roll(3) - 1, d.roll(5) - 2, d.roll(5) - 2))}};
+            {test::square(-1'000'000, -1'000'000, 400'000), test::circle(n, radius),
+             test::reversed(test::circle(n + d.roll(3), radius + d.roll(3) - 1, d.roll(5) - 2, d.roll(5) - 2))}};
 }
 
 struct swept_slivers {
@@ -65,7 +52,7 @@ struct swept_slivers {
 
 }  // namespace
 
-TEST_CASE("slivers that cannot be cut on the grid are covered by their own triangles, and what is around is swept",
+TEST_CASE("slivers that cannot be cut on the grid get their own triangles, and the rest is swept",
           "[offset][speck_cover]")
 {
     constexpr double levels[] = {0.0, 1000.0, 50'000.0};
@@ -77,9 +64,9 @@ TEST_CASE("slivers that cannot be cut on the grid are covered by their own trian
         const test::swept_laws laws{s.filled, s.out};
         CHECK(laws.broken() == "");
         CHECK(s.out.lost + 1 >= s.filled.loop_count() / 2);
-        const swept_slivers alone{{"square", {test::square(-1'000'000, -1'000'000, 400'000)}}, levels};
+        const swept_slivers square{{"square", {test::square(-1'000'000, -1'000'000, 400'000)}}, levels};
         CHECK(inspect::doubled_area(inspect::loops_of(region::proven(s.out.cap, 0, 0))) ==
-              inspect::doubled_area(inspect::loops_of(region::proven(alone.out.cap, 0, 0))));
+              inspect::doubled_area(inspect::loops_of(region::proven(square.out.cap, 0, 0))));
         for (std::size_t i = 0; i + 1 < s.out.cells.size() && s.out.cells[i].band == 0; ++i) {
             const triangle& t = s.out.triangles[s.out.cells[i].first_triangle];
             const auto n = s.filled.points().size();
@@ -93,16 +80,14 @@ TEST_CASE("slivers that cannot be cut on the grid are covered by their own trian
     CHECK(covered > 100);
 }
 
-TEST_CASE("a cover for which memory runs out fails", "[offset][speck_cover]")
+TEST_CASE("a cover reports that memory ran out", "[offset][speck_cover]")
 {
     constexpr double levels[] = {0.0, 50'000.0};
     const test::shape s = square_with_slivers(1);
     test::counting_memory counted;
     REQUIRE(!swept_slivers{s, levels, counted.source()}.failed);
     for (std::size_t at = 1; at < counted.requests; ++at) {  // the last is the one block of a warm workspace
-        test::counting_memory limited;
-        limited.fail_at = at;
-        const error e = swept_slivers{s, levels, limited.source()}.failed;
-        CHECK(e.code == error::out_of_memory);
+        test::counting_memory limited{.fail_at = at};
+        CHECK(swept_slivers{s, levels, limited.source()}.failed.code == error::out_of_memory);
     }
 }

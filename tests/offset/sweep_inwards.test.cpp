@@ -7,6 +7,8 @@
 #include "support/catch.hpp"
 #include "support/counting_memory.hpp"
 #include "support/delaunay_shapes.hpp"
+#include "support/filled_shape.hpp"
+#include "support/letters.hpp"
 #include "support/swept_cases.hpp"
 
 #include <cstdint>
@@ -33,7 +35,7 @@ std::size_t points_of(const test::shape& s)
     return n;
 }
 
-/// At least twice as large as an em usually is: what is a few cells wide would be lost between grid points.
+/// A shape enlarged to twice the usual size of an em: strokes of a few cells would be lost between grid points.
 test::shape enlarged(test::shape s)
 {
     for (double size = size_of(s); size <= 0x1p20; size *= 2)
@@ -42,40 +44,33 @@ test::shape enlarged(test::shape s)
     return s;
 }
 
-/// Fills a shape and sweeps it inwards by a share of its size, over both triangulations. Gives how often that was
-/// refused.
+/// Fills a shape and sweeps it inwards by a share of its size, over both triangulations. Returns the number of refusals.
 int check_sweep(const test::shape& s, double share, double mitre_limit, double tolerance)
 {
     CAPTURE(s, share, mitre_limit, tolerance);
-    contours loops = test::contours_of(s);
-    workspace space;
-    const auto filled = fill(loops, fill_rule::non_zero, space);
-    REQUIRE(filled);
+    const test::filled_shape f{s};
     test::sweep_case by_monotone;
     by_monotone.levels = test::levels_to(std::floor(share * size_of(s)), 3);
     by_monotone.mitre_limit = mitre_limit;
     by_monotone.tolerance = tolerance;
     by_monotone.compare_area = points_of(s) < 130;
     test::sweep_case by_delaunay = by_monotone;
-    by_monotone.examine(*filled, monotone{});
+    by_monotone.examine(f.filled, monotone{});
     CHECK(by_monotone.broken == "");
     by_delaunay.compare_area = false;
-    by_delaunay.examine(*filled, constrained_delaunay{});
+    by_delaunay.examine(f.filled, constrained_delaunay{});
     CHECK(by_delaunay.broken == "");
     return int{by_monotone.refused} + int{by_delaunay.refused};
 }
 
-/// One shape, swept by hand-picked levels with mitred corners; triangles by monotone.
+/// One shape, swept to these levels with mitred corners; triangles by monotone.
 test::sweep_case swept(const std::vector<test::polyline>& given, std::vector<double> levels, double mitre_limit = 0.0)
 {
-    contours loops = test::contours_of(given);
-    workspace space;
-    const auto filled = fill(loops, fill_rule::non_zero, space);
-    REQUIRE(filled);
+    const test::filled_shape f{{"", given}};
     test::sweep_case how;
     how.levels = std::move(levels);
     how.mitre_limit = mitre_limit;
-    how.examine(*filled, monotone{});
+    how.examine(f.filled, monotone{});
     CHECK(how.broken == "");
     CHECK_FALSE(how.refused);
     return how;
@@ -87,34 +82,11 @@ std::vector<test::shape> letters_and_ties()
 {
     std::vector<test::shape> all;
     all.push_back({"L", {{{0, 0}, {3000, 0}, {3000, 1000}, {1000, 1000}, {1000, 3000}, {0, 3000}}}});
-    all.push_back(
-        {"T", {{{0, 2000}, {1000, 2000}, {1000, 0}, {2000, 0}, {2000, 2000}, {3000, 2000}, {3000, 3000}, {0, 3000}}}});
-    all.push_back({"H",
-                   {{{0, 0},
-                     {1000, 0},
-                     {1000, 1200},
-                     {2000, 1200},
-                     {2000, 0},
-                     {3000, 0},
-                     {3000, 3000},
-                     {2000, 3000},
-                     {2000, 1800},
-                     {1000, 1800},
-                     {1000, 3000},
-                     {0, 3000}}}});
-    all.push_back({"plus of nine squares",
-                   {{{1000, 0},
-                     {2000, 0},
-                     {2000, 1000},
-                     {3000, 1000},
-                     {3000, 2000},
-                     {2000, 2000},
-                     {2000, 3000},
-                     {1000, 3000},
-                     {1000, 2000},
-                     {0, 2000},
-                     {0, 1000},
-                     {1000, 1000}}}});
+    all.push_back({"T", {test::letter_tee(1000)}});
+    all.push_back({"H", {test::letter_aitch(1000)}});
+    const test::polyline plus{{1, 0}, {2, 0}, {2, 1}, {3, 1}, {3, 2}, {2, 2},
+                              {2, 3}, {1, 3}, {1, 2}, {0, 2}, {0, 1}, {1, 1}};
+    all.push_back({"plus of nine squares", {test::scaled(plus, 1000)}});
     all.push_back({"angle quote",
                    {{{0, 35600}, {33500, 0}, {41600, 0}, {18800, 38900}, {41600, 77800}, {33500, 77800}, {0, 42200}}}});
     all.push_back({"slit", {{{0, 0}, {1000, 0}, {1000, 1000}, {501, 1000}, {500, 10}, {499, 1000}, {0, 1000}}}});
@@ -136,7 +108,7 @@ std::vector<test::shape> letters_and_ties()
 
 }  // namespace
 
-TEST_CASE("sweep_inwards() leaves of rectangles and rings what it must", "[offset]")
+TEST_CASE("sweep_inwards() leaves the right parts of rectangles and rings", "[offset]")
 {
     CHECK(swept({test::square(0, 0, 1000)}, {0, 100, 300}).doubled_areas ==
           areas{2 * 1000 * 1000, 2 * 800 * 800, 2 * 400 * 400});
@@ -156,7 +128,7 @@ TEST_CASE("sweep_inwards() leaves of rectangles and rings what it must", "[offse
     CHECK(swept(ring, {0, 100, 400}).doubled_areas == areas{2 * 960'000, 2 * 480'000, 0});
 }
 
-TEST_CASE("sweep_inwards() splits letters where their strokes are thin", "[offset]")
+TEST_CASE("sweep_inwards() splits letters at thin strokes", "[offset]")
 {
     const auto all = letters_and_ties();
     const auto& h = all[2];
@@ -214,7 +186,7 @@ TEST_CASE("sweep_inwards() obeys its laws on random polygons", "[offset]")
     CHECK(refused == 0);
 }
 
-TEST_CASE("sweep_inwards() sweeps glyphs whose strokes close at one distance, or beside a corner", "[offset]")
+TEST_CASE("sweep_inwards() sweeps glyphs whose strokes close at one distance or beside a corner", "[offset]")
 {
     const struct {
         const char* name;
@@ -269,9 +241,9 @@ TEST_CASE("sweep_inwards() sweeps glyphs whose strokes close at one distance, or
     }
 }
 
-TEST_CASE("sweep_inwards() keeps faces in their planes where nearly parallel edges close like a zip", "[offset]")
+TEST_CASE("sweep_inwards() keeps faces in their planes when nearly parallel edges close", "[offset]")
 {
-    // Corners between them are a million times as fast as the edges.
+    // Corners between such edges are a million times as fast as the edges.
     const struct {
         double width;
         double mitre_limit;
@@ -315,8 +287,7 @@ TEST_CASE("sweep_inwards() sweeps rings that close everywhere at about one dista
                 }
 }
 
-TEST_CASE("sweep_inwards() sweeps needles that are narrower than a cell, and tips that cross the grid at once",
-          "[offset]")
+TEST_CASE("sweep_inwards() sweeps needles narrower than a cell, and fast tips", "[offset]")
 {
     const struct {
         double width;
@@ -343,7 +314,7 @@ TEST_CASE("sweep_inwards() sweeps needles that are narrower than a cell, and tip
                 CHECK(swept(test::turned(upright, degrees).loops, {0, width}, mitre_limit).farthest_off_plane < 3.0);
 }
 
-TEST_CASE("sweep_inwards() sweeps bent strokes that close at a level, and caps that touch a hole there", "[offset]")
+TEST_CASE("sweep_inwards() sweeps strokes that close at a level, and caps that touch a hole there", "[offset]")
 {
     CHECK(swept({{{211672, 280872}, {219200, 322368}, {223752, 365496}, {0, 0}},
                  {{213504, 365496}, {208896, 322368}, {201216, 280872}}},
@@ -354,10 +325,10 @@ TEST_CASE("sweep_inwards() sweeps bent strokes that close at a level, and caps t
     CHECK(touching.doubled_areas.back() > 0);
 }
 
-TEST_CASE("sweep_inwards() makes one node of several where a round shape closes in its centre", "[offset]")
+TEST_CASE("sweep_inwards() joins several nodes where a round shape closes in its centre", "[offset]")
 {
-    // Over the Delaunay triangles the corners of this one meet one by one, a few cells apart.
-    contours loops = test::contours_of(
+    // Over the Delaunay triangles the corners of this shape meet one by one, a few cells apart.
+    const test::filled_shape f{
         {"two polygons",
          {{{59228, -5021},   {66417, -14257},  {76215, -20658}, {87561, -23532}, {99225, -22565}, {104374, -20307},
            {105146, -20378}, {124915, -14754}, {141317, -2368}, {152136, 15107}, {155913, 35310}, {152136, 55513},
@@ -375,31 +346,25 @@ TEST_CASE("sweep_inwards() makes one node of several where a round shape closes 
            {29021, 59835},
            {25648, 55816},
            {25648, 50570},
-           {29020, 46551}}}});
-    workspace space;
-    const auto filled = fill(loops, fill_rule::non_zero, space);
-    REQUIRE(filled);
+           {29020, 46551}}}}};
     test::sweep_case how;
     how.levels = {0.0, 6559.868, 12672.694, 17921.894, 21949.748, 24481.762, 25345.386};
-    how.examine(*filled, constrained_delaunay{});
+    how.examine(f.filled, constrained_delaunay{});
     CHECK(how.broken == "");
     CHECK_FALSE(how.refused);
 }
 
-TEST_CASE("sweep_inwards() allocates nothing after warm-up, and gives up cleanly when memory runs out", "[offset]")
+TEST_CASE("sweep_inwards() allocates nothing once warm, and reports that memory ran out", "[offset]")
 {
-    contours loops = test::contours_of({"star", {test::star(60, 1e6, 1)}});
-    workspace own;
-    const auto filled = fill(loops, fill_rule::non_zero, own);
-    REQUIRE(filled);
+    test::filled_shape f{{"star", {test::star(60, 1e6, 1)}}};
     triangle_list triangles;
-    REQUIRE_FALSE(monotone{}(*filled, own, triangles));
+    REQUIRE_FALSE(monotone{}(f.filled, f.space, triangles));
     const double levels[] = {0.0, 10'000.0, 40'000.0};
     const sweep_options how{.levels = levels, .mitre_limit = 2.0, .tolerance = 10.0};
     const auto sweep = [&](workspace& space, swept_region& out) {
         out.clear();
         workspace::scope scratch{space};
-        return sweep_inwards(*filled, triangles.view(), how, scratch, out);
+        return sweep_inwards(f.filled, triangles.view(), how, scratch, out);
     };
 
     test::counting_memory memory;
@@ -407,7 +372,7 @@ TEST_CASE("sweep_inwards() allocates nothing after warm-up, and gives up cleanly
         workspace space{memory.source()};
         swept_region out{memory.source()};
         for (int i = 0; i < 3; ++i) REQUIRE_FALSE(sweep(space, out));
-        CHECK(test::swept_laws{*filled, out}.broken() == "");
+        CHECK(test::swept_laws{f.filled, out}.broken() == "");
         const std::size_t warm = memory.requests;
         REQUIRE_FALSE(sweep(space, out));
         CHECK(memory.requests == warm);
@@ -415,8 +380,7 @@ TEST_CASE("sweep_inwards() allocates nothing after warm-up, and gives up cleanly
     CHECK(memory.bytes_held == 0);
 
     for (std::size_t n = 1;; ++n) {
-        test::counting_memory failing;
-        failing.fail_at = n;
+        test::counting_memory failing{.fail_at = n};
         bool done = false;
         {
             workspace space{failing.source()};

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// For units that see typemesh in different ways: nothing here is shared between them.
+// For units that see different declarations of typemesh: they share nothing in this header.
 
 #include <typemesh/core/workspace.hpp>
 #include <typemesh/fill/fill.hpp>
@@ -30,7 +30,7 @@ struct swept_hash {
     }
 };
 
-/// Stars at random, each in another one, swept by a quarter of the smallest distance.
+/// Random stars, each inside another, swept by a quarter of the smallest distance.
 swept_hash hash_of_stars()
 {
     using namespace typemesh;
@@ -79,7 +79,7 @@ swept_hash hash_of_stars()
 
 namespace test {
 
-/// hash_of_stars() of a unit whose compiler has no integers of 128 bits.
+/// hash_of_stars() of a unit whose compiler lacks 128-bit integers.
 std::uint64_t hash_without_int128();
 
 }  // namespace test

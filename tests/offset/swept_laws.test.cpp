@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 
-// The laws that swept regions are judged by see every fault that is planted in a right one.
+// The laws for swept regions notice every fault that is planted in a correct one.
 
 #include <typemesh/fill/fill.hpp>
 #include <typemesh/offset/swept_region.hpp>
@@ -18,7 +18,7 @@ using namespace typemesh;
 
 namespace {
 
-/// A square swept inwards by hand, in two bands: 12 nodes on three squares within each other.
+/// A square swept inwards by hand, in two bands: 12 nodes on three concentric squares.
 struct swept_square {
     contours loops = test::contours_of(std::vector<test::polyline>{test::square(0, 0, 1000)});
     workspace space;
@@ -57,7 +57,7 @@ struct swept_square {
     [[nodiscard]] std::string broken() const { return test::swept_laws{filled, swept}.broken(); }
 };
 
-/// The first law that a square swept by hand breaks, after this was done to it.
+/// The first law that a square swept by hand breaks after this fault was planted.
 std::string broken_by(const std::function<void(swept_region&)>& fault)
 {
     swept_square s;
@@ -77,7 +77,7 @@ TEST_CASE("a square swept by hand obeys the laws of swept regions", "[offset]")
     CHECK(laws.loops_at(2) == std::vector<test::polyline>{{{300, 300}, {700, 300}, {700, 700}, {300, 700}}});
 }
 
-TEST_CASE("each fault that is planted in a swept region shows", "[offset]")
+TEST_CASE("the laws notice each fault that is planted in a swept region", "[offset]")
 {
     using s = swept_region;
     CHECK(broken_by([](s& r) { r.levels[1] = 300.0; }) == "the levels do not rise");
@@ -124,7 +124,7 @@ TEST_CASE("each fault that is planted in a swept region shows", "[offset]")
     CHECK(broken_by([](s& r) { r.cap.points[0].x += 1; }) == "the edges at the last level are not the cap's");
 }
 
-TEST_CASE("a cap that fill() would not leave as it is breaks a law", "[offset]")
+TEST_CASE("a cap that fill() would change breaks a law", "[offset]")
 {
     const auto broken_by_loops = [](const std::vector<test::polyline>& loops) {
         return test::broken_cap(test::contours_of(loops));

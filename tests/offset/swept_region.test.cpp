@@ -6,7 +6,7 @@
 
 using namespace typemesh;
 
-TEST_CASE("a swept region is emptied whole, and keeps its storage", "[swept_region]")
+TEST_CASE("clear() empties a swept region completely and keeps its storage", "[swept_region]")
 {
     swept_region s;
     REQUIRE((s.nodes.push_back({}) && s.cells.push_back({}) && s.triangles.push_back({}) && s.levels.push_back(1.0)));

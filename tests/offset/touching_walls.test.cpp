@@ -7,13 +7,12 @@
 
 #include <cstdint>
 #include <initializer_list>
-#include <utility>
 
 using namespace typemesh;
 
 namespace {
 
-/// A sweep whose last level are closed walls through these nodes, each list a loop.
+/// A sweep whose last level consists of closed walls through these nodes, each list a loop.
 struct walled {
     swept_region swept;
 
@@ -48,7 +47,7 @@ struct walled {
 
 }  // namespace
 
-TEST_CASE("walls that keep apart touch nowhere", "[touching_walls]")
+TEST_CASE("separate walls do not touch", "[touching_walls]")
 {
     walled w;
     w.node(0, 0, 0.0f);
@@ -57,14 +56,14 @@ TEST_CASE("walls that keep apart touch nowhere", "[touching_walls]")
     CHECK(w.touches() == 0);
 }
 
-TEST_CASE("a wall of no length is none", "[touching_walls]")
+TEST_CASE("a wall without length does not count", "[touching_walls]")
 {
     walled w;
     w.wall({w.node(10, 0), w.node(20, 0), w.node(20, 0), w.node(20, 10)});
     CHECK(w.touches() == 0);
 }
 
-TEST_CASE("two loops of walls touch in each point that they share", "[touching_walls]")
+TEST_CASE("two loops of walls touch in each point they share", "[touching_walls]")
 {
     walled w;
     w.wall({w.node(10, 0), w.node(20, 0), w.node(20, 10)});
@@ -72,7 +71,7 @@ TEST_CASE("two loops of walls touch in each point that they share", "[touching_w
     CHECK(w.touches() == 2);
 }
 
-TEST_CASE("what was swept may not end where a wall stands", "[touching_walls]")
+TEST_CASE("a node of the sweep may not end on a wall", "[touching_walls]")
 {
     walled w;
     w.node(20, 0, 99.0f);
@@ -81,7 +80,7 @@ TEST_CASE("what was swept may not end where a wall stands", "[touching_walls]")
     CHECK(w.touches() == 1);
 }
 
-TEST_CASE("walls back to back are counted, beside their points", "[touching_walls]")
+TEST_CASE("walls back to back are counted in addition to their points", "[touching_walls]")
 {
     walled w;
     const std::uint32_t a = w.node(10, 0), b = w.node(20, 0);
@@ -91,12 +90,11 @@ TEST_CASE("walls back to back are counted, beside their points", "[touching_wall
     CHECK(w.touches() == 2 + 2);
 }
 
-TEST_CASE("where memory fails for walls that may touch, that is said", "[touching_walls]")
+TEST_CASE("count_touching_walls() reports that memory ran out", "[touching_walls]")
 {
     walled w;
     w.wall({w.node(10, 0), w.node(20, 0), w.node(20, 10)});
-    test::counting_memory memory;
-    memory.fail_at = 1;
+    test::counting_memory memory{.fail_at = 1};
     workspace none{memory.source()};
     CHECK(count_touching_walls(w.swept, none).error() == error::out_of_memory);
 }

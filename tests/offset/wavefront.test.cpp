@@ -8,7 +8,9 @@
 #include <typemesh/triangulate/monotone.hpp>
 
 #include "support/catch.hpp"
+#include "support/filled_shape.hpp"
 #include "support/kinetic.hpp"
+#include "support/letters.hpp"
 #include "support/regions.hpp"
 
 #include <cstdint>
@@ -56,6 +58,13 @@ test::polyline rectangle(int x, int y, int width, int height)
     return {{x, y}, {x + width, y}, {x + width, y + height}, {x, y + height}};
 }
 
+/// A bar of 100 x 60 with a notch from above, of this half width at the top and down to this height.
+test::polyline notched_bar(int half_width, int tip)
+{
+    return test::scaled({{0, 0}, {100, 0}, {100, 60}, {50 + half_width, 60}, {50, tip}, {50 - half_width, 60}, {0, 60}},
+                        cells);
+}
+
 void open_cells(detail::wavefront& front)
 {
     for (std::uint32_t s = 0; s < front.mesh.segments.size(); ++s) {
@@ -79,7 +88,7 @@ TEST_CASE("a square's boundary sweeps four trapezoids and leaves a square")
     CHECK(s.out.first_loss < 0.0);
 }
 
-TEST_CASE("a rectangle is swept wholly: its roof has a ridge")
+TEST_CASE("a rectangle is swept completely, and its roof has a ridge")
 {
     const swept_polygons s{{rectangle(0, 0, 100 * cells, 20 * cells)}, {0.0, 30.0 * cells}};
     CHECK(s.out.cap.points.empty());
@@ -90,28 +99,14 @@ TEST_CASE("a rectangle is swept wholly: its roof has a ridge")
 
 TEST_CASE("a reflex corner splits what it runs into")
 {
-    // a bar with a notch from above that reaches the lower edge's level after 10 cells * 4096
-    const test::polyline bar{{0, 0},
-                             {100 * cells, 0},
-                             {100 * cells, 60 * cells},
-                             {60 * cells, 60 * cells},
-                             {50 * cells, 20 * cells},
-                             {40 * cells, 60 * cells},
-                             {0, 60 * cells}};
-    const swept_polygons s{{bar}, {0.0, 16.0 * cells}};
+    const swept_polygons s{{notched_bar(10, 20)}, {0.0, 16.0 * cells}};
     CHECK(s.out.cap.contour_count() == 2);
     CHECK(s.twice_swept() > 0.0);
 }
 
-TEST_CASE("a reflex corner sharper than the limit is joined, and its cap is without a spike")
+TEST_CASE("a reflex corner sharper than the limit is joined, so that its cap has no spike")
 {
-    const test::polyline bar{{0, 0},
-                             {100 * cells, 0},
-                             {100 * cells, 60 * cells},
-                             {52 * cells, 60 * cells},
-                             {50 * cells, 30 * cells},
-                             {48 * cells, 60 * cells},
-                             {0, 60 * cells}};
+    const test::polyline bar = notched_bar(2, 30);
     const swept_polygons spike{{bar}, {0.0, 1.5 * cells}}, joined{{bar}, {0.0, 1.5 * cells}, 2.0};
     const auto lowest = [](const swept_polygons& s) {
         std::int32_t y = 60 * cells;
@@ -128,7 +123,7 @@ TEST_CASE("a reflex corner sharper than the limit is joined, and its cap is with
 
 TEST_CASE("a hole of a few cells keeps its round joins and grows to a disc")
 {
-    // Its tips are so near each other that edges meet their round joins when these are short.
+    // Its tips are so close that edges meet their round joins while these are short.
     const test::polyline needle{{-7, -8}, {-5, -3}, {-8, -8}, {-4, -1}};
     for (const int turn : {0, 1, 2, 3}) {
         test::polyline hole;
@@ -147,7 +142,7 @@ TEST_CASE("a hole of a few cells keeps its round joins and grows to a disc")
     }
 }
 
-TEST_CASE("no hole of a few cells is lost: whatever its joins run into, it grows by the distance")
+TEST_CASE("no hole of a few cells is lost: it grows by the distance, whatever its joins run into")
 {
     test::dice d{11};
     int refused = 0;
@@ -157,18 +152,14 @@ TEST_CASE("no hole of a few cells is lost: whatever its joins run into, it grows
         for (int k = 0; k < corners; ++k)
             hole.push_back({d.roll(2 * reach + 1) - reach, d.roll(2 * reach + 1) - reach});
         constexpr double width = 300.0, pi = 3.14159265358979;
-        contours loops = test::contours_of({rectangle(-1000, -1000, 2000, 2000), hole});
-        workspace space;
-        const auto made = fill(loops, fill_rule::even_odd, space);
-        REQUIRE(made);
-        if (made->loop_count() == 1) continue;  // all its points lie on a line
-        const region filled = *made;
+        test::filled_shape f{{"", {rectangle(-1000, -1000, 2000, 2000), hole}}, fill_rule::even_odd};
+        if (f.filled.loop_count() == 1) continue;  // all its points lie on a line
         triangle_list triangles;
-        REQUIRE(!monotone{}(filled, space, triangles));
-        workspace::scope scratch{space};
+        REQUIRE(!monotone{}(f.filled, f.space, triangles));
+        workspace::scope scratch{f.space};
         swept_region out{scratch.source()};
         const double levels[] = {0.0, width};
-        if (sweep_inwards(filled, triangles.view(), {levels, 1.0, 0.0}, scratch, out)) {
+        if (sweep_inwards(f.filled, triangles.view(), {levels, 1.0, 0.0}, scratch, out)) {
             ++refused;
             continue;
         }
@@ -180,14 +171,14 @@ TEST_CASE("no hole of a few cells is lost: whatever its joins run into, it grows
     CHECK(refused <= 2);
 }
 
-TEST_CASE("a wavefront that loses a hole stops, and says that memory has not run out", "[offset]")
+TEST_CASE("a wavefront that loses a hole stops, and does not report a lack of memory", "[offset]")
 {
     detail::wavefront front{heap()};
     test::set_up(front,
                  {"frame", {rectangle(0, 0, 9000, 9000), {{4000, 4000}, {4000, 5000}, {5000, 5000}, {5000, 4000}}}});
     for (auto& v : front.mesh.vertices) {
         const bool in_hole = v.moves.start.x % (9000 * detail::place_one) != 0;
-        if (in_hole) v.moves.speed.of = {-v.moves.speed.of.x, -v.moves.speed.of.y};  // as no hole moves
+        if (in_hole) v.moves.speed.of = {-v.moves.speed.of.x, -v.moves.speed.of.y};  // the wrong direction for a hole
     }
     open_cells(front);
     constexpr std::int64_t end = 3000 * detail::time_one;
@@ -196,7 +187,7 @@ TEST_CASE("a wavefront that loses a hole stops, and says that memory has not run
     CHECK_FALSE(front.has_failed());
 }
 
-TEST_CASE("a wavefront whose flips reach their limit stops, and says that memory has not run out", "[offset]")
+TEST_CASE("a wavefront that reaches its limit of flips stops, and does not report a lack of memory", "[offset]")
 {
     const test::shape plate = test::circle_with_holes(24, 5);
     constexpr std::int64_t end = (std::int64_t{1} << 20) * detail::time_one;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 
-// The room as it is where the compiler has no integers of 128 bits, in a namespace of its own.
+// The room as it is without 128-bit integers of the compiler, in a namespace of its own.
 
 #include <typemesh/core/version.hpp>
 

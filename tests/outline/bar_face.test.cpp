@@ -7,7 +7,7 @@
 
 using namespace typemesh;
 
-TEST_CASE("every outline source draws a unit square as its bar face, through a map a bar", "[outline]")
+TEST_CASE("every outline source draws a unit square as its bar face, and a bar through a map", "[outline]")
 {
     recorded_outlines none{200.0, fill_rule::even_odd};
     CHECK(units_per_em_of(none, bar_face) == 200.0);

@@ -12,8 +12,8 @@ using namespace typemesh;
 
 namespace {
 
-/// In every outline: contours lie one after the other, each a closed chain of curves that have a length, inside the
-/// bounds.
+/// Laws of every outline: contours lie one after the other, and each is a closed chain of curves with a length, inside
+/// the bounds.
 void check_laws(const outline& o)
 {
     if (o.curves.empty()) {
@@ -42,19 +42,13 @@ void check_laws(const outline& o)
 
 }  // namespace
 
-TEST_CASE("an outline is kept as closed chains of curves", "[outline][outline_recorder]")
+TEST_CASE("an outline consists of closed chains of curves", "[outline][outline_recorder]")
 {
     outline o;
     outline_recorder pen{o};
-    pen.move({0, 0});
-    pen.line({10, 0});
-    pen.quadratic({10, 10}, {0, 10});
-    pen.cubic({-5, 8}, {-5, 2}, {0, 0});
+    pen.move({0, 0}), pen.line({10, 0}), pen.quadratic({10, 10}, {0, 10}), pen.cubic({-5, 8}, {-5, 2}, {0, 0});
     pen.close();
-    pen.move({1, 1});
-    pen.line({2, 1});
-    pen.line({2, 2});
-    pen.close();
+    pen.move({1, 1}), pen.line({2, 1}), pen.line({2, 2}), pen.close();
     REQUIRE(!pen.finish());
     check_laws(o);
     CHECK(o.contour_count() == 2);
@@ -65,15 +59,15 @@ TEST_CASE("an outline is kept as closed chains of curves", "[outline][outline_re
     CHECK(o.bounds.high == point{10, 10});
 }
 
-TEST_CASE("every curve is kept point for point as it was drawn", "[outline][outline_recorder]")
+TEST_CASE("every curve is kept point for point as drawn", "[outline][outline_recorder]")
 {
     outline o;
     outline_recorder pen{o};
     pen.move({0, 0});
     pen.line({10, 1});
     pen.quadratic({12, 5}, {9, 11});
-    pen.cubic({7, 13}, {-3, 17}, {-2, 6});  // four points of which no two share a coordinate
-    pen.cubic({-2, 6}, {-7, 3}, {-2, 6});   // a cubic whose second control point alone stands elsewhere
+    pen.cubic({7, 13}, {-3, 17}, {-2, 6});  // no two of the four points share a coordinate
+    pen.cubic({-2, 6}, {-7, 3}, {-2, 6});   // only the second control point is elsewhere
     REQUIRE(!pen.finish());
     const std::vector<std::vector<point>> drawn = {{{0, 0}, {10, 1}},
                                                    {{10, 1}, {12, 5}, {9, 11}},
@@ -111,13 +105,8 @@ TEST_CASE("curves without length and contours without curves leave nothing", "[o
 {
     outline o;
     outline_recorder pen{o};
-    pen.move({0, 0});
-    pen.close();
-    pen.move({1, 1});
-    pen.line({1, 1});
-    pen.quadratic({1, 1}, {1, 1});
-    pen.cubic({1, 1}, {1, 1}, {1, 1});
-    pen.close();
+    pen.move({0, 0}), pen.close();
+    pen.move({1, 1}), pen.line({1, 1}), pen.quadratic({1, 1}, {1, 1}), pen.cubic({1, 1}, {1, 1}, {1, 1}), pen.close();
     pen.close();
     pen.move({2, 2});
     pen.quadratic({3, 3}, {2, 2});  // a loop has a length
@@ -127,20 +116,15 @@ TEST_CASE("curves without length and contours without curves leave nothing", "[o
     CHECK(o.curves.size() == 1);
 }
 
-TEST_CASE("bounds and grid are those of the curves, wherever contours without a curve stand",
-          "[outline][outline_recorder]")
+TEST_CASE("bounds and grid depend only on curves, not on contours without any", "[outline][outline_recorder]")
 {
     const auto drawn = [](auto&& beside) {
         outline o;
         outline_recorder pen{o};
         beside(pen);
-        pen.move({0, 0});
-        pen.line({10, 0});
-        pen.quadratic({12, 5}, {10, 10});
+        pen.move({0, 0}), pen.line({10, 0}), pen.quadratic({12, 5}, {10, 10});
         beside(pen);
-        pen.move({-3, 2});
-        pen.cubic({-3, 4}, {-4, 4}, {-4, 2});
-        pen.close();
+        pen.move({-3, 2}), pen.cubic({-3, 4}, {-4, 4}, {-4, 2}), pen.close();
         beside(pen);
         REQUIRE(!pen.finish());
         check_laws(o);
@@ -158,14 +142,12 @@ TEST_CASE("bounds and grid are those of the curves, wherever contours without a 
     }
 }
 
-TEST_CASE("a recorder empties its outline first", "[outline][outline_recorder]")
+TEST_CASE("a recorder first empties its outline", "[outline][outline_recorder]")
 {
     outline o;
     for (int round = 0; round < 2; ++round) {
         outline_recorder pen{o};
-        pen.move({0, 0});
-        pen.line({1, 0});
-        pen.line({0, 1});
+        pen.move({0, 0}), pen.line({1, 0}), pen.line({0, 1});
         REQUIRE(!pen.finish());
         CHECK(o.curves.size() == 3);
     }
@@ -179,18 +161,14 @@ TEST_CASE("a segment without a contour is a bad outline", "[outline][outline_rec
 {
     outline o;
     outline_recorder early{o};
-    early.line({1, 1});
-    early.move({0, 0});
+    early.line({1, 1}), early.move({0, 0});
     CHECK(early.finish() == error::bad_outline);
     outline_recorder late{o};
-    late.move({0, 0});
-    late.line({1, 0});
-    late.close();
-    late.quadratic({1, 1}, {0, 0});
+    late.move({0, 0}), late.line({1, 0}), late.close(), late.quadratic({1, 1}, {0, 0});
     CHECK(late.finish() == error::bad_outline);
 }
 
-TEST_CASE("a coordinate that is no number is told, wherever it stands", "[outline][outline_recorder]")
+TEST_CASE("a recorder reports any coordinate that is not finite", "[outline][outline_recorder]")
 {
     const double bad = GENERATE(std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity(),
                                 -std::numeric_limits<double>::infinity());
@@ -199,26 +177,18 @@ TEST_CASE("a coordinate that is no number is told, wherever it stands", "[outlin
         v[where] = bad;
         outline o;
         outline_recorder pen{o};
-        pen.move({v[0], v[1]});
-        pen.line({v[2], v[3]});
-        pen.quadratic({v[4], v[5]}, {v[6], v[7]});
-        pen.cubic({v[8], v[9]}, {v[10], v[11]}, {v[12], v[13]});
-        pen.close();
+        pen.move({v[0], v[1]}), pen.line({v[2], v[3]}), pen.quadratic({v[4], v[5]}, {v[6], v[7]});
+        pen.cubic({v[8], v[9]}, {v[10], v[11]}, {v[12], v[13]}), pen.close();
         CHECK(pen.finish() == error::outline_not_finite);
     }
 }
 
-TEST_CASE("a recorder takes as many curves as it may, and no more", "[outline][outline_recorder]")
+TEST_CASE("a recorder takes at most as many curves as allowed", "[outline][outline_recorder]")
 {
     for (std::uint32_t most = 0; most <= 8; ++most) {
         outline o;
         outline_recorder pen{o, most};
-        for (double x = 0.0; x < 2.0; ++x) {
-            pen.move({x, 0});
-            pen.line({x + 1, 0});
-            pen.line({x, 1});
-            pen.close();
-        }
+        for (double x = 0.0; x < 2.0; ++x) pen.move({x, 0}), pen.line({x + 1, 0}), pen.line({x, 1}), pen.close();
         const error e = pen.finish();
         INFO(most << " of 6 curves allowed");
         CHECK(bool(e) == (most < 6));
@@ -227,19 +197,15 @@ TEST_CASE("a recorder takes as many curves as it may, and no more", "[outline][o
     }
 }
 
-TEST_CASE("a recorder reports a memory that gives nothing", "[outline][outline_recorder]")
+TEST_CASE("a recorder reports that memory ran out", "[outline][outline_recorder]")
 {
     for (std::size_t at = 1; at <= 3; ++at) {
         test::counting_memory failing{.fail_at = at};
         {
             outline o{failing.source()};
             outline_recorder pen{o};
-            for (int k = 0; k < 40; ++k) {
-                pen.move({0, 10.0 * k});
-                pen.line({5, 10.0 * k});
-                pen.line({5, 10.0 * k + 5});
-                pen.close();
-            }
+            for (double y = 0.0; y < 400.0; y += 10.0)
+                pen.move({0, y}), pen.line({5, y}), pen.line({5, y + 5}), pen.close();
             CHECK(pen.finish() == error::out_of_memory);
         }
         CHECK(failing.bytes_held == 0);

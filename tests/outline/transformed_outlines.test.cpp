@@ -6,39 +6,39 @@
 
 #include "support/catch.hpp"
 
+#include <algorithm>
 #include <set>
 
 using namespace typemesh;
 
 namespace {
 
-/// One glyph with every kind of curve; no two coordinates alike.
+/// One glyph with every kind of curve, two contours, and no two coordinates alike in the first.
 recorded_outlines drawing()
 {
     recorded_outlines made{1000.0, fill_rule::even_odd};
     REQUIRE(made.add([](auto& pen) {
-        pen.move({1, 2});
-        pen.line({300, 5});
-        pen.quadratic({350, 120}, {310, 250});
-        pen.cubic({200, 330}, {90, 280}, {11, 260});
-        pen.close();
+        pen.move({1, 2}), pen.line({300, 5}), pen.quadratic({350, 120}, {310, 250});
+        pen.cubic({200, 330}, {90, 280}, {11, 260}), pen.close();
+        pen.move({10, 10}), pen.line({20, 10}), pen.line({10, 20}), pen.close();
     }));
     return made;
 }
 
 }  // namespace
 
-TEST_CASE("transformed outlines are the other source's, point by point", "[outline][transformed_outlines]")
+TEST_CASE("a transformed source draws every point where its map puts it", "[outline][transformed_outlines]")
 {
     recorded_outlines source = drawing();
     outline plain;
     REQUIRE(record(source, 0, plain));
     for (const affine& map : {affine{}, affine{.xy = 0.2}, affine{.xx = -1.0}, affine{.dx = 40.0, .dy = -7.0},
-                              affine{0.6, -0.8, 3.0, 0.8, 0.6, -5.0}}) {
+                              affine{0.6, -0.8, 3.0, 0.8, 0.6, -5.0}, affine{2.0, 0.25, -3.0, 0.0, -1.0, 7.0}}) {
         transformed_outlines moved{source, map};
         outline made;
         REQUIRE(record(moved, 0, made));
         REQUIRE(made.curves.size() == plain.curves.size());
+        CHECK(std::ranges::equal(made.starts, plain.starts));
         for (std::size_t k = 0; k < made.curves.size(); ++k) {
             REQUIRE(made.curves[k].degree == plain.curves[k].degree);
             for (std::uint32_t i = 0; i <= made.curves[k].degree; ++i) {
@@ -49,13 +49,15 @@ TEST_CASE("transformed outlines are the other source's, point by point", "[outli
         }
         CHECK(made.rule == fill_rule::even_odd);
         CHECK(moved.units_per_em() == 1000.0);
+        CHECK(moved.fill() == fill_rule::even_odd);
     }
     transformed_outlines moved{source, affine{}};
     outline none;
     CHECK(record(moved, 7, none) == error::unknown_glyph);
 }
 
-TEST_CASE("two transformations have two variation keys, one above the other a third", "[outline][transformed_outlines]")
+TEST_CASE("two transformations, and one on top of another, have different variation keys",
+          "[outline][transformed_outlines]")
 {
     recorded_outlines source = drawing();
     std::set<std::uint64_t> keys{variation_of(source)};

@@ -8,20 +8,20 @@ using namespace typemesh;
 
 namespace {
 
-struct silent_font {};
-struct telling_font {
+struct font_without_key {};
+struct font_with_key {
     [[nodiscard]] std::uint64_t variation_key() const noexcept { return 42; }
 };
 
 }  // namespace
 
-TEST_CASE("a font that tells no variation has 0", "[outline][variation_key]")
+TEST_CASE("a font without a variation key has key 0", "[outline][variation_key]")
 {
-    CHECK(variation_of(silent_font{}) == 0);
-    CHECK(variation_of(telling_font{}) == 42);
+    CHECK(variation_of(font_without_key{}) == 0);
+    CHECK(variation_of(font_with_key{}) == 42);
 }
 
-TEST_CASE("each number of a map has its share in the key", "[outline][variation_key]")
+TEST_CASE("each number of a map changes the key", "[outline][variation_key]")
 {
     const affine plain;
     const affine others[] = {{.xx = 2.0}, {.xy = 2.0}, {.dx = 2.0}, {.yx = 2.0}, {.yy = 2.0}, {.dy = 2.0}};

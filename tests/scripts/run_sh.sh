@@ -1,33 +1,17 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
 #
-# What examples/run.sh and tests/run.sh promise, with stand-ins for all that they call: nothing is installed or built.
+# Tests examples/run.sh and tests/run.sh with stand-ins for all programs that they call: nothing is installed or built.
 #
-#     run_sh.sh [FOLDER]     FOLDER holds the scripts to be tried; this source tree without it
+#     run_sh.sh [FOLDER]     FOLDER contains the scripts; by default this source tree
 set -u
 source_tree=$(cd "${1:-$(dirname "${BASH_SOURCE[0]}")/../..}" && pwd)
 scratch=$(mktemp -d) && trap 'rm -rf "$scratch"' EXIT
-export scratch
-passed=0
-failed=0
-check() {  # check 'SENTENCE' COMMAND...
-    local sentence=$1
-    shift
-    if "$@" >/dev/null; then
-        passed=$((passed + 1))
-    else
-        failed=$((failed + 1))
-        printf 'FAILED: %s\n  status %s; written:\n' "$sentence" "$status" && tail -q -n 15 "$scratch/out" "$scratch/err" | cut -c 1-200 | sed 's/^/  | /'
-    fi
-}
-says() { grep -qE -- "$1" "$scratch/out" "$scratch/err"; }
+. "$(dirname "${BASH_SOURCE[0]}")/checks.bash"
 says_not() { ! says "$1"; }
-called() { grep -qE -- "$1" "$scratch/calls"; }
-called_not() { ! called "$1"; }
 
-# The scripts lie in a folder whose name has a blank, the programs that they may call in another.
+# The scripts are in a folder with a blank in its name, and the programs that they may call in another.
 tree="$scratch/a folder"
-bin=$scratch/bin
 mkdir -p "$bin" "$scratch/prefix/include" "$tree"
 for file in examples/run.sh tests/run.sh cmake/setup.sh tests/workload/smoke-fonts.tsv tests/external/common.bash; do
     mkdir -p "$tree/$(dirname "$file")" && cp "$source_tree/$file" "$tree/$file"
@@ -38,10 +22,6 @@ done
 for header in harfbuzz/hb.h ft2build.h glm/vec3.hpp unicode/ubrk.h catch2/catch.hpp benchmark/benchmark.h CLI/CLI.hpp tiny_gltf.h stb_image_write.h; do
     mkdir -p "$scratch/prefix/include/$(dirname $header)" && touch "$scratch/prefix/include/$header"
 done
-stand_in() {  # stand_in NAME, its body on standard input; every call is recorded
-    # shellcheck disable=SC2016  # for the stand-in
-    { printf '#!/usr/bin/env bash\necho "%s $*" >>"$scratch/calls"\n' "$1" && cat; } >"$bin/$1" && chmod +x "$bin/$1"
-}
 for name in g++ clang++ clang-format-19 ninja pkg-config wine x86_64-w64-mingw32-g++-posix; do stand_in $name </dev/null; done
 stand_in cmake <<'END'
 if [ "$1" = --preset ]; then mkdir -p "build/$2" && exit; fi
@@ -87,7 +67,7 @@ for package in "$@"; do :; done
 ! grep -qx "$package" "$scratch/installed" || echo installed
 END
 
-anew() {  # a machine with a Latin font, and the administrator before it
+anew() {  # a machine with a Latin font, used by the administrator
     rm -rf "$tree/build" "$scratch/wait" "$scratch/bad"
     : >"$scratch/kill"
     echo 0 >"$scratch/user"
@@ -112,8 +92,6 @@ run() {  # run SCRIPT ARGUMENT...   from a folder of its own
     wait $! || status=$?
     set +m
 } 2>/dev/null
-succeeds() { [ $status = 0 ]; }
-fails() { [ $status != 0 ]; }
 
 # --- examples/run.sh: the text
 anew && run examples/run.sh "Hello world!"
@@ -131,12 +109,12 @@ for words in "--depth 0.3 Hello" "Hello --depth 0.3 World" "--strict Hello" "Hel
     # shellcheck disable=SC2086  # words
     anew && run examples/run.sh $words
     check "$words: text after an option is an error" fails
-    check "$words: it is said what to do" grep -q 'The text stands before all options' "$scratch/err"
-    check "$words: in one line" [ "$(grep -c . "$scratch/err")" = 1 ]
-    check "$words: nothing is begun" called_not 'text_to_mesh|cmake'
+    check "$words: it says what to do" grep -q 'The text stands before all options' "$scratch/err"
+    check "$words: it says so in one line" [ "$(grep -c . "$scratch/err")" = 1 ]
+    check "$words: nothing starts" called_not 'text_to_mesh|cmake'
 done
 anew && run examples/run.sh Hello --feature -kern --strict --depth 0.3
-check "values and flags are no text" called '<--feature><-kern><--strict><--depth><0.3><--><Hello>$'
+check "values and flags are not part of the text" called '<--feature><-kern><--strict><--depth><0.3><--><Hello>$'
 
 # --- examples/run.sh: what it wrote
 anew && run examples/run.sh Hello
@@ -153,8 +131,8 @@ check "help writes nothing" says_not '^text_to_mesh has written'
 # --- examples/run.sh: fonts
 anew && run examples/run.sh "བོད"
 check "a script without a font is an error" fails
-check "the script is called by its name" says 'Tibetan'
-check "no other script is blamed" says_not 'Latin'
+check "the script is named" says 'Tibetan'
+check "no other script is named" says_not 'Latin'
 check "its letters are named" says 'U\+0F56'
 check "its Debian package is named" says 'apt-get install fonts-noto-core$'
 for text in "ሰላም" "ខ្មែរ" "မြန်မာ" "සිංහල" "ᠮᠣᠩᠭᠣᠯ"; do
@@ -162,11 +140,11 @@ for text in "ሰላም" "ខ្មែរ" "မြန်မာ" "සිංහල"
     check "$text: the package of its script is named" says 'apt-get install fonts-noto-core$'
 done
 anew && echo fonts-noto-core >>"$scratch/installed" && run examples/run.sh "བོད"
-check "a package that is installed is not advised" says_not 'apt-get install.* fonts-noto-core( |$)'
-check "the next package is" says 'apt-get install fonts-unifont$'
+check "an installed package is not advised" says_not 'apt-get install.* fonts-noto-core( |$)'
+check "the next package is advised" says 'apt-get install fonts-unifont$'
 echo fonts-unifont >>"$scratch/installed" && again && run examples/run.sh "བོད"
-check "with all of them installed none is advised" says_not 'apt-get'
-check "there is still a way" says '--font FILE'
+check "if all are installed, none is advised" says_not 'apt-get'
+check "it still shows a way" says '--font FILE'
 again && run examples/run.sh "A བོད ሰላም"
 check "that all packages are installed is said once" [ "$(grep -c "packages of this script's list" "$scratch/out" "$scratch/err" | awk -F : '{ n += $2 } END { print n }')" = 1 ]
 check "for all scripts that it is true of" says 'packages of this .*: .*Tibetan, .*Ethiopic|packages of this .*: .*Ethiopic, .*Tibetan'
@@ -182,8 +160,8 @@ check "what else is missing is still named" says 'No font has these: Tibetan'
 anew && echo "/fonts/tibetan.ttf|Noto Serif Tibetan|f00|fff" >>"$scratch/fonts" && run examples/run.sh "བོད"
 check "an installed font is found by its characters" called '<--font></fonts/tibetan.ttf>'
 again && run examples/run.sh "Tibet བོད"
-check "scripts that no one font has together: it is said where each is" says 'Latin.* in DejaVu Sans'
-check "nothing is to be installed for them" says_not 'apt-get'
+check "if no font has all scripts, it says where each is" says 'Latin.* in DejaVu Sans'
+check "it advises no package for them" says_not 'apt-get'
 anew && : >"$scratch/installed" && run examples/run.sh "日本です！"
 check "Han letters beside kana are Japanese" says 'apt-get install fonts-sawarabi-mincho$'
 anew && run examples/run.sh "བོད ሰላም ไทย"
@@ -214,16 +192,16 @@ for script in examples/run.sh tests/run.sh; do
     check "$script: a build folder that cannot be written is an error" fails
     check "$script: it is reported in one sentence" [ "$(grep -c . "$scratch/err")" = 1 ]
     check "$script: the sentence names the folder" grep -q "a folder/build cannot be written" "$scratch/err"
-    check "$script: nothing is begun" called_not 'apt-get|cmake'
+    check "$script: nothing starts" called_not 'apt-get|cmake'
     rm -f "$tree/build"
 done
 
 anew && run examples/run.sh
 rm -f "$tree/build/release.log" && mkdir "$tree/build/release.log" && again && run examples/run.sh
-check "what is built already is used where the build folder cannot be written" called '<--><Hello world!>$'
-check "nothing is built then" called_not 'cmake'
+check "an earlier build is used if the build folder cannot be written" called '<--><Hello world!>$'
+check "nothing is built in that case" called_not 'cmake'
 touch -t 200001010000 "$tree/build/release/examples/text_to_mesh" && again && run examples/run.sh
-check "but not where a source is newer" fails
+check "an earlier build is not used if a source is newer" fails
 
 # --- tests/run.sh
 anew && run tests/run.sh
@@ -231,51 +209,51 @@ check "the tests of g++ are the default" succeeds
 check "ctest's sums are added" says '^10 passed, 0 failed$'
 check "no other preset is tested" called_not 'build/(clang|sanitize|tsan|windows)'
 again && run tests/run.sh
-check "the second run does as the first" says '^10 passed, 0 failed$'
+check "the second run does the same" says '^10 passed, 0 failed$'
 anew && run tests/run.sh --only windows
-check "one tier can be run alone" says '^5 passed, 0 failed$'
-check "it is the one that was named" called 'ctest .*build/windows'
-check "no other is run" called_not 'ctest .*build/(gcc|fast-math|clang|sanitize|tsan)'
+check "a single tier can be run" says '^5 passed, 0 failed$'
+check "it is the named tier" called 'ctest .*build/windows'
+check "no other tier is run" called_not 'ctest .*build/(gcc|fast-math|clang|sanitize|tsan)'
 anew && run tests/run.sh --only gcc,clang
-check "several tiers can be run alone" says '^15 passed, 0 failed$'
+check "some tiers can be run" says '^15 passed, 0 failed$'
 anew && run tests/run.sh --only clang --with tsan
 check "--with adds to --only" says '^10 passed, 0 failed$'
 anew && run tests/run.sh --with clang,clnag
 check "an unknown tier is an error of usage" [ $status = 2 ]
 check "the unknown tier is named" says '"clnag"'
-check "nothing is begun" called_not .
+check "nothing starts" called_not .
 anew && run tests/run.sh --only
 check "--only without a tier is an error of usage" [ $status = 2 ]
 for signal in TERM INT HUP; do
     anew && echo $signal >"$scratch/kill" && run tests/run.sh
-    check "$signal: a run that was killed has failed" fails
-    check "$signal: it says that it was broken off, and where" says 'broken off while .*gcc'
+    check "$signal: a killed run fails" fails
+    check "$signal: it says where it was broken off" says 'broken off while .*gcc'
     check "$signal: that counts as a failure" says ' [1-9][0-9]* failed$'
 done
 anew && mv "$bin/ninja" "$scratch/ninja" && echo 1000 >"$scratch/user" && run tests/run.sh
-check "a run that cannot set up has failed" says '^0 passed, 1 failed$'
-check "it says that it got no further" says 'broken off while setting up'
+check "a run that cannot set up fails" says '^0 passed, 1 failed$'
+check "it says that it stopped there" says 'broken off while setting up'
 mv "$scratch/ninja" "$bin/ninja"
 
 anew && touch "$scratch/wait" && run tests/run.sh --only clang
 check "it tells how many tests are done, and how many of them failed" says '0:0[0-9]  4 of 5, 1 failed'
 check "it says how long the first build takes" says 'This builds clang, which takes [0-9]+ minutes'
 anew && touch "$scratch/bad" && run tests/run.sh --only clang,tsan
-check "without --fail-fast all is run" says '^8 passed, 2 failed$'
+check "without --fail-fast all tiers are run" says '^8 passed, 2 failed$'
 again && run tests/run.sh --only clang,tsan --fail-fast
-check "with it the first failure ends the run" says '^4 passed, 1 failed$'
-check "the run has failed then" fails
-check "it says why it has ended" says '^ended by --fail-fast$'
-check "ctest ends with its first failure, too" called 'ctest .*--stop-on-failure'
+check "with --fail-fast the first failure ends the run" says '^4 passed, 1 failed$'
+check "the run fails" fails
+check "it says why it ended" says '^ended by --fail-fast$'
+check "ctest also stops at its first failure" called 'ctest .*--stop-on-failure'
 check "no other preset is tested" called_not 'build/tsan'
 anew && run tests/run.sh --fail-fast
 check "without a failure --fail-fast changes nothing" says '^10 passed, 0 failed$'
 anew && mkdir -p "$tree/tests/core" "$tree/tests/workload" && touch "$tree/tests/core/a.test.cpp" "$tree/tests/workload/a.test.cpp"
 cp "$source_tree/CMakePresets.json" "$tree/" && run tests/run.sh --quick
 check "--quick tests a preset of its own" called 'ctest .*build/quick'
-check "and no other" says '^5 passed, 0 failed$'
+check "it tests no other" says '^5 passed, 0 failed$'
 check "it says what it leaves out" says '^left out by --quick, of tests/: .*workload'
-check "and not what it does not" says_not '^left out by --quick.* core'
+check "it does not list what it runs" says_not '^left out by --quick.* core'
 rm -r "$tree/tests/core" "$tree/tests/workload/a.test.cpp" "$tree/CMakePresets.json"
 
 # --- tests/run.sh: the tiers that are scripts
@@ -286,24 +264,24 @@ for tier in external:external:gcc engines:engines_run:release; do
     printf 'echo "$TYPEMESH_TEXT_TO_MESH|$TYPEMESH_TEST_DATA|$PWD" >>"$scratch/calls"\n' >"$tree/tests/$folder/a.sh"
     printf 'echo "of no interest"\necho "there is no such engine"\nexit 77\n' >"$tree/tests/$folder/b.sh"
     anew && run tests/run.sh --only $tier
-    check "$tier: what passes is counted, what is skipped is neither" says '^1 passed, 0 failed$'
-    check "$tier: what is skipped says why, once more at the end" [ "$(grep -c "skipped: $folder/b: there is no such engine" "$scratch/out")" = 2 ]
-    check "$tier: a script that is skipped is no failure" succeeds
-    check "$tier: scripts find the tool and the tests' files, and run in a folder of their own" \
+    check "$tier: passed scripts are counted, and skipped ones are not" says '^1 passed, 0 failed$'
+    check "$tier: the reason of a skipped script is repeated at the end" [ "$(grep -c "skipped: $folder/b: there is no such engine" "$scratch/out")" = 2 ]
+    check "$tier: a skipped script is no failure" succeeds
+    check "$tier: scripts find the tool and the tests' files, and run in their own folder" \
         called "^$tree/build/$preset/examples/text_to_mesh\|$tree/tests\|$tree/build/$folder\$"
     check "$tier: the tool is built first" called "cmake --build .*build/$preset"
     check "$tier: what cannot be installed does not stop the others" says 'The run continues without'
     printf 'echo "a pixel of a back face"\nexit 1\n' >"$tree/tests/$folder/c.sh"
     again && run tests/run.sh --only $tier
-    check "$tier: a script that fails is counted" says '^1 passed, 1 failed$'
-    check "$tier: all that it has said is shown" says 'a pixel of a back face'
-    check "$tier: the run has failed then" fails
+    check "$tier: a failed script is counted" says '^1 passed, 1 failed$'
+    check "$tier: its whole output is shown" says 'a pixel of a back face'
+    check "$tier: the run fails" fails
     rm "$tree/tests/$folder"/[abc].sh
 done
 stand_in npm <<<'exit 1'
 anew && run tests/run.sh --only engines
-check "what npm cannot install is a failure" says '^0 passed, 1 failed$'
-check "it is named" says 'npm could not install three'
+check "a failure of npm is a failure" says '^0 passed, 1 failed$'
+check "the package is named" says 'npm could not install three'
 rm "$bin/npm"
 anew && echo 'exit 0' >"$tree/tests/engines_run/a.sh" && run tests/run.sh
 check "engines are not run by default" says_not 'engines_run'
@@ -321,9 +299,9 @@ echo "wasm             NOT COMPILED: no such header"
 echo "riscv64          skipped: riscv64 qemu is missing and cannot be installed"
 echo "The table is written: table.md"
 END
-check "machines that differ and that do not compile are failures" says '^1 passed, 2 failed$'
-check "a machine that is missing is named at the end" says '^skipped: machines/riscv64: riscv64 qemu is missing'
-check "the run has failed then" fails
+check "machines that differ or do not compile are failures" says '^1 passed, 2 failed$'
+check "a missing machine is named at the end" says '^skipped: machines/riscv64: riscv64 qemu is missing'
+check "the run fails" fails
 machines <<<'echo "s390x            good: all 22; tests: 6 rooms passed"; exit 1'
 check "machines whose run breaks off are a failure" says '^1 passed, 1 failed$'
 machines <<<'echo "s390x            good: all 22; tests: -"; echo "The table is written: table.md"'

@@ -1,37 +1,19 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
 #
-# What examples/web/run.sh promises, with stand-ins for all that it calls: nothing is installed, fetched or compiled.
+# Tests examples/web/run.sh with stand-ins for all programs that it calls: nothing is installed, fetched or compiled.
 #
-#     web_run_sh.sh [FOLDER]     FOLDER holds the scripts to be tried; this source tree without it
+#     web_run_sh.sh [FOLDER]     FOLDER contains the scripts; by default this source tree
 set -u
 source_tree=$(cd "${1:-$(dirname "${BASH_SOURCE[0]}")/../..}" && pwd)
 if [ ! -e /usr/share/fonts/truetype/dejavu/DejaVuSans-Bold.ttf ]; then echo "the page's first font is not installed" && exit 77; fi
 scratch=$(mktemp -d)
 listener=
 trap '[ -z "$listener" ] || kill "$listener"; rm -rf "$scratch"' EXIT
-export scratch
-passed=0
-failed=0
-check() {  # check 'SENTENCE' COMMAND...
-    local sentence=$1
-    shift
-    if "$@" >/dev/null; then
-        passed=$((passed + 1))
-    else
-        failed=$((failed + 1))
-        printf 'FAILED: %s\n  status %s; written:\n' "$sentence" "$status" && tail -q -n 15 "$scratch/out" "$scratch/err" | cut -c 1-200 | sed 's/^/  | /'
-    fi
-}
-says() { grep -qE -- "$1" "$scratch/out" "$scratch/err"; }
-called() { grep -qE -- "$1" "$scratch/calls"; }
-called_not() { ! called "$1"; }
-succeeds() { [ "$status" = 0 ]; }
-fails() { [ "$status" != 0 ]; }
+. "$(dirname "${BASH_SOURCE[0]}")/checks.bash"
 
-# The scripts lie in a folder whose name has a blank, the programs that they may call in another.
+# The scripts are in a folder with a blank in its name, and the programs that they may call in another.
 tree="$scratch/a folder"
-bin=$scratch/bin
 real_python=
 for name in /usr/bin/python3 /usr/local/bin/python3 /opt/homebrew/bin/python3; do [ ! -x $name ] || { real_python=$name && break; }; done
 export real_python
@@ -41,10 +23,6 @@ touch "$tree/LICENSE" "$tree/examples/text_to_mesh/policies.cpp" "$tree/include/
 for name in bash sh env awk sed grep cut sort head tail tr cat mktemp date mkdir rm cp mv touch sleep dirname basename find getconf wc gzip tar tee ls id; do
     ln -s "$(command -v $name)" "$bin/$name"
 done
-stand_in() {  # stand_in NAME, its body on standard input; every call is recorded
-    # shellcheck disable=SC2016  # for the stand-in
-    { printf '#!/usr/bin/env bash\necho "%s $*" >>"$scratch/calls"\n' "$1" && cat; } >"$bin/$1" && chmod +x "$bin/$1"
-}
 for name in dpkg-source update-ca-certificates node clang++ pkg-config; do stand_in $name </dev/null; done
 stand_in em++ <<'END'
 if [ -e "$scratch/broken" ] && [[ $* == *settings.cpp* ]]; then echo "settings.cpp:1: error: a stand-in's" >&2 && exit 1; fi
@@ -113,43 +91,43 @@ check "Debian's npm is not installed" called_not 'apt-get.* install .*npm'
 grep -qs '^ *registry' /etc/npmrc /usr/etc/npmrc /usr/local/etc/npmrc ||
     check "the registry's address comes from Debian's package" called 'fetch.py .* https://of.debian.example/three/-/three-0.187.0.tgz$'
 check "the page has three.js" [ -e "$tree/build/web/site/three/three.core.js" ]
-check "it is served at the port named" called "^python3 -m http.server .* $free$"
+check "it is served at the named port" called "^python3 -m http.server .* $free$"
 again && run $free
 check "the second run fetches nothing" called_not 'fetch.py|apt-get'
-check "and compiles nothing" called_not 'em\+\+ .* -c '
+check "the second run compiles nothing" called_not 'em\+\+ .* -c '
 anew && run NPM_CONFIG_REGISTRY=https://of.variable.example/npm --build
-check "a registry set by a variable is taken" called 'fetch.py .* https://of.variable.example/npm/three/-/three-'
-check "nothing is looked for elsewhere" called_not 'apt-get'
+check "a registry from a variable is used" called 'fetch.py .* https://of.variable.example/npm/three/-/three-'
+check "nothing else is searched" called_not 'apt-get'
 check "--build serves nothing" called_not 'http.server'
 anew && printf '; mine\nregistry = https://of.file.example/\n' >"$scratch/home/.npmrc" && run --build
-check "a registry set by .npmrc is taken" called 'fetch.py .* https://of.file.example/three/-/three-'
+check "a registry from .npmrc is used" called 'fetch.py .* https://of.file.example/three/-/three-'
 anew && cp "$scratch/npm" "$bin/npm" && run --build
-check "npm is called where it is installed" called '^npm pack three@0.187.0'
-check "and the page is made" succeeds
+check "npm is called if it is installed" called '^npm pack three@0.187.0'
+check "the page is made" succeeds
 anew && touch "$scratch/no-network" && run --build
-check "a registry whose address is not known is an error" fails
-check "it is said what to do" says 'set NPM_CONFIG_REGISTRY to it, or install npm'
-check "and nothing is compiled" called_not 'em\+\+'
+check "an unknown registry is an error" fails
+check "it says what to do" says 'set NPM_CONFIG_REGISTRY to it, or install npm'
+check "nothing is compiled" called_not 'em\+\+'
 if [ -n "$real_python" ]; then
     mkdir -p "$scratch/registry/three/-" && echo other >"$scratch/registry/three/-/three-0.187.0.tgz"
     anew && touch "$scratch/real" && run NPM_CONFIG_REGISTRY="file://$scratch/registry" --build
-    check "another file than the tested one is refused" fails
-    check "in a sentence" says '^What has arrived is another file than the page is tested with[.]$'
-    check "and not kept" [ ! -e "$tree/build/web/npm/three" ]
+    check "a file that differs from the tested one is refused" fails
+    check "it says so in a sentence" says '^What has arrived is another file than the page is tested with[.]$'
+    check "the file is not kept" [ ! -e "$tree/build/web/npm/three" ]
     anew && touch "$scratch/real" && run NPM_CONFIG_REGISTRY="file://$scratch/nowhere" --build
     check "a registry without the file is an error" fails
-    check "in one line" [ "$(grep -c . "$scratch/err")" = 1 ]
+    check "it says so in one line" [ "$(grep -c . "$scratch/err")" = 1 ]
 fi
 
 # --- the port
 anew && touch "$scratch/forbidden" && run $free
-check "a port that is not to be had is an error" fails
-check "it is said" says "^The port $free is not free"
-check "before anything is fetched, installed or compiled" called_not 'apt-get|fetch.py|npm|em\+\+'
+check "a port that is not available is an error" fails
+check "it says that the port is not free" says "^The port $free is not free"
+check "nothing is fetched, installed or compiled" called_not 'apt-get|fetch.py|npm|em\+\+'
 for word in 0 65536 99999999999999999999 80a -1; do
     anew && run "$word"
     check "$word is no port" fails
-    check "$word: nothing is begun" called_not 'apt-get|fetch.py|npm|em\+\+'
+    check "$word: nothing starts" called_not 'apt-get|fetch.py|npm|em\+\+'
 done
 if [ -n "$real_python" ]; then
     "$real_python" -c 'import socket, sys, time
@@ -158,23 +136,23 @@ s = socket.socket(); s.bind(("127.0.0.1", 0)); s.listen(); print(s.getsockname()
     for _ in 1 2 3 4 5 6 7 8 9; do [ -s "$scratch/port" ] && break || sleep 0.3; done
     anew && mv "$bin/python3" "$scratch/python3" && run "$(cat "$scratch/port")"
     mv "$scratch/python3" "$bin/python3"
-    check "a port at which somebody answers is an error, also before python3 is there" fails
-    check "another one is named" says "^The port $(cat "$scratch/port") is not free, but [0-9]+ is: examples/web/run.sh [0-9]+$"
-    check "nothing is begun there" called_not 'apt-get|fetch.py|npm|em\+\+'
+    check "a port that is in use is an error, even without python3" fails
+    check "another port is named" says "^The port $(cat "$scratch/port") is not free, but [0-9]+ is: examples/web/run.sh [0-9]+$"
+    check "nothing starts" called_not 'apt-get|fetch.py|npm|em\+\+'
 fi
 
 # --- compiling
 anew && touch "$scratch/wait" && run --build
-check "it counts while it compiles" says ' 7 of 8$'
+check "it shows its progress while it compiles" says ' 7 of 8$'
 check "eight files are compiled" [ "$(grep -cE 'em\+\+ .* -c ' "$scratch/calls")" = 8 ]
 again && touch "$tree/examples/web/page/page.css" "$tree/examples/web/run.sh" "$tree/examples/web/README.md" && run --build
-check "another page is no reason to compile" called_not 'em\+\+ .* -c '
+check "a changed page is no reason to compile" called_not 'em\+\+ .* -c '
 again && touch "$tree/include/a.hpp" && run --build
-check "another header is one" [ "$(grep -cE 'em\+\+ .* -c ' "$scratch/calls")" = 8 ]
+check "a changed header is a reason to compile" [ "$(grep -cE 'em\+\+ .* -c ' "$scratch/calls")" = 8 ]
 again && touch "$tree/include/a.hpp" "$scratch/broken" && echo before >"$tree/examples/web/package/typemesh.wasm" && run --build
-check "an error of the compiler ends it" fails
+check "a compiler's error ends the run" fails
 check "the error is shown" says "settings.cpp:1: error: a stand-in's"
-check "the module stays as it was" grep -q before "$tree/examples/web/package/typemesh.wasm"
+check "the module stays unchanged" grep -q before "$tree/examples/web/package/typemesh.wasm"
 
 printf '%s passed, %s failed\n' $passed $failed
 [ $failed = 0 ] && [ $passed != 0 ]

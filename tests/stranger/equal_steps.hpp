@@ -7,7 +7,7 @@
 
 namespace stranger {
 
-/// Equal steps of t, as many as the control polygon is bent: from the comment on discretiser alone.
+/// Equal steps of t, more of them for a bent control polygon. Written only from the comment on discretiser.
 struct equal_steps {
     template <class Put>
     void operator()(const typemesh::quadratic& q, double tolerance, Put&& put) const noexcept

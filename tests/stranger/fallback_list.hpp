@@ -11,8 +11,8 @@
 
 namespace stranger {
 
-/// As many fonts of one type as come along, each character from the first that has it: from the comments on shaper and
-/// face_source alone.
+/// Any number of fonts of one type; each character is taken from the first that has it. Written only from the comments on
+/// shaper and face_source.
 template <class Font>
 class fallback_list {
 public:

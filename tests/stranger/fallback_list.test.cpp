@@ -33,7 +33,7 @@ struct two_fonts {
 static_assert(shaper<stranger::fallback_list<drawn_type>>);
 static_assert(face_source<stranger::fallback_list<drawn_type>>);
 
-TEST_CASE("a stranger's fallback from font to font is set and drawn like one font", "[stranger]")
+TEST_CASE("a stranger's fallback from font to font is laid out and drawn like one font", "[stranger]")
 {
     two_fonts fonts;
     auto mesher = text_mesher{fonts.both}.with(flat{});
@@ -41,8 +41,7 @@ TEST_CASE("a stranger's fallback from font to font is set and drawn like one fon
     REQUIRE(plan);
     REQUIRE(plan->glyphs().size() == 5);
     CHECK(plan->run().looks.size() == 2);
-    CHECK(plan->run().glyphs[2].origin.x ==
-          Catch::Approx(90.0 + 50.0));  // behind an A and an a, in the first one's units
+    CHECK(plan->run().glyphs[2].origin.x == Catch::Approx(90.0 + 50.0));  // after A and a, in the first font's units
     std::vector<vec3> places(plan->size().vertices);
     std::vector<std::uint32_t> indices(plan->size().indices());
     stream_sink sink{std::span{indices}, stream<attribute::position, vec3>{std::span{places}}};
@@ -52,7 +51,7 @@ TEST_CASE("a stranger's fallback from font to font is set and drawn like one fon
     CHECK(mesher.plan("AaBc").error() == error::needs_shaping);
 }
 
-TEST_CASE("workers that fall back each for itself number their looks alike", "[stranger][threads]")
+TEST_CASE("workers with a fallback of their own number their looks alike", "[stranger][threads]")
 {
     std::string text;
     for (int i = 0; i < 600; ++i) text += i % 7 == 6 ? "\n" : i % 11 < 5 ? "A" : i % 3 == 0 ? "b" : "a";

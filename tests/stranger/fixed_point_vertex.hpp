@@ -8,7 +8,7 @@
 
 namespace stranger {
 
-/// 12 bytes: positions in 1/4096 of a unit, a normal and a part in four bytes. From the comment on vertex_traits alone.
+/// 12 bytes: positions in 1/4096 of a unit, a normal and a part in four bytes. Written only from vertex_traits' comment.
 struct fixed_point_vertex {
     std::int16_t place[3];
     std::int8_t normal[3];

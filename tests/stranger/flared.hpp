@@ -11,7 +11,7 @@
 namespace stranger {
 
 /// Letters that flare: caps twice as large as the letter, walls of the letter itself, and a slope between each cap and the
-/// walls: five parts, levels and caps of its own. From the comments on extruder, plan_arrays and cap_maker alone.
+/// walls: five parts, with levels and caps of its own. Written only from the comments on extruder, plan_arrays, cap_maker.
 ///
 ///     ______________________     front   z = 0        the letter twice as large about its middle: on the grid, and simple
 ///      \                  /      part 3

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 
-// A sink whose end() fails: whoever wrote into it is told.
+// A sink whose end() fails: the error reaches the caller of the function that wrote.
 
 #include <typemesh/typemesh.hpp>
 
@@ -14,7 +14,7 @@ using namespace typemesh;
 
 namespace {
 
-/// Takes everything, and keeps nothing.
+/// Takes everything, and stores nothing.
 struct full_disk {
     static constexpr auto wants = attribute::position;
     int* ends;
@@ -28,7 +28,7 @@ struct full_disk {
 };
 static_assert(chunked_sink<full_disk>);
 
-/// What end() may not give.
+/// A type that end() may not return.
 struct tells_by_number : full_disk {
     int end() noexcept { return 0; }
 };
@@ -36,7 +36,7 @@ static_assert(!mesh_sink<tells_by_number>);
 
 }  // namespace
 
-TEST_CASE("an error at a sink's end comes back from whatever wrote", "[stranger]")
+TEST_CASE("an error at a sink's end is returned by every function that writes", "[stranger]")
 {
     test::toy_font font;
     text_mesher mesher{font};

@@ -10,7 +10,7 @@
 
 namespace stranger {
 
-/// The tessellator that OpenGL has always had: from the comment on triangulator alone.
+/// OpenGL's own old tessellator. Written only from the comment on triangulator.
 struct glu_tessellator {
     typemesh::error operator()(const typemesh::region& r, typemesh::workspace& space,
                                typemesh::triangle_list& out) const noexcept

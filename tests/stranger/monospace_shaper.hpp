@@ -4,14 +4,13 @@
 #include <typemesh/layout/shaper.hpp>
 
 #include <cstddef>
-#include <cstdint>
 #include <string>
 #include <utility>
 
 namespace stranger {
 
-/// Every character in a cell of its own: from the comment on shaper alone. Knows some ASCII characters, in the order of their
-/// glyphs; all others are missing, and drawn as glyph 0 if at all.
+/// Every character in a cell of its own. It has some ASCII characters, in the order of their glyphs; all others are missing,
+/// and drawn as glyph 0 if at all. Written only from the comment on shaper.
 class monospace_shaper {
 public:
     monospace_shaper(double units_per_em, double cell, std::string characters)

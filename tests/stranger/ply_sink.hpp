@@ -9,8 +9,8 @@
 
 namespace stranger {
 
-/// A binary PLY file: from the comment on mesh_sink alone. What the disk did not take is told at the end.
-/// For machines that keep the lowest byte first.
+/// A binary PLY file. An error of the disk is reported at the end. For little-endian machines. Written only from the comment
+/// on mesh_sink.
 class ply_sink {
 public:
     static constexpr auto wants = typemesh::attribute::position;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 
-// An extruder of five parts, with points, records and caps of its own, goes wherever the library's own do: into caches,
+// An extruder of five parts, with points, records and caps of its own, works wherever the library's own do: in caches,
 // merged letters, chunks, instances, teams and partial writes.
 
 #include <typemesh/inspect/closedness.hpp>
@@ -37,7 +37,7 @@ constexpr const char* word = "oExi Eo";  // x has contours that cross
 
 }  // namespace
 
-TEST_CASE("a stranger's extruder of five parts makes closed solids of exact sizes, volumes and bounds", "[stranger]")
+TEST_CASE("a stranger's extruder of five parts makes closed solids of exact size, volume and bounds", "[stranger]")
 {
     test::toy_font font;
     const stranger::flared how;
@@ -66,7 +66,7 @@ TEST_CASE("a stranger's extruder of five parts makes closed solids of exact size
         REQUIRE(plan);
         (void)lawful(*plan, f);
     }
-    // Its own box is what is made to fit.
+    // Its own box is fitted.
     const text_options fitted{.unit = output_unit::unit_box};
     const auto fits = mesher.plan(word, fitted);
     REQUIRE(fits);
@@ -75,8 +75,7 @@ TEST_CASE("a stranger's extruder of five parts makes closed solids of exact size
     CHECK(fits->bounds().high.x == 1.0f);
 }
 
-TEST_CASE("a stranger's five parts come out of caches, teams and constrained Delaunay as they are built alone",
-          "[stranger]")
+TEST_CASE("a stranger's five parts are the same through caches, teams and constrained Delaunay", "[stranger]")
 {
     test::toy_font font;
     auto mesher = text_mesher{font}.with(stranger::flared{});
@@ -132,7 +131,7 @@ TEST_CASE("a stranger's five parts are merged, cut into chunks, instanced and wr
     REQUIRE(plan);
     mesh whole = lawful(*plan);
     text_chunks chunks;
-    for (const std::uint32_t most : {65'535u, 200u, 30u}) {  // of all glyphs, of one, of pieces
+    for (const std::uint32_t most : {65'535u, 200u, 30u}) {  // all glyphs, one, pieces
         REQUIRE(chunks.cut(*plan, most));
         std::vector<vertex> vertices;
         std::vector<std::uint16_t> indices;
@@ -172,7 +171,7 @@ TEST_CASE("a stranger's five parts are merged, cut into chunks, instanced and wr
     CHECK(some == whole);
 }
 
-TEST_CASE("letters that twist and taper stay within the bounds that they state", "[stranger]")
+TEST_CASE("letters that twist and taper stay within their stated bounds", "[stranger]")
 {
     test::toy_font font;
     for (const double turn : {0.0, 0.2, -1.5}) {

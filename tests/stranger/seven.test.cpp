@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 
 // Seven strangers, each written from one comment: a discretiser, a triangulator, an extruder, an outline source, a vertex, a
-// sink and a shaper. What they make together obeys the laws that the library's own meshes do. (What wrong ones are told
-// stands in tests/asserts.)
+// sink and a shaper. Their common results obey the laws of the library's own meshes. (tests/asserts shows what wrong ones
+// report.)
 
 #include <typemesh/inspect/cap_check.hpp>
 #include <typemesh/inspect/closedness.hpp>
@@ -35,7 +35,7 @@ using Catch::Approx;
 
 namespace {
 
-/// Three letters and a box for what is missing: O has curves and a hole, L is straight, i is two boxes.
+/// Three letters and a box for missing characters: O has curves and a hole, L is straight, i is two boxes.
 struct drawn_font {
     stranger::svg_paths paths{100.0,
                               {"M10 100 V20 H60 V100 Z",
@@ -46,7 +46,7 @@ struct drawn_font {
     shaped_by<stranger::monospace_shaper, stranger::svg_paths> both{cells, paths};
 };
 
-/// A mesh as a PLY file holds it.
+/// A mesh as a PLY file contains it.
 struct ply_mesh {
     std::vector<std::array<float, 3>> places;
     std::vector<std::uint32_t> indices;
@@ -88,7 +88,7 @@ ply_mesh written(Mesher mesher)
     return ply_mesh{bytes};
 }
 
-/// Four solids, one with a hole, closed, right side out.
+/// The volume of four solids, one with a hole, which must be closed and right side out.
 double volume_of(const ply_mesh& m)
 {
     const inspect::mesh_view mesh{m.places, m.indices};
@@ -105,7 +105,7 @@ constexpr double L_and_i = 0.1725 + 0.09 + 0.0225;  // areas, in em squared
 
 }  // namespace
 
-TEST_CASE("seven strangers make closed solids, each alone and all together", "[stranger]")
+TEST_CASE("seven strangers make closed solids, each by itself and all together", "[stranger]")
 {
     drawn_font font;
     const double own = volume_of(written(text_mesher{font.both})) / 0.2;
@@ -127,7 +127,7 @@ TEST_CASE("seven strangers make closed solids, each alone and all together", "[s
 #endif
 }
 
-TEST_CASE("a stranger's packed vertex holds a closed mesh with right normals", "[stranger]")
+TEST_CASE("a stranger's packed vertex contains a closed mesh with right normals", "[stranger]")
 {
     drawn_font font;
     const auto looked_at = [&](auto mesher, float size) {
@@ -174,7 +174,7 @@ TEST_CASE("strangers' triangulators cover a region once", "[stranger]")
     }
 }
 
-TEST_CASE("a stranger's shaper tells what is missing, and the drawings what they do not hold", "[stranger]")
+TEST_CASE("a stranger's shaper reports missing characters, and its drawings unknown glyphs", "[stranger]")
 {
     drawn_font font;
     std::vector<stranger::fixed_point_vertex> vertices;

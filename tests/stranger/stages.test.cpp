@@ -52,7 +52,7 @@ struct meshed {
 
 }  // namespace
 
-TEST_CASE("a stranger's triangulator fills what a stranger's discretiser and source left", "[stranger]")
+TEST_CASE("a stranger's triangulator fills the contours of a stranger's discretiser and source", "[stranger]")
 {
     for (const glyph_id id : {1u, 2u, 3u}) {
         meshed m{id};
@@ -92,7 +92,7 @@ TEST_CASE("a stranger's extruder, sink and style of normals work with the librar
     CHECK(sink.value() == Approx(0.5 * m.cap_area()).epsilon(1e-4));
 }
 
-TEST_CASE("a stranger's vertex, writer and stream hold what the surface tells", "[stranger]")
+TEST_CASE("a stranger's vertex, writer and stream contain the surface's values", "[stranger]")
 {
     meshed m{1};
     extruded<>::plan_data sides;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Policies, fonts, vertices and sinks as a user would write them, from the concepts' comments alone. Nothing here looks
-// at a policy of the library's own.
+// Policies, fonts, vertices and sinks as a user would write them, only from the concepts' comments, without a look at the
+// library's own policies.
 
 #include <typemesh/core/orientation.hpp>
 #include <typemesh/discretise/discretiser.hpp>
@@ -22,7 +22,9 @@
 
 namespace stranger {
 
-/// Every curve in three.
+using namespace typemesh;
+
+/// Every curve in three lines.
 struct thirds {
     template <class Curve, class Put>
     void operator()(const Curve& c, double, Put&& put) const noexcept
@@ -33,25 +35,24 @@ struct thirds {
     }
 };
 
-/// Takes an edge, tries every point for a triangle that nothing disturbs, and goes on with the triangle's other two
+/// Takes an edge, tries every point for a triangle that nothing disturbs, and continues with the triangle's other two
 /// sides.
 struct patient {
     struct side {
         std::uint32_t from, to;
     };
 
-    typemesh::error operator()(const typemesh::region& r, typemesh::workspace& space,
-                               typemesh::triangle_list& out) const noexcept
+    error operator()(const region& r, workspace& space, triangle_list& out) const noexcept
     {
         const auto p = r.points();
         const auto n = static_cast<std::uint32_t>(p.size());
-        typemesh::workspace::scope scratch{space};
+        workspace::scope scratch{space};
         const std::size_t most = 8 * std::size_t{n} + 8;  // edges, and each triangle's two new sides
         side* lines = scratch.take<side>(most);
         side* open = scratch.take<side>(most);
-        if (lines == nullptr || open == nullptr) return typemesh::error::out_of_memory;
+        if (lines == nullptr || open == nullptr) return error::out_of_memory;
         const std::size_t before = out.size();
-        if (!out.reserve(before + r.triangle_count())) return typemesh::error::out_of_memory;
+        if (!out.reserve(before + r.triangle_count())) return error::out_of_memory;
 
         std::size_t line_count = 0, open_count = 0;
         for (std::uint32_t k = 0; k < r.loop_count(); ++k) {
@@ -62,7 +63,7 @@ struct patient {
         while (open_count != 0) {
             const side s = open[--open_count];
             for (std::uint32_t c = 0; c < n; ++c) {
-                if (typemesh::orientation(p[s.from], p[s.to], p[c]) <= 0 || holds_a_point(p, s.from, s.to, c)) continue;
+                if (orientation(p[s.from], p[s.to], p[c]) <= 0 || holds_a_point(p, s.from, s.to, c)) continue;
                 if (disturbed(p, {s.to, c}, lines, line_count) || disturbed(p, {c, s.from}, lines, line_count))
                     continue;
                 out.push_back_unchecked({s.from, s.to, c});
@@ -83,8 +84,7 @@ struct patient {
     }
 
 private:
-    static bool holds_a_point(std::span<const typemesh::grid_point> p, std::uint32_t a, std::uint32_t b,
-                              std::uint32_t c) noexcept
+    static bool holds_a_point(std::span<const grid_point> p, std::uint32_t a, std::uint32_t b, std::uint32_t c) noexcept
     {
         using typemesh::orientation;
         for (const auto q : p) {
@@ -94,8 +94,7 @@ private:
         }
         return false;
     }
-    static bool disturbed(std::span<const typemesh::grid_point> p, side s, const side* lines,
-                          std::size_t count) noexcept
+    static bool disturbed(std::span<const grid_point> p, side s, const side* lines, std::size_t count) noexcept
     {
         using typemesh::orientation;
         const auto sign = [](std::int64_t v) { return v > 0 ? 1 : v < 0 ? -1 : 0; };
@@ -109,17 +108,17 @@ private:
     }
 };
 
-/// Walls only, smooth all round, of a height given in em: 2N vertices.
+/// Walls only, smooth all round, of a height in em: 2N vertices.
 struct fence {
     float tall = 0.1f;
 
-    using plan_data = typemesh::plan_arrays<typemesh::vec2>;  // the normals in the plane, one a point
+    using plan_data = plan_arrays<vec2>;  // the normals in the plane, one a point
 
-    typemesh::result<typemesh::part_sizes> plan(const typemesh::region& r, plan_data& data) const noexcept
+    result<part_sizes> plan(const region& r, plan_data& data) const noexcept
     {
         const std::size_t n = r.points().size();
-        typemesh::vec2* mine = data.of<typemesh::vec2>().append(n);
-        if (mine == nullptr && n != 0) return typemesh::error::out_of_memory;
+        vec2* mine = data.of<vec2>().append(n);
+        if (mine == nullptr && n != 0) return error::out_of_memory;
         for (std::uint32_t k = 0; k < r.loop_count(); ++k) {
             const std::uint32_t first = r.starts()[k], end = r.starts()[k + 1];
             for (std::uint32_t i = first; i < end; ++i) {
@@ -130,36 +129,31 @@ struct fence {
                 mine[i] = {static_cast<float>(dy / l), static_cast<float>(-dx / l)};
             }
         }
-        typemesh::part_sizes sizes;
-        sizes.vertices[typemesh::part::side] = sizes.triangles[typemesh::part::side] =
-            static_cast<std::uint32_t>(2 * n);
+        part_sizes sizes;
+        sizes.vertices[part::side] = sizes.triangles[part::side] = static_cast<std::uint32_t>(2 * n);
         return sizes;
     }
-    typemesh::height_range heights() const noexcept { return {0.0, tall}; }
+    height_range heights() const noexcept { return {0.0, tall}; }
 
-    template <typemesh::attribute Wants, class Put>
-    void vertices(typemesh::part p, const typemesh::solid_with<plan_data>& s, const typemesh::placement& at,
-                  Put&& put) const noexcept
+    template <attribute Wants, class Put>
+    void vertices(part p, const solid_with<plan_data>& s, const placement& at, Put&& put) const noexcept
     {
-        if (p != typemesh::part::side) return;
-        const auto normals = s.data.of<typemesh::vec2>();
+        if (p != part::side) return;
+        const auto normals = s.data.of<vec2>();
         for (std::size_t i = 0; i < s.points.size(); ++i) {
             for (const double height : {static_cast<double>(tall), 0.0}) {
-                typemesh::surface_point<Wants> v;
-                if constexpr (has(Wants, typemesh::attribute::position))
-                    v.position = at.position(s.points[i], at.height(height));
-                if constexpr (has(Wants, typemesh::attribute::normal)) v.normal = at.normal(normals[i]);
-                if constexpr (has(Wants, typemesh::attribute::uv))
-                    v.uv = {static_cast<float>(i), static_cast<float>(height)};
+                surface_point<Wants> v;
+                if constexpr (has(Wants, attribute::position)) v.position = at.position(s.points[i], at.height(height));
+                if constexpr (has(Wants, attribute::normal)) v.normal = at.normal(normals[i]);
+                if constexpr (has(Wants, attribute::uv)) v.uv = {static_cast<float>(i), static_cast<float>(height)};
                 put(v);
             }
         }
     }
     template <class Put>
-    void triangles(typemesh::part p, const typemesh::solid& s, const typemesh::first_vertices& first,
-                   Put&& put) const noexcept
+    void triangles(part p, const solid& s, const first_vertices& first, Put&& put) const noexcept
     {
-        if (p != typemesh::part::side) return;
+        if (p != part::side) return;
         for (std::size_t k = 0; k + 1 < s.starts.size(); ++k) {
             for (std::uint32_t i = s.starts[k]; i < s.starts[k + 1]; ++i) {
                 const std::uint32_t j = i + 1 == s.starts[k + 1] ? s.starts[k] : i + 1, base = first[p];
@@ -174,7 +168,7 @@ struct fence {
 struct faceted {
     static constexpr bool shares_caps = false;
 
-    typemesh::error operator()(const typemesh::region& r, std::span<typemesh::side_point> sides) const noexcept
+    error operator()(const region& r, std::span<side_point> sides) const noexcept
     {
         for (std::uint32_t k = 0; k < r.loop_count(); ++k) {
             for (std::uint32_t i = r.starts()[k]; i < r.starts()[k + 1]; ++i) {
@@ -190,33 +184,32 @@ struct faceted {
     }
 };
 
-/// A font of three signs, shaper and outline source in one: "[" is a box, "o" a ring, "~" a wave; each as wide as an
-/// em.
+/// A font of three signs, shaper and outline source in one: "[" is a box, "o" a ring, "~" a wave; each is an em wide.
 class stamps {
 public:
     double units_per_em() noexcept { return 100.0; }
-    typemesh::fill_rule fill() noexcept { return typemesh::fill_rule::even_odd; }
-    typemesh::line_metrics metrics(typemesh::direction) noexcept { return {80.0, -20.0, 10.0}; }
+    fill_rule fill() noexcept { return fill_rule::even_odd; }
+    line_metrics metrics(direction) noexcept { return {80.0, -20.0, 10.0}; }
 
-    typemesh::result<typemesh::point> shape(typemesh::text_view text, std::size_t first, std::size_t last,
-                                            const typemesh::shape_options&, typemesh::glyph_run& run) noexcept
+    result<point> shape(text_view text, std::size_t first, std::size_t last, const shape_options&,
+                        glyph_run& run) noexcept
     {
         double pen = 0.0;
         for (std::size_t i = first; i < last; ++i, pen += 100.0) {
             const std::uint32_t c = text.unit(i);
-            typemesh::placed_glyph g;
+            placed_glyph g;
             g.id = c == '[' ? 1 : c == 'o' ? 2 : c == '~' ? 3 : c == ' ' ? 4 : 0;
-            g.cluster = static_cast<typemesh::cluster_id>(i);
+            g.cluster = static_cast<cluster_id>(i);
             g.origin = {pen, 0.0};
             g.missing = g.id == 0;
             if (g.missing) run.note_missing(g.cluster);
-            if (!run.glyphs.push_back(g)) return typemesh::error::out_of_memory;
+            if (!run.glyphs.push_back(g)) return error::out_of_memory;
         }
-        return typemesh::point{pen, 0.0};
+        return point{pen, 0.0};
     }
 
-    template <typemesh::outline_sink Sink>
-    typemesh::error outline(typemesh::glyph_id id, Sink& sink) noexcept
+    template <outline_sink Sink>
+    error outline(glyph_id id, Sink& sink) noexcept
     {
         switch (id) {
         case 1: box(sink, 10, 0, 90, 80); return {};
@@ -236,7 +229,7 @@ public:
             sink.cubic({70, 80}, {30, 20}, {0, 50});
             return {};  // left open: it is closed with a line
         case 4: return {};
-        default: return typemesh::error::unknown_glyph;
+        default: return error::unknown_glyph;
         }
     }
 
@@ -265,11 +258,11 @@ struct packed_vertex {
     std::uint32_t colour;
 };
 struct packing_writer {
-    static constexpr auto wants = typemesh::attribute::position;
+    static constexpr auto wants = attribute::position;
     float low, high;
     std::uint32_t colour;
 
-    packed_vertex operator()(const typemesh::surface_point<wants>& s) const noexcept
+    packed_vertex operator()(const surface_point<wants>& s) const noexcept
     {
         const auto pack = [this](float v) {
             return static_cast<std::uint16_t>((v - low) / (high - low) * 65535.0f + 0.5f);
@@ -278,23 +271,23 @@ struct packing_writer {
     }
 };
 
-/// A sink that keeps nothing but the volume that the mesh encloses; positions are held to have corners to go by.
+/// A sink that keeps nothing but the volume inside the mesh, and positions for its corners.
 struct volume {
-    static constexpr auto wants = typemesh::attribute::position;
-    std::array<typemesh::vec3, 4096> corners;
+    static constexpr auto wants = attribute::position;
+    std::array<vec3, 4096> corners;
     std::size_t count = 0, triangles = 0;
     double six_times = 0.0;
     bool ended = false;
 
-    typemesh::error begin(typemesh::mesh_size exact) noexcept
+    error begin(mesh_size exact) noexcept
     {
         count = triangles = 0;
         six_times = 0.0;
         ended = false;
-        if (exact.vertices > corners.size()) return {typemesh::error::buffer_too_small, exact.vertices};
+        if (exact.vertices > corners.size()) return {error::buffer_too_small, exact.vertices};
         return {};
     }
-    void vertex(const typemesh::surface_point<wants>& s) noexcept { corners[count++] = s.position; }
+    void vertex(const surface_point<wants>& s) noexcept { corners[count++] = s.position; }
     void triangle(std::uint32_t i, std::uint32_t j, std::uint32_t k) noexcept
     {
         const auto a = corners[i], b = corners[j], c = corners[k];
@@ -309,11 +302,11 @@ struct volume {
 
 /// A stream in a format of their own: normals in four signed bytes.
 struct byte_normals {
-    static constexpr auto wants = typemesh::attribute::normal;
+    static constexpr auto wants = attribute::normal;
     std::array<std::int8_t, 4>* data;
     std::size_t capacity;
 
-    void put(std::size_t i, const typemesh::surface_point<wants>& s) const noexcept
+    void put(std::size_t i, const surface_point<wants>& s) const noexcept
     {
         const auto byte = [](float f) { return static_cast<std::int8_t>(f * 127.0f); };
         data[i] = {byte(s.normal.x), byte(s.normal.y), byte(s.normal.z), 0};
@@ -323,7 +316,7 @@ struct byte_normals {
 /// An observer that counts.
 struct stage_counter {
     std::array<int, 7> seen{};
-    void operator()(typemesh::stage s) noexcept { ++seen[static_cast<std::size_t>(s)]; }
+    void operator()(stage s) noexcept { ++seen[static_cast<std::size_t>(s)]; }
 };
 
 }  // namespace stranger

@@ -10,8 +10,8 @@
 
 namespace stranger {
 
-/// Drawings as the `d` of SVG's <path>, y down: from the comments on outline_source and outline_sink alone. Glyph i is path i.
-/// All commands but arcs, for which there is no call.
+/// Drawings as the `d` of SVG's <path>, y down. Glyph i is path i. All commands except arcs, for which there is no call.
+/// Written only from the comments on outline_source and outline_sink.
 class svg_paths {
 public:
     svg_paths(double size, std::vector<std::string> paths) : size_{size}, paths_{std::move(paths)} {}

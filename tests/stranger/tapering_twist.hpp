@@ -8,8 +8,8 @@
 
 namespace stranger {
 
-/// Letters that turn about their own origin and grow thinner towards the back, in so many steps: from the comments on
-/// extruder, plan_arrays and placement alone. Points are computed once, in plan(), so that all who write one write the same.
+/// Letters that turn about their own origin and become thinner towards the back, in so many steps. Points are computed once,
+/// in plan(), so that all writers write the same ones. Written only from extruder's, plan_arrays' and placement's comments.
 struct tapering_twist {
     double depth = 0.3;              ///< em
     double turn = 0.2, taper = 0.8;  ///< at the back: radians, and the scale
@@ -100,7 +100,7 @@ struct tapering_twist {
     }
 
 private:
-    /// At right angles to the way along the contour and to the way down.
+    /// A normal to the direction along the contour and to the direction down.
     [[nodiscard]] typemesh::vec3 slanted(const typemesh::solid_point& before, const typemesh::solid_point& p,
                                          const typemesh::solid_point& after, std::uint32_t level,
                                          const typemesh::placement& at) const noexcept

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 
-// A stranger's policies, through the text mesher, one at a time and all together.
+// A stranger's policies in the text mesher, one at a time and all together.
 
 #include <typemesh/text/text_mesher.hpp>
 
@@ -31,7 +31,7 @@ TEST_CASE("a text in a stranger's font is meshed with the library's policies", "
     CHECK_FALSE(vertices.empty());
 }
 
-TEST_CASE("each of a stranger's policies works alone, and all together", "[stranger]")
+TEST_CASE("each of a stranger's policies works by itself, and all together", "[stranger]")
 {
     stranger::stamps font;
     stranger::volume sink;

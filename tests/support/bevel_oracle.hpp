@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// What a bevel's volume and heights must be, found out without the code that makes it.
+// The volume and heights that a bevel must have, found without the code that makes it.
 
 #include "support/bevel_surface.hpp"
 #include "support/slow_wavefront.hpp"
@@ -17,7 +17,7 @@
 
 namespace test {
 
-/// A rising profile: t, as a share of the width, and h, as a share of the bevel's depth.
+/// A rising profile: t as a share of the width, and h as a share of the bevel's depth.
 struct plain_profile {
     std::vector<std::pair<double, double>> points;
 
@@ -62,11 +62,11 @@ class bevel_oracle {
 public:
     struct place {
         double x, y;
-        double distance;  ///< that the wavefront had moved when it came here
+        double distance;  ///< of the wavefront when it was here
     };
 
-    /// Stops where these profiles bend. Corners get as many joins as they need at `joins_at`, which is the width, or what
-    /// a narrowed bevel was to have.
+    /// Stops where these profiles bend. Corners get the joins that they need at `joins_at`: the width, or the width that a
+    /// narrowed bevel should have had.
     bevel_oracle(const typemesh::region& r, double width, double joins_at, double mitre_limit,
                  const std::vector<const plain_profile*>& profiles)
         : width_{width}
@@ -91,10 +91,10 @@ public:
 
     [[nodiscard]] bool is_doubtful() const { return is_doubtful_; }
     [[nodiscard]] double cap_area() const { return cap_area_; }
-    /// Some of the places where it was on the way, in the middle of its edges.
+    /// Some places on its way, in the middle of its edges.
     [[nodiscard]] const std::vector<place>& places() const { return places_; }
 
-    /// Of a bevel with one of the profiles, from where the wall ends up to the cap: the integral of the levels' areas.
+    /// The volume of a bevel with one of the profiles, from the wall to the cap: the integral of the levels' areas.
     [[nodiscard]] double volume(const plain_profile& p, double depth) const
     {
         double sum = 0.0;
@@ -134,8 +134,8 @@ private:
     bool is_doubtful_ = false;
 };
 
-/// The height of a mesh's front bevel over a place: of a triangle at least 3 cells wide there, since nodes are rounded
-/// by up to two, so that narrower ones lean anywhere. False if there is none.
+/// The height of a mesh's front bevel over a place, in a triangle at least 3 cells wide there. Nodes are rounded by up to
+/// two cells, so narrower triangles may lean anywhere. False if there is none.
 [[nodiscard]] inline bool height_over(const bevel_surface& s, double x, double y, double& height)
 {
     const auto all = s.triangles_of(typemesh::part::front_bevel);

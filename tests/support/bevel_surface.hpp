@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// A bevelled mesh in cells, and what is true of each by its triangles alone.
+// A bevelled mesh in cells, and the laws of its triangles.
 
 #include <typemesh/core/region.hpp>
 #include <typemesh/extrude/part_sizes.hpp>
@@ -14,7 +14,6 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <cstdlib>
 #include <numeric>
 #include <set>
 #include <string>
@@ -23,22 +22,24 @@
 
 namespace test {
 
+using namespace typemesh;
+
 /// Takes a mesh as a sink. With placement's defaults x and y are whole numbers of cells.
 struct bevel_surface {
-    static constexpr typemesh::attribute wants = typemesh::attribute::position | typemesh::attribute::normal;
+    static constexpr attribute wants = attribute::position | attribute::normal;
 
-    std::vector<typemesh::vec3> vertices, normals;
+    std::vector<vec3> vertices, normals;
     std::vector<std::uint32_t> indices;
-    typemesh::part_sizes sizes;
+    part_sizes sizes;
 
-    typemesh::error begin(typemesh::mesh_size) noexcept
+    error begin(mesh_size) noexcept
     {
         vertices.clear();
         normals.clear();
         indices.clear();
         return {};
     }
-    void vertex(const typemesh::surface_point<wants>& v) noexcept
+    void vertex(const surface_point<wants>& v) noexcept
     {
         vertices.push_back(v.position);
         normals.push_back(v.normal);
@@ -53,28 +54,28 @@ struct bevel_surface {
         std::size_t begin, end;
     };
     /// The triangles of a part.
-    [[nodiscard]] range triangles_of(typemesh::part p) const
+    [[nodiscard]] range triangles_of(part p) const
     {
         const std::size_t first = sizes.triangles.starts()[p];
         return {first, first + sizes.triangles[p]};
     }
-    [[nodiscard]] typemesh::inspect::place corner(std::size_t triangle, std::size_t k) const
+    [[nodiscard]] inspect::place corner(std::size_t triangle, std::size_t k) const
     {
-        return typemesh::inspect::to_place(vertices[indices[3 * triangle + k]]);
+        return inspect::to_place(vertices[indices[3 * triangle + k]]);
     }
-    /// At right angles to the triangle, outwards, twice as long as its area is large.
-    [[nodiscard]] typemesh::inspect::place normal(std::size_t t) const
+    /// A vector normal to the triangle, outwards, twice as long as its area.
+    [[nodiscard]] inspect::place normal(std::size_t t) const
     {
-        return typemesh::inspect::cross(corner(t, 1) - corner(t, 0), corner(t, 2) - corner(t, 0));
+        return inspect::cross(corner(t, 1) - corner(t, 0), corner(t, 2) - corner(t, 0));
     }
-    /// How many corners of walls and bevels are lit from behind: their normal is 90 degrees or more off the triangle.
-    /// Triangles up to 3 cells high do not count, as their points are rounded to the grid: of a slope as it lies in the
-    /// plane, of what is upright as it stands.
+    /// The number of corners of walls and bevels that are lit from behind: 90 degrees or more off the triangle. Triangles
+    /// up to 3 cells high do not count, because their points are rounded to the grid. The height of a slope is measured
+    /// in the plane.
     [[nodiscard]] std::size_t lit_from_behind() const
     {
         namespace inspect = typemesh::inspect;
         std::size_t found = 0;
-        for (const auto p : {typemesh::part::side, typemesh::part::front_bevel, typemesh::part::back_bevel}) {
+        for (const auto p : {part::side, part::front_bevel, part::back_bevel}) {
             const auto all = triangles_of(p);
             for (std::size_t t = all.begin; t < all.end; ++t) {
                 const auto n = normal(t);
@@ -93,19 +94,16 @@ struct bevel_surface {
         }
         return found;
     }
-    [[nodiscard]] double volume() const
-    {
-        return typemesh::inspect::measure(typemesh::inspect::mesh_view{vertices, indices}).volume;
-    }
+    [[nodiscard]] double volume() const { return inspect::measure(inspect::mesh_view{vertices, indices}).volume; }
 };
 
-/// Checks the mesh of a bevel whose profile never falls.
+/// Checks the mesh of a bevel with a profile that never falls.
 ///
 ///     CHECK(surface_laws{surface, region, false}.broken() == "");
 class surface_laws {
 public:
     /// With risers some triangles of the bevel are upright.
-    surface_laws(const bevel_surface& s, const typemesh::region& r, bool has_risers) : surface_{s}, region_{r}
+    surface_laws(const bevel_surface& s, const region& r, bool has_risers) : surface_{s}, region_{r}
     {
         has_risers_ = has_risers;
         find_touching_points();
@@ -114,7 +112,7 @@ public:
         law(s.lit_from_behind() == 0, "a normal is 90 degrees or more off its face");
     }
 
-    /// The first law that is broken, in words; "" if none is.
+    /// The first law that is broken, in words, or "".
     [[nodiscard]] const std::string& broken() const { return broken_; }
 
     /// Twice the area of the front, in square cells.
@@ -123,8 +121,8 @@ public:
 private:
     using part = typemesh::part;
     struct edge {
-        std::uint64_t ends;    // places, the lower one first
-        std::uint32_t corner;  // 3 t + k: where it begins in triangle t
+        std::uint64_t ends;    // two places, the lower one first
+        std::uint32_t corner;  // 3 t + k: its start in triangle t
         bool forward;
     };
 
@@ -136,17 +134,17 @@ private:
     void find_touching_points()
     {
         std::vector<std::pair<double, double>> all;
-        for (const typemesh::grid_point p : region_.points()) all.emplace_back(p.x, p.y);
+        for (const grid_point p : region_.points()) all.emplace_back(p.x, p.y);
         std::sort(all.begin(), all.end());
         for (std::size_t i = 1; i < all.size(); ++i)
             if (all[i] == all[i - 1]) touching_.insert(all[i]);
     }
 
-    /// Front and back, with their bevels, lie over the region once each: all of their triangles face their side, and
-    /// their areas in the plane add up to the region's.
+    /// Front and back, with their bevels, cover the region once each: all of their triangles face their side, and their
+    /// areas in the plane add up to the region's.
     void check_triangles()
     {
-        const double whole = static_cast<double>(typemesh::inspect::doubled_area(typemesh::inspect::loops_of(region_)));
+        const double whole = static_cast<double>(inspect::doubled_area(inspect::loops_of(region_)));
         for (const bool in_front : {true, false}) {
             double area = 0.0;
             for (const part p :
@@ -173,11 +171,11 @@ private:
         }
     }
 
-    /// Each edge has two triangles, but upright ones at points where loops touch; each place has one fan of triangles
-    /// around it, but there and where a cap touches itself.
+    /// Each edge has two triangles, except for upright edges at points where loops touch. Each place has one fan of
+    /// triangles around it, except there and where a cap touches itself.
     void check_edges()
     {
-        const typemesh::inspect::mesh_view view{surface_.vertices, surface_.indices};
+        const inspect::mesh_view view{surface_.vertices, surface_.indices};
         const auto places = weld(view);
         std::vector<edge> edges;
         const auto corners = static_cast<std::uint32_t>(surface_.indices.size());
@@ -211,7 +209,7 @@ private:
         check_fans(places, excused);
     }
 
-    void check_fans(const typemesh::inspect::welded_places& places, std::vector<bool>& excused)
+    void check_fans(const inspect::welded_places& places, std::vector<bool>& excused)
     {
         double high = -1e300, low = 1e300;
         for (const auto& p : places.at) high = (std::max)(high, p.z), low = (std::min)(low, p.z);
@@ -228,14 +226,11 @@ private:
         }
     }
 
-    [[nodiscard]] static bool is_upright(typemesh::inspect::place along)
+    [[nodiscard]] static bool is_upright(inspect::place along)
     {
         return !(along.x < 0.0 || along.x > 0.0 || along.y < 0.0 || along.y > 0.0);
     }
-    [[nodiscard]] bool is_over_touching_point(typemesh::inspect::place p) const
-    {
-        return touching_.count({p.x, p.y}) != 0;
-    }
+    [[nodiscard]] bool is_over_touching_point(inspect::place p) const { return touching_.count({p.x, p.y}) != 0; }
 
     [[nodiscard]] std::uint32_t root(std::uint32_t c)
     {
@@ -245,9 +240,9 @@ private:
     void unite(std::uint32_t a, std::uint32_t b) { fan_[root(a)] = root(b); }
 
     const bevel_surface& surface_;
-    const typemesh::region& region_;
+    const region& region_;
     std::set<std::pair<double, double>> touching_;
-    std::vector<std::uint32_t> fan_;  // of each corner: another one of the same fan
+    std::vector<std::uint32_t> fan_;  // for each corner, another one of the same fan
     bool has_risers_ = false;
     double cap_area_ = 0.0;
     std::string broken_;

@@ -11,3 +11,9 @@ namespace Catch {
 using Catch::Detail::Approx;
 }
 #endif
+
+/// CHECK for inner loops: only a failure costs time.
+#define CHECK_QUICKLY(...)                            \
+    do {                                              \
+        if (!(__VA_ARGS__)) FAIL_CHECK(#__VA_ARGS__); \
+    } while (false)

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Counts every operator new of a program: plain, array, nothrow and aligned, the last of which is what
-// typemesh::heap() calls. Include it in one source file of the program. (C's malloc is not counted: font libraries
-// written in C have it to themselves.)
+// Counts every operator new of a program: plain, array, nothrow, and aligned, which typemesh::heap() calls. Include it in
+// one source file of the program. (C's malloc is not counted, because font libraries written in C use it.)
 
 #include <typemesh/core/memory.hpp>
 
@@ -25,7 +24,7 @@ inline void* counted(std::size_t bytes) noexcept
     return std::malloc(bytes == 0 ? 1 : bytes);
 }
 
-/// The start of the block is stored before what is returned.
+/// The start of the block is stored just before the returned pointer.
 inline void* counted(std::size_t bytes, std::align_val_t wanted) noexcept
 {
     const auto alignment = static_cast<std::size_t>(wanted);
@@ -50,8 +49,7 @@ inline void* or_die(void* block) noexcept
 
 }  // namespace detail
 
-/// Whether a block of typemesh::heap() counts, of any alignment, and a plain one. Without this a count of 0 says
-/// nothing.
+/// Whether a block of typemesh::heap() of every alignment counts, and a plain one. Otherwise a count of 0 means nothing.
 inline bool every_allocation_counts() noexcept
 {
     const typemesh::memory heap = typemesh::heap();

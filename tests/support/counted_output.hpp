@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Output that watches how it is written: every element once, in ascending order within its subrange, none outside.
+// Output that checks how it is written: every element once, in ascending order within its subrange, and none outside.
 
 #include "support/mesh_laws.hpp"
 
@@ -69,7 +69,7 @@ private:
     std::size_t vertex_, vertices_end_, index_, indices_end_;
 };
 
-/// The sink itself, written as the concepts' comments ask for.
+/// The sink itself, as the concepts' comments describe it.
 class counted_sink {
 public:
     static constexpr auto wants = counted_segment::wants;

@@ -10,8 +10,8 @@
 
 namespace test {
 
-/// A region's boundary cycles with curve and t of every edge, each from its smallest visit on, sorted: equal exactly if
-/// the cycles are the same.
+/// A region's boundary cycles with curve and t of every edge, each from its smallest visit, sorted: equal exactly if the
+/// cycles are equal.
 using cycle = std::vector<std::array<double, 5>>;
 
 inline std::vector<cycle> cycles_of(const typemesh::region& r)

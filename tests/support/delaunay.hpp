@@ -20,13 +20,13 @@ namespace test::oracle {
 
 using int128 = typemesh::detail::int128;
 
-/// What keeps triangles that obey all laws from being the Delaunay ones; empty when nothing does.
+/// Why triangles that obey all other laws are not Delaunay, or nothing.
 inline std::string broken_delaunay(const typemesh::region& r, std::span<const typemesh::triangle> triangles)
 {
     return check_delaunay(r, triangles).broken();
 }
 
-/// The triangles by their points' numbers, each from its smallest on, sorted: equal when the sets are equal.
+/// The triangles by the numbers of their points, each from its smallest, sorted: equal if the sets are equal.
 inline std::vector<std::array<std::uint32_t, 3>> as_set(std::span<const typemesh::triangle> triangles)
 {
     std::vector<std::array<std::uint32_t, 3>> set;
@@ -52,8 +52,8 @@ inline bool operator_less(const placed_triangle& s, const placed_triangle& t)
     return false;
 }
 
-/// The triangles as places, each from its smallest corner on, sorted: equal when the sets are equal, however points are
-/// numbered.
+/// The triangles as places, each from its smallest corner, sorted: equal if the sets are equal, whatever the numbers of
+/// the points.
 inline std::vector<placed_triangle> as_set(std::span<const grid_point> points,
                                            std::span<const typemesh::triangle> triangles)
 {

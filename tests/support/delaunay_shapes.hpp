@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Shapes that are hard to make Delaunay, and what comes of them.
+// Shapes that are hard to make Delaunay, and their triangles.
 
 #include "support/delaunay.hpp"
 #include "support/regions.hpp"
@@ -81,7 +81,7 @@ inline polyline parabola(int n, bool upwards)
     return l;
 }
 
-/// The same with every other point moved, so that nothing is smooth.
+/// The same parabola with every other point moved, so that nothing is smooth.
 inline polyline rough_parabola(int n, bool upwards)
 {
     polyline l = parabola(n, upwards);

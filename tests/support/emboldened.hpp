@@ -11,42 +11,39 @@
 
 namespace test {
 
+using namespace typemesh;
+
 /// embolden as an extruder that has another one make the solid: for laws about regions that no mesher has planned, and
 /// to compare the step in a mesher with.
-template <typemesh::extruder Solid = typemesh::extruded<>>
+template <extruder Solid = extruded<>>
 struct emboldened {
     float by = 0.02f;
-    typemesh::bevel_joins joins = typemesh::bevel_joins::round;
+    bevel_joins joins = bevel_joins::round;
     float mitre_limit = 4.0f;
     Solid solid = {};
 
-    struct plan_data : typemesh::inner_solid<Solid> {
-        typemesh::embolden::scratch step;
+    struct plan_data : inner_solid<Solid> {
+        embolden::scratch step;
 
-        explicit plan_data(typemesh::memory source = typemesh::heap()) noexcept
-            : typemesh::inner_solid<Solid>{source}, step{source}
-        {
-        }
+        explicit plan_data(memory source = heap()) noexcept : inner_solid<Solid>{source}, step{source} {}
     };
-    using solid_type = typemesh::solid_with<plan_data>;
+    using solid_type = solid_with<plan_data>;
 
-    static constexpr std::size_t part_count = typemesh::part_count_of<Solid>;
+    static constexpr std::size_t part_count = part_count_of<Solid>;
 
-    [[nodiscard]] typemesh::embolden step() const noexcept { return {by, joins, mitre_limit}; }
+    [[nodiscard]] embolden step() const noexcept { return {by, joins, mitre_limit}; }
 
-    [[nodiscard]] typemesh::option_bits cache_key() const noexcept
+    [[nodiscard]] option_bits cache_key() const noexcept
     {
-        typemesh::option_hash both;
+        option_hash both;
         both.add_key_of(step());
         both.add_key_of(solid);
         return {both.first, both.second};
     }
 
-    template <typemesh::cap_maker Caps>
-    [[nodiscard]] typemesh::result<typemesh::solid_plan> plan(const typemesh::region& filled, plan_data& data,
-                                                              Caps& caps) const noexcept
+    template <cap_maker Caps>
+    [[nodiscard]] result<solid_plan> plan(const region& filled, plan_data& data, Caps& caps) const noexcept
     {
-        using namespace typemesh;
         if (error e = step().refused_options()) return e;
         if (filled.points().empty()) return data.plan(solid, filled, caps);
         const auto bolder = step()(filled, data.step, caps);
@@ -61,44 +58,43 @@ struct emboldened {
         return made;
     }
 
-    [[nodiscard]] typemesh::height_range heights() const noexcept { return solid.heights(); }
-    [[nodiscard]] typemesh::height_range heights(const solid_type& s) const noexcept
-        requires typemesh::has_heights<Solid>
+    [[nodiscard]] height_range heights() const noexcept { return solid.heights(); }
+    [[nodiscard]] height_range heights(const solid_type& s) const noexcept
+        requires has_heights<Solid>
     {
         return s.points.empty() ? solid.heights() : solid.heights(s.data);
     }
     template <class Put>
     void seen_from_front(const solid_type& s, Put&& put) const noexcept
     {
-        if (!s.points.empty()) typemesh::each_seen_from_front(solid, s.data, put);
+        if (!s.points.empty()) each_seen_from_front(solid, s.data, put);
     }
     [[nodiscard]] bool refit(const solid_type& s) noexcept
-        requires typemesh::refitting_extruder<Solid>
+        requires refitting_extruder<Solid>
     {
         return !s.points.empty() && solid.refit(s.data);
     }
-    [[nodiscard]] typemesh::solid_outline outline(const solid_type& s) const noexcept
+    [[nodiscard]] solid_outline outline(const solid_type& s) const noexcept
     {
         if (s.points.empty() || !(by > 0.0f)) return {s.points, s.starts};
-        if constexpr (typemesh::has_outline<Solid>)
+        if constexpr (has_outline<Solid>)
             return solid.outline(s.data);
         else
             return {s.data.points, s.data.starts};
     }
     [[nodiscard]] std::uint64_t hard_edges(const solid_type& s) const noexcept
-        requires typemesh::has_hard_edges<Solid>
+        requires has_hard_edges<Solid>
     {
         return solid.hard_edges(s.data);
     }
 
-    template <typemesh::attribute Wants, class Put>
-    void vertices(typemesh::part p, const solid_type& s, const typemesh::placement& at, Put&& put) const noexcept
+    template <attribute Wants, class Put>
+    void vertices(part p, const solid_type& s, const placement& at, Put&& put) const noexcept
     {
         solid.template vertices<Wants>(p, s.data, at, put);
     }
     template <class Put>
-    void triangles(typemesh::part p, const solid_type& s, const typemesh::first_vertices& first,
-                   Put&& put) const noexcept
+    void triangles(part p, const solid_type& s, const first_vertices& first, Put&& put) const noexcept
     {
         solid.triangles(p, s.data, first, put);
     }

@@ -8,7 +8,7 @@
 
 namespace test {
 
-/// Several workers without a thread: tasks come in an unlikely order, each to the next worker.
+/// Several workers without threads: tasks come in an unlikely order, each to the next worker.
 struct scrambled_workers {
     std::size_t count = 3;
     std::uint32_t seed = 1;

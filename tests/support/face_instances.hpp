@@ -35,7 +35,7 @@ struct face_instance {
     }
 };
 
-/// All faces of a file that have outlines: variable ones at their default, at each axis' ends and at mixed corners.
+/// All faces of a file that have outlines; variable ones at their default, at each axis' ends and at mixed corners.
 inline std::vector<face_instance> instances_of(const std::string& path)
 {
     std::vector<face_instance> all;

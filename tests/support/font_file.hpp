@@ -17,7 +17,7 @@ struct font_package {
     const char* name;
     const char* folder;
     bool required = true;                 ///< the tests' set-up installs it
-    std::vector<std::string> files = {};  ///< only these, where the folder is shared with other packages
+    std::vector<std::string> files = {};  ///< only these, if the folder is shared with other packages
 };
 
 /// workload/smoke-fonts.tsv, with folders.
@@ -46,7 +46,7 @@ inline std::vector<font_package> smoke_fonts()
     };
 }
 
-/// The full path of an installed font, such as "truetype/dejavu/DejaVuSans.ttf"; the test fails where it is missing.
+/// The full path of an installed font, such as "truetype/dejavu/DejaVuSans.ttf"; the test fails if it is missing.
 inline std::string font_file(const std::string& name)
 {
     const auto path = font_path(name);
@@ -60,7 +60,7 @@ inline std::string font_file(const std::string& name)
     return path.string();
 }
 
-/// Whether a font is installed that the tests' set-up does not install, or not on every system; says so where it is not.
+/// Whether an optional font is installed, which the tests' set-up does not install everywhere; warns if it is not.
 inline bool has_font(const std::string& name)
 {
     if (std::filesystem::exists(font_path(name))) return true;
@@ -68,7 +68,7 @@ inline bool has_font(const std::string& name)
     return false;
 }
 
-/// All font files of a package, sorted; empty when it is not installed and need not be.
+/// All font files of a package, sorted; empty if it is not installed and not required.
 inline std::vector<std::string> font_files(const font_package& package)
 {
     std::vector<std::string> found;

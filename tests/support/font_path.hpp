@@ -6,15 +6,15 @@
 #include <string>
 #include <utility>
 
-/// Where fonts are installed: TYPEMESH_FONT_DIR, or where Debian puts them.
+/// The folder of fonts: TYPEMESH_FONT_DIR, or Debian's.
 inline std::filesystem::path font_folder()
 {
     const char* given = std::getenv("TYPEMESH_FONT_DIR");
     return given != nullptr ? given : "/usr/share/fonts";
 }
 
-/// Where a font such as "truetype/dejavu/DejaVuSans.ttf" lies, by its name of Debian 12 or by the one that it has now; the
-/// former where it is missing.
+/// The path of a font such as "truetype/dejavu/DejaVuSans.ttf", by its name in Debian 12 or by its present name; the former
+/// if the font is missing.
 inline std::filesystem::path font_path(const std::string& name)
 {
     static constexpr std::pair<const char*, const char*> renamed[] = {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// What the programs every_* have in common: their fonts, and how many glyphs of them are looked at by whom.
+// The common part of the programs every_*: their fonts, and which worker examines which glyphs.
 
 #include "support/face_instances.hpp"
 
@@ -45,11 +45,11 @@ struct glyph_group {
     std::size_t faces = 0;
 };
 
-/// The words of a command line, but for those that only one program knows:
+/// The words of a command line, except for those of one program only:
 ///
 ///     [--quality low|normal|high|best]... [--step N] [--threads N] [NAME=]FILE_OR_FOLDER...
 ///
-/// FILE@FACE:GLYPH names one glyph. What has the same NAME makes one row of the table.
+/// FILE@FACE:GLYPH names one glyph. Fonts with the same NAME make one row of the table.
 class glyph_arguments {
 public:
     static constexpr const char* words =
@@ -59,7 +59,7 @@ public:
     std::uint32_t step = 1;
     unsigned threads = (std::max)(1u, std::thread::hardware_concurrency());
 
-    /// Takes word i, and goes on to the last one that belongs to it; false if it is none of these.
+    /// Takes word i and moves to the last one that belongs to it; false if it is none of these.
     [[nodiscard]] bool take(int argc, char** argv, int& i)
     {
         const std::string word = argv[i];
@@ -82,14 +82,22 @@ public:
         return true;
     }
 
-    /// Looks the fonts up; says why, and returns the status to end with, if there are none.
+    /// Ends the reading of the words: 0, or the exit status after a message. `usage` has the program and its own words;
+    /// `first` to `last` are the qualities if none is named.
+    [[nodiscard]] int start(bool understood, const char* usage, std::size_t first, std::size_t last)
+    {
+        if (!understood || paths_.empty()) return std::fprintf(stderr, "%s %s\n", usage, words), 2;
+        if (wanted.empty()) wanted.assign(qualities + first, qualities + last);
+        return open();
+    }
+
+    /// Finds the fonts. If there are none, says why and returns the exit status.
     [[nodiscard]] int open()
     {
         for (const std::string& path : paths_)
             if (const int status = open(path); status != 0) return status;
         return jobs_.empty() ? 1 : 0;
     }
-    [[nodiscard]] bool has_paths() const { return !paths_.empty(); }
     [[nodiscard]] const std::vector<glyph_group>& groups() const { return groups_; }
     [[nodiscard]] const std::vector<glyph_job>& jobs() const { return jobs_; }
     [[nodiscard]] std::size_t glyphs() const { return glyphs_; }
@@ -104,7 +112,7 @@ public:
             if (g % step == 0 || job.last - job.first == 1) of(*font, g);
     }
 
-    /// Calls worker() on each thread; what it returns is called for one job after another.
+    /// Calls worker() on each thread, and calls the result for one job after another.
     template <class Worker>
     void work(const Worker& worker) const
     {

@@ -9,7 +9,7 @@
 
 namespace test {
 
-/// Bytes that end where a page ends that must not be touched; also detects whether anything was written to them.
+/// Bytes that end at a page that must not be touched. It also detects whether anything was written to them.
 class guarded_bytes {
 public:
     explicit guarded_bytes(std::size_t count) : memory_{count, true} { std::memset(bytes().data(), 0xEE, count); }

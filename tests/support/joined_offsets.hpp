@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// A region swept inwards with joins, beside the same one with mitred corners: both are alike but near the joins.
+// A region swept inwards with joins, compared with the same region with mitred corners: they differ only near the joins.
 
 #include <typemesh/core/impl/same.hpp>
 #include <typemesh/core/orientation.hpp>
 #include <typemesh/offset/sweep_inwards.hpp>
 #include <typemesh/triangulate/monotone.hpp>
+#include "support/segments.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <string>
@@ -17,21 +17,21 @@
 
 namespace test {
 
-/// Compares the boundaries of both caps outside the discs of 4 widths round all corners with joins. A corner whose mitre
-/// is longer than that has such discs along the whole of it.
+/// Compares the boundaries of both caps outside the discs of 4 widths round all corners with joins. A corner with a longer
+/// mitre has such discs along its whole mitre.
 class joined_offsets {
 public:
     static constexpr double limit = 2.0;  ///< of mitres, in widths
 
-    bool refused = false;          ///< one of the sweeps, as crossing on the grid
-    std::size_t corners = 0;       ///< that have got joins
+    bool refused = false;          ///< one of the sweeps was, because it crosses on the grid
+    std::size_t corners = 0;       ///< corners with joins
     std::size_t compared = 0;      ///< points of both boundaries outside the discs
     std::size_t left_out = 0;      ///< points within them
-    double farthest = 0.0;         ///< of a compared point from the other boundary, in cells
+    double farthest = 0.0;         ///< distance of a compared point from the other boundary, in cells
     typemesh::grid_point where{};  ///< that point
-    std::string failed;            ///< why there is nothing to compare; empty: nothing failed
+    std::string failed;            ///< why there is nothing to compare, or empty
 
-    /// To see that a difference is noticed:
+    /// To check that a difference is noticed:
     ///
     ///     beyond    how much farther the mitred sweep goes, in cells
     ///     radius    of the discs, in widths
@@ -48,9 +48,7 @@ public:
     }
 
 private:
-    struct place {
-        double x, y;
-    };
+    using place = typemesh::point;
     struct side {
         place from, to;
     };
@@ -76,7 +74,7 @@ private:
         return !e;
     }
 
-    /// The way of the mitre's tip at a corner of the region, unless it is known.
+    /// Adds the way of the mitre's tip at a corner of the region, unless it is known.
     void add_corner(const typemesh::region& r, std::uint32_t corner)
     {
         if (!seen_.empty() && std::find(seen_.begin(), seen_.end(), corner) != seen_.end()) return;
@@ -95,11 +93,7 @@ private:
     }
 
     static place as_place(typemesh::grid_point p) { return {double(p.x), double(p.y)}; }
-    static place unit(place from, place to)
-    {
-        const double x = to.x - from.x, y = to.y - from.y, size = std::hypot(x, y);
-        return {x / size, y / size};
-    }
+    static place unit(place from, place to) { return 1.0 / length(to - from) * (to - from); }
     static std::vector<side> sides_of(const typemesh::swept_region& s)
     {
         std::vector<side> sides;
@@ -110,35 +104,27 @@ private:
         }
         return sides;
     }
-    static double distance(place p, const side& s)
-    {
-        const double x = s.to.x - s.from.x, y = s.to.y - s.from.y, square = x * x + y * y;
-        const double along = square > 0.0 ? ((p.x - s.from.x) * x + (p.y - s.from.y) * y) / square : 0.0;
-        const double t = (std::clamp)(along, 0.0, 1.0);
-        return std::hypot(p.x - s.from.x - t * x, p.y - s.from.y - t * y);
-    }
     [[nodiscard]] bool is_left_out(place p) const
     {
         for (const side& way : ways_)
-            if (distance(p, way) <= radius_ * width_) return true;
+            if (distance_to_segment(p, way.from, way.to) <= radius_ * width_) return true;
         return false;
     }
 
-    /// Points on the sides of one boundary, both ends included, with the sides of the other one.
+    /// Compares points on the sides of one boundary, both ends included, with the sides of the other.
     void compare(const std::vector<side>& own, const std::vector<side>& other)
     {
         constexpr int pieces = 4;
         for (const side& s : own)
             for (int i = 0; i < pieces; ++i) {
-                const double t = double(i) / pieces;
-                const place p{s.from.x + t * (s.to.x - s.from.x), s.from.y + t * (s.to.y - s.from.y)};
+                const place p = lerp(s.from, s.to, double(i) / pieces);
                 if (is_left_out(p)) {
                     ++left_out;
                     continue;
                 }
                 ++compared;
                 double nearest = 1e9;
-                for (const side& o : other) nearest = (std::min)(nearest, distance(p, o));
+                for (const side& o : other) nearest = (std::min)(nearest, distance_to_segment(p, o.from, o.to));
                 if (nearest <= farthest) continue;
                 farthest = nearest;
                 where = {static_cast<std::int32_t>(p.x), static_cast<std::int32_t>(p.y)};

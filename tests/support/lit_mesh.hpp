@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Meshes with everything that light and texture need, and what is true of each that a plan writes.
+// Meshes with everything that light and texture need, and the laws of a plan's mesh.
 
 #include "support/catch.hpp"
 
@@ -47,7 +47,7 @@ struct typemesh::vertex_traits<test::lit_vertex> {
 
 namespace test {
 
-/// A plan's mesh, as large as it says.
+/// A plan's mesh, which has the stated size.
 template <class Plan>
 lit_mesh written(const Plan& plan)
 {
@@ -57,8 +57,7 @@ lit_mesh written(const Plan& plan)
     return m;
 }
 
-/// The same, which is closed, right side out, lit from outside, reaches to its bounds, and has each part where the plan
-/// says.
+/// The same mesh, which is also closed, right side out, lit from outside, and fills its bounds; each part is in its range.
 template <class Plan>
 lit_mesh lawful(const Plan& plan, const typemesh::frame& f = typemesh::right_handed_y_up)
 {

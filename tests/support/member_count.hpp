@@ -5,13 +5,13 @@
 
 namespace test {
 
-/// Becomes a value of any type, where only the type matters.
+/// Converts to a value of any type, where only the type matters.
 struct any_value {
     template <class T>
     operator T() const noexcept;  // NOLINT: implicit, never defined
 };
 
-/// How many members an aggregate has: as many values as it can be initialised with.
+/// The number of members of an aggregate: the largest number of initial values.
 template <class T, class... Values>
 constexpr std::size_t member_count(Values... values)
 {

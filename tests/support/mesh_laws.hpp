@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Meshes in plain arrays, as a user holds them, and the laws that each must obey.
+// Meshes in plain arrays, as a user stores them, and their laws.
 
 #include <typemesh/core/point.hpp>
 #include <typemesh/inspect/closedness.hpp>
@@ -48,7 +48,7 @@ struct cross_product {
 
 using typemesh::inspect::closedness;
 
-/// Whether some triangles are closed, with vertices at equal positions welded.
+/// Whether triangles are closed, with vertices at equal positions welded.
 inline closedness examine(std::span<const full_vertex> vertices, std::span<const std::uint32_t> indices,
                           int depth_axis = 2)
 {
@@ -56,7 +56,7 @@ inline closedness examine(std::span<const full_vertex> vertices, std::span<const
 }
 inline closedness examine(const full_mesh& m, int depth_axis = 2) { return examine(m.vertices, m.indices, depth_axis); }
 
-/// The volume that a closed mesh encloses; negative when it is inside out (in a right-handed frame).
+/// The volume inside a closed mesh; negative if it is inside out (in a right-handed frame).
 inline double volume(std::span<const full_vertex> vertices, std::span<const std::uint32_t> indices)
 {
     return measure(typemesh::inspect::mesh_view{vertices, indices}).volume;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// What is true of closed polylines and of the triangles over them: the inspectors' findings, in words.
+// Laws of closed polylines and of triangles over them: the inspectors' findings, in words.
 
 #include <typemesh/inspect/boundary_check.hpp>
 #include <typemesh/inspect/cap_check.hpp>
@@ -19,10 +19,10 @@ namespace test::oracle {
 using namespace typemesh::inspect;
 using typemesh::grid_point;
 
-/// What keeps loops from being the boundary cycles of an area, as region promises; empty if nothing does.
+/// Why loops are not the boundary cycles of an area, as region promises, or nothing.
 inline std::string broken_cycle(const std::vector<loop>& loops) { return check_boundary(loops).broken(); }
 
-/// The first law that a triangulation breaks; empty when it obeys all.
+/// The first law that a triangulation breaks, or nothing.
 inline std::string broken_law(const typemesh::region& r, std::span<const typemesh::triangle> triangles)
 {
     return check_cap(r, triangles).broken();

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Outlines that are hard on moved edges: contours that are nearly the same, crescents, specks and needles beside
-// letters, stars, Koch curves, polygons that cross themselves.
+// Outlines that are hard for moved edges: contours that nearly coincide, crescents, specks and needles beside letters,
+// stars, Koch curves, polygons that cross themselves.
 
 #include <typemesh/outline/outline_recorder.hpp>
 
@@ -15,7 +15,7 @@
 
 namespace test {
 
-/// One of them, the same for the same seed.
+/// One such outline, the same for the same seed.
 class random_outline {
 public:
     typemesh::outline curves;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Include first, in every file of a program: failed asserts are written down instead of ending it.
+// Include it first, in every file of a program: failed asserts are recorded and do not end the program.
 #include <string>
 #include <vector>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Shapes to test with: generators of all sizes, a reader of corpus/regions.txt, and ways to rotate them.
+// Shapes for tests: generators of all sizes, a reader of corpus/regions.txt, and rotations.
 
 #include <typemesh/core/contours.hpp>
 
@@ -10,7 +10,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <cstdlib>
 #include <fstream>
 #include <ostream>
 #include <sstream>
@@ -63,7 +62,7 @@ inline typemesh::contours contours_of(const shape& s) { return contours_of(s.loo
 
 inline std::vector<oracle::loop> loops_of(const shape& s) { return {s.loops.begin(), s.loops.end()}; }
 
-/// Numbers that are the same everywhere (the standard's distributions are not). From  S. Vigna, splitmix64
+/// Random numbers that are the same everywhere (the standard's distributions are not). From  S. Vigna, splitmix64
 class dice {
 public:
     explicit dice(std::uint64_t seed) : state_{seed} {}
@@ -165,8 +164,7 @@ inline polyline staircase(int steps)
     return l;
 }
 
-/// A polygon through random points of a grid, uncrossed by reversing what lies between two crossing edges. Mostly
-/// simple.
+/// A polygon through random points of a grid, uncrossed by reversals between two crossing edges. Mostly simple.
 inline polyline random_polygon(int n, std::int32_t width, dice& d)
 {
     polyline l;
@@ -191,6 +189,27 @@ inline polyline random_polygon(int n, std::int32_t width, dice& d)
     return l;
 }
 
+/// So many loops of `fewest` points and up to `more` - 1 besides; `place` makes a point of the loop so far and the
+/// number of points that are left.
+template <class Place>
+shape random_polylines(dice& d, int count, int fewest, int more, const Place& place)
+{
+    shape s{"polylines", {}};
+    for (; count > 0; --count) {
+        polyline l;
+        for (int n = fewest + d.roll(more); n > 0; --n) l.push_back(place(l, n));
+        s.loops.push_back(l);
+    }
+    return s;
+}
+inline shape random_polylines(dice& d, int count, int fewest, int more, int width, int scale = 1)
+{
+    return random_polylines(d, count, fewest, more, [&](const polyline&, int) {
+        const std::int32_t x = d.roll(width), y = d.roll(width);
+        return grid_point{x * scale, y * scale};
+    });
+}
+
 // --- whole shapes ------------------------------------------------------------------------------------------------
 
 inline shape square_with_holes(int rows, int corners, std::int32_t pitch = 1000)
@@ -212,7 +231,7 @@ inline shape circle_with_holes(int n, int holes)
     return s;
 }
 
-/// `depth` squares within each other, alternating in direction or all counter-clockwise.
+/// `depth` squares inside each other, alternating in direction or all counter-clockwise.
 inline shape nested_squares(int depth, bool alternating)
 {
     shape s{alternating ? "nested squares, alternating" : "nested squares, all one way", {}};
@@ -254,7 +273,7 @@ inline std::vector<shape> generated_regions()
 
 // --- turning -----------------------------------------------------------------------------------------------------
 
-/// Rotated about the origin and snapped; quarter turns are exact. Equal neighbours that snapping makes are dropped.
+/// Rotated about the origin and snapped; quarter turns are exact. Equal neighbours after snapping are dropped.
 inline shape turned(const shape& s, double degrees)
 {
     const bool quarters = std::fmod(degrees, 90.0) == 0.0;
@@ -288,7 +307,7 @@ inline shape reversed(shape s)
     return s;
 }
 
-/// x and y swapped, and every contour reversed, so that what was left stays left.
+/// x and y swapped, and every contour reversed, so that the left side stays the left side.
 inline shape mirrored(shape s)
 {
     s.name += ", mirrored";
@@ -299,7 +318,18 @@ inline shape mirrored(shape s)
     return s;
 }
 
-/// Contours in another order, each beginning at another of its points.
+/// The shape turned by each angle, each time as it is, mirrored and reversed.
+inline std::vector<shape> in_positions(const shape& s, const std::vector<double>& degrees = {0.0, 90.0, 180.0, 270.0})
+{
+    std::vector<shape> all;
+    for (const double angle : degrees) {
+        const shape t = turned(s, angle);
+        for (const shape& position : {t, mirrored(t), reversed(t)}) all.push_back(position);
+    }
+    return all;
+}
+
+/// Contours in another order, each with another first point.
 inline shape shuffled(shape s, std::uint64_t seed)
 {
     dice d{seed};
@@ -313,12 +343,12 @@ inline shape shuffled(shape s, std::uint64_t seed)
 
 // --- corpus ------------------------------------------------------------------------------------------------------
 
-/// A shape of corpus/regions.txt and what is true of it.
+/// A shape of corpus/regions.txt and its properties.
 struct corpus_shape {
     test::shape shape;
     bool is_region = false;  ///< as it is; else the loops meet, or do not have the interior on their left
     bool is_crossing = false;
-    std::uint32_t holes = 0, outers = 0;  ///< of the region filled by non-zero winding, when they do not meet
+    std::uint32_t holes = 0, outers = 0;  ///< of the region filled by non-zero winding, if the loops do not meet
     std::size_t triangles = 0;
 
     friend std::ostream& operator<<(std::ostream& out, const corpus_shape& c) { return out << c.shape; }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// A reader of corpus/shapes.txt: outlines made of lines and curves, as sources of one glyph each.
+// A reader of corpus/shapes.txt: outlines of lines and curves, as sources of one glyph each.
 
 #include <typemesh/core/fill_rule.hpp>
 #include <typemesh/outline/recorded_outlines.hpp>
@@ -20,7 +20,7 @@ struct named_shape {
     typemesh::recorded_outlines font;  ///< its glyph 0
 };
 
-/// The shapes of a file in tests/corpus. Throws where it cannot be read or breaks the format.
+/// The shapes of a file in tests/corpus. Throws if it cannot be read or breaks the format.
 inline std::vector<named_shape> shapes_of(const char* file)
 {
     using namespace typemesh;

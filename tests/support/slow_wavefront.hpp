@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// A region's boundary moved inwards, as the straight skeleton has it, by brute force: slow, plain, and sharing no code
-// with the room offset/. After every event all events are looked for anew among all pairs, in long doubles.
+// A region's boundary moved inwards like the straight skeleton, by brute force: slow, plain, and without code of the room
+// offset/. After every event all pairs are searched for the next event, in long doubles.
 
 #include <typemesh/core/point.hpp>
 
@@ -36,14 +36,14 @@ inline long double doubled_area(const std::vector<std::vector<real_point>>& loop
     return sum;
 }
 
-/// What stands at a corner sharper than the mitre limit.
+/// The joins at a corner sharper than the mitre limit.
 struct slow_joins {
     long double mitre_limit = 0;      ///< 0: none, every corner is mitred
-    long double round_tolerance = 0;  ///< in cells, of the chords of a round join at `width`; 0: not rounded
+    long double round_tolerance = 0;  ///< in cells, for the chords of a round join at `width`; 0: not rounded
     long double width = 0;            ///< in cells
     int max_turns = 32;
 
-    /// The corner's turn is cut into this many equal ones; a power of two.
+    /// The corner's turn is divided into this many equal turns, a power of two.
     [[nodiscard]] int turns(long double turn) const
     {
         if (!(mitre_limit > 0) || 1 <= mitre_limit * std::cos(turn / 2)) return 1;
@@ -83,7 +83,7 @@ public:
         }
     }
 
-    /// Moves on to this distance from where the loops began, which must not be behind.
+    /// Moves on to this distance from the start, which must not be less than now.
     void advance(long double distance)
     {
         for (int steps = 0; !fronts_.empty(); ++steps) {
@@ -111,10 +111,10 @@ public:
         return all;
     }
     [[nodiscard]] long double area() const { return test::doubled_area(loops()) / 2; }
-    /// The integral of the area over the distance moved so far: exact but for the rounding of sums.
+    /// The integral of the area over the distance moved so far: exact except for the rounding of sums.
     [[nodiscard]] long double swept_volume() const { return volume_; }
     [[nodiscard]] std::size_t events() const { return events_; }
-    /// Whether an event changed nothing, so that rounding has decided what came of it.
+    /// Whether an event changed nothing, so that rounding decided its result.
     [[nodiscard]] bool is_doubtful() const { return doubtful_; }
 
 private:
@@ -127,7 +127,7 @@ private:
 
     static real_point unit(real_point d) { return (1 / test::length(d)) * d; }
 
-    /// Where corners move: each with the lines of its two edges, which go inwards by 1.
+    /// The speed of each corner, with the lines of its two edges, which move inwards by 1.
     void aim()
     {
         for (auto& f : fronts_) {
@@ -220,9 +220,9 @@ private:
         bool gone = false;
     };
 
-    /// Makes simple again what touches itself: cuts edges where corners lie on them, makes one place of corners that
-    /// are close, drops edges that have no length and pairs of edges that lie upon each other, and leads what remains
-    /// around each place so that every pass keeps to its own sector of interior.
+    /// Makes boundaries simple that touch themselves. It cuts edges where corners lie on them, joins corners that are
+    /// close, drops edges without length and pairs of edges that lie on each other, and leads the rest around each place
+    /// so that every pass stays in its own sector of interior.
     void meet()
     {
         std::vector<real_point> places;
@@ -279,7 +279,7 @@ private:
         pieces.push_back({from, place_of(e.b->at), e.a->along});
     }
 
-    /// The piece to go on with at the end of `p`: the last one clockwise before `p`'s own way back.
+    /// The piece that follows `p` at its end: the last one clockwise before `p`'s own way back.
     [[nodiscard]] static std::size_t follow(const piece& p, const std::vector<piece>& pieces)
     {
         std::size_t best = pieces.size();

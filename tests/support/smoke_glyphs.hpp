@@ -11,13 +11,13 @@
 
 namespace test {
 
-/// Calls of(font, glyph, name) for every `step`th glyph of the smoke fonts that the tests' set-up installs.
+/// Calls of(font, glyph, name) for every `step`th glyph of the smoke fonts in the tests' set-up.
 template <class F>
 void each_smoke_glyph(std::size_t step, const F& of)
 {
     for (const font_package& package : smoke_fonts()) {
         if (!package.required) continue;
-        std::size_t in_package = 0;  // goes on from face to face, so that faces do not repeat each other
+        std::size_t in_package = 0;  // continues from face to face, so that faces do not repeat each other
         for (const std::string& file : font_files(package)) {
             for (const face_instance& face : instances_of(file)) {
                 auto font = face.open();

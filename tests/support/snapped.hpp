@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Snap rounding by its definition: every pair of edges, every pixel, in integers. Slow, plain, and without a line in
-// common with the library. For |coordinate| < 2^15.
+// Snap rounding by its definition: every pair of edges, every pixel, in integers. Slow, plain, and without code in common
+// with the library. For |coordinate| < 2^15.
 
 #include <typemesh/core/fill_rule.hpp>
 #include <typemesh/core/point.hpp>
@@ -13,7 +13,6 @@
 #include <cstdint>
 #include <map>
 #include <set>
-#include <span>
 #include <utility>
 #include <vector>
 
@@ -21,7 +20,7 @@ namespace test::oracle {
 
 using place = std::pair<std::int64_t, std::int64_t>;  // x, y
 
-/// Directed pieces and how often each is traversed, from left to right.
+/// Directed pieces with the number of times that each is traversed from left to right.
 using pieces = std::map<std::pair<place, place>, int>;
 
 inline std::int64_t turn(place a, place b, place c)
@@ -29,8 +28,8 @@ inline std::int64_t turn(place a, place b, place c)
     return (b.first - a.first) * (c.second - a.second) - (b.second - a.second) * (c.first - a.first);
 }
 
-/// Whether the closed segment ab has a point in the pixel [-1/2, 1/2) x [-1/2, 1/2) around p: what of it lies within
-/// each pair of half planes is one interval of its parameter, open at the upper sides.
+/// Whether the closed segment ab has a point in the pixel [-1/2, 1/2) x [-1/2, 1/2) around p. The part of it within each
+/// pair of half planes is one interval of its parameter, open at the upper sides.
 inline bool comes_through_cell(place a, place b, place p)
 {
     struct fraction {
@@ -63,10 +62,10 @@ inline bool comes_through_cell(place a, place b, place p)
     return c < 0 || (c == 0 && !low_open && !high_open);
 }
 
-/// What resolve() promises to cut edges into. Edges between two points that cancel (under even_odd: every pair of them)
-/// are none. Hot are the contours' points and the grid points nearest to crossings, halves up. An edge is cut in every
-/// hot point that it passes through; of the pieces between, those that have to bend somewhere are routed through every
-/// hot pixel that they pass through.
+/// The pieces that resolve() promises to cut edges into. Edges between two points that cancel (under even_odd: every pair)
+/// do not count. Hot are the contours' points and the grid points nearest to crossings, with halves up. An edge is cut in
+/// every hot point that it passes through. The pieces between that must bend somewhere are routed through every hot pixel
+/// that they pass through.
 inline pieces snapped(const std::vector<loop>& loops, typemesh::fill_rule rule)
 {
     const bool parity = rule == typemesh::fill_rule::even_odd;
@@ -153,7 +152,7 @@ inline pieces snapped(const std::vector<loop>& loops, typemesh::fill_rule rule)
     return cut;
 }
 
-/// Those of the pieces that bound the filled area, directed so that it lies on their left.
+/// The pieces that bound the filled area, directed so that the area lies on their left.
 inline std::set<std::pair<place, place>> boundary_of(const pieces& all, typemesh::fill_rule rule)
 {
     std::set<std::pair<place, place>> boundary;
@@ -179,7 +178,7 @@ inline std::set<std::pair<place, place>> boundary_of(const pieces& all, typemesh
     return boundary;
 }
 
-/// The edges of loops, each once; `twice` when one is there more often.
+/// The edges of loops, each once; `twice` is set if one occurs more often.
 inline std::set<std::pair<place, place>> edges_of(const std::vector<loop>& loops, bool& twice)
 {
     std::set<std::pair<place, place>> edges;
@@ -193,7 +192,7 @@ inline std::set<std::pair<place, place>> edges_of(const std::vector<loop>& loops
     return edges;
 }
 
-/// Loops as cyclic sequences of points: each begun at its smallest rotation, in order.
+/// Loops as cyclic sequences of points, each from its smallest rotation, sorted.
 inline std::vector<std::vector<place>> cyclic(const std::vector<loop>& loops)
 {
     std::vector<std::vector<place>> all;

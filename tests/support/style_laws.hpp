@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// What the styles of a run's looks may change of a mesh, and what not: a styled text against the same text in one
-// style.
+// What the styles of a run's looks may change in a mesh: a styled text is compared with the same text in one style.
 
 #include "support/catch.hpp"
 #include "support/executors.hpp"
@@ -20,12 +19,14 @@
 
 namespace test {
 
-/// A vertex with everything that a style must leave as it is, and the style.
+using namespace typemesh;
+
+/// A vertex with everything that a style must not change, and the style.
 struct styled_vertex {
-    typemesh::vec3 position, normal;
-    typemesh::vec2 uv;
-    typemesh::glyph_id glyph;
-    typemesh::cluster_id cluster;
+    vec3 position, normal;
+    vec2 uv;
+    glyph_id glyph;
+    cluster_id cluster;
     std::uint32_t part;
     std::uint32_t style;
 };
@@ -55,15 +56,15 @@ struct typemesh::vertex_traits<test::styled_vertex> {
 
 namespace test {
 
-/// The same run, each glyph in a style of its own choosing: from a few that are neither neighbours nor in order.
-inline typemesh::glyph_run styled_at_random(const typemesh::glyph_run& plain, std::uint32_t seed)
+/// The same run with each glyph in a random style, of a few that are neither neighbours nor in order.
+inline glyph_run styled_at_random(const glyph_run& plain, std::uint32_t seed)
 {
     constexpr std::uint32_t numbers[] = {7, 0, 0xFFFF'FFF0u, 3, 7};
     std::mt19937 random{seed};
-    typemesh::glyph_run run;
+    glyph_run run;
     run.units_per_em = plain.units_per_em;
-    for (const std::uint32_t n : numbers) REQUIRE(run.looks.push_back({.style = typemesh::style_id{n}}));
-    for (typemesh::placed_glyph g : plain.glyphs) {
+    for (const std::uint32_t n : numbers) REQUIRE(run.looks.push_back({.style = style_id{n}}));
+    for (placed_glyph g : plain.glyphs) {
         g.look = static_cast<std::uint32_t>(random() % std::size(numbers));
         REQUIRE(run.glyphs.push_back(g));
     }
@@ -71,7 +72,7 @@ inline typemesh::glyph_run styled_at_random(const typemesh::glyph_run& plain, st
     return run;
 }
 
-/// Every triangle by the bytes of its vertices but their style, sorted: what is drawn, in whatever order.
+/// Every triangle by the bytes of its vertices except for their style, sorted: what is drawn, in any order.
 using drawn_triangle = std::array<unsigned char, 3 * sizeof(styled_vertex)>;
 
 inline void add_triangles(const styled_mesh& m, std::vector<drawn_triangle>& out)
@@ -94,10 +95,9 @@ inline std::vector<drawn_triangle> triangles_of(const styled_mesh& m)
     return out;
 }
 
-/// The glyphs come style by style, ranges of styles and of glyphs tile the mesh, and vertices tell their style.
-inline void check_ranges(const auto& plan, const typemesh::glyph_run& run, const styled_mesh& m)
+/// The glyphs come style by style, ranges of styles and of glyphs tile the mesh, and vertices have their style.
+inline void check_ranges(const auto& plan, const glyph_run& run, const styled_mesh& m)
 {
-    using namespace typemesh;
     const auto glyphs = plan.glyphs();
     for (std::size_t g = 0; g < glyphs.size(); ++g) {
         CHECK(glyphs[g].style == run.looks[run.glyphs[glyphs[g].glyph].look].style);
@@ -143,10 +143,9 @@ inline void check_ranges(const auto& plan, const typemesh::glyph_run& run, const
     CHECK(index == m.indices.size());
 }
 
-/// Each glyph's own mesh is the same to the bit, wherever it lies.
+/// Each glyph's own mesh is the same bit for bit, wherever it lies.
 inline void check_glyphs(const auto& plain, const styled_mesh& of_plain, const auto& styled, const styled_mesh& m)
 {
-    using namespace typemesh;
     REQUIRE(plain.glyphs().size() == styled.glyphs().size());
     std::map<std::uint32_t, std::size_t> by_place;
     for (std::size_t g = 0; g < plain.glyphs().size(); ++g) by_place[plain.glyphs()[g].glyph] = g;
@@ -175,10 +174,9 @@ inline void check_glyphs(const auto& plain, const styled_mesh& of_plain, const a
     }
 }
 
-/// Some glyphs written alone come to where they are in the whole mesh, and nothing else is touched.
+/// Glyphs written by themselves arrive at their places in the whole mesh, and nothing else is touched.
 inline void check_partial_writes(const auto& plan, const styled_mesh& whole)
 {
-    using namespace typemesh;
     styled_mesh assembled;
     assembled.vertices.resize(whole.vertices.size());
     assembled.indices.resize(whole.indices.size());
@@ -204,7 +202,6 @@ inline void check_partial_writes(const auto& plan, const styled_mesh& whole)
 /// Chunks draw the same, and the ranges of styles tile each of them.
 inline void check_chunks(const auto& plan, const styled_mesh& whole, std::uint32_t most)
 {
-    using namespace typemesh;
     text_chunks chunks;
     REQUIRE(chunks.cut(plan, most));
     std::vector<drawn_triangle> drawn;
@@ -239,10 +236,9 @@ inline void check_chunks(const auto& plan, const styled_mesh& whole, std::uint32
     CHECK((drawn == triangles_of(whole)));
 }
 
-/// Instances come mesh by mesh, those of a mesh style by style, each glyph once.
+/// Instances come mesh by mesh, and style by style within a mesh, each glyph once.
 inline void check_instances(const auto& plan)
 {
-    using namespace typemesh;
     std::vector<glyph_instance> all;
     plan.write_instances([&](const glyph_instance& i) { all.push_back(i); });
     REQUIRE(all.size() == plan.glyphs().size());
@@ -267,10 +263,9 @@ inline void check_instances(const auto& plan)
     CHECK(std::count(seen.begin(), seen.end(), 1) == static_cast<std::ptrdiff_t>(seen.size()));
 }
 
-/// Merged, a styled text is what its styles are when each is merged alone; a triangle's owner has its style, too.
-inline void check_merging(auto& mesher, const typemesh::glyph_run& run, typemesh::text_options options)
+/// A merged styled text is the sum of its styles merged one by one, and a triangle's owner has its style.
+inline void check_merging(auto& mesher, const glyph_run& run, text_options options)
 {
-    using namespace typemesh;
     options.merge = true;
     options.texture_over = texture_box::glyph;  // over the whole text it would depend on the other glyphs
     std::vector<drawn_triangle> expected;
@@ -278,15 +273,15 @@ inline void check_merging(auto& mesher, const typemesh::glyph_run& run, typemesh
     std::map<style_id, bool> in_use;
     for (const placed_glyph& g : run.glyphs) in_use[run.looks[g.look].style] = true;
     for (const auto& [s, used] : in_use) {
-        glyph_run alone;
-        alone.units_per_em = run.units_per_em;
-        REQUIRE(alone.lines.append(run.lines.view()));
+        glyph_run single;
+        single.units_per_em = run.units_per_em;
+        REQUIRE(single.lines.append(run.lines.view()));
         for (placed_glyph g : run.glyphs) {
             g.missing = g.missing || run.looks[g.look].style != s;  // its position stays, and nothing is drawn there
             g.look = 0;
-            REQUIRE(alone.glyphs.push_back(g));
+            REQUIRE(single.glyphs.push_back(g));
         }
-        const auto plan = mesher.plan(alone, options);
+        const auto plan = mesher.plan(single, options);
         REQUIRE(plan);
         add_triangles(written<styled_mesh>(*plan), expected);
         for (std::size_t g = 0; g < plan->glyphs().size(); ++g)
@@ -316,12 +311,11 @@ inline void check_merging(auto& mesher, const typemesh::glyph_run& run, typemesh
     for (const std::uint32_t most : {200u, 5000u}) check_chunks(*plan, merged, most);
 }
 
-/// All of it. `mesher`, `other_mesher`: two of one type; `pool`: workers with sources of the second one.
+/// All checks. `mesher`, `other_mesher`: two of one type; `pool`: workers with sources of the second one.
 template <class Mesher, class Team>
-void check_styles(Mesher& mesher, Mesher& other_mesher, Team& pool, const typemesh::glyph_run& plain_run,
-                  const typemesh::text_options& options, std::uint32_t seed)
+void check_styles(Mesher& mesher, Mesher& other_mesher, Team& pool, const glyph_run& plain_run,
+                  const text_options& options, std::uint32_t seed)
 {
-    using namespace typemesh;
     const glyph_run run = styled_at_random(plain_run, seed);
     const auto plain = mesher.plan(plain_run, options);
     const auto styled = other_mesher.plan(run, options);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// What is true of every region swept inwards.
+// Laws of every region swept inwards.
 
 #include "support/cycles.hpp"
 
@@ -22,7 +22,7 @@
 
 namespace test {
 
-/// What keeps loops from being the boundary of a region as they are; "" if nothing does. Loops without points do.
+/// Why loops are not the boundary of a region as they are, or "". Loops without points are one.
 inline std::string broken_cap(const typemesh::contours& cap)
 {
     using namespace typemesh;
@@ -41,7 +41,7 @@ inline std::string broken_cap(const typemesh::contours& cap)
                : "the cap is no region: filled, it has other loops";
 }
 
-/// The same loops where they touch no other; where they do, in a point, each edge follows the one of its own sector.
+/// The same loops, except where two touch in a point: there each edge follows the one of its own sector.
 inline typemesh::contours linked(const typemesh::contours& cap)
 {
     using namespace typemesh;
@@ -56,7 +56,7 @@ inline typemesh::contours linked(const typemesh::contours& cap)
     return again;
 }
 
-/// Checks a swept region against the region that it was made of, by brute force.
+/// Checks a swept region against its original region, by brute force.
 ///
 ///     swept_laws laws{r, swept};
 ///     CHECK(laws.broken() == "");
@@ -79,16 +79,14 @@ public:
         }
     }
 
-    /// The first law that is broken, in words; "" if none is.
+    /// The first law that is broken, in words, or "".
     [[nodiscard]] const std::string& broken() const { return broken_; }
 
     /// Twice the area within each level.
     [[nodiscard]] const std::vector<std::int64_t>& doubled_areas() const { return areas_; }
     [[nodiscard]] double farthest_off_plane() const { return off_plane_; }
-    [[nodiscard]] double farthest_off_level() const { return off_level_; }
-    [[nodiscard]] double farthest_beyond_band() const { return beyond_band_; }
 
-    /// The edges at a level as loops, in one of the ways in which they can be joined.
+    /// The edges at a level as loops, joined in one of the possible ways.
     [[nodiscard]] std::vector<std::vector<typemesh::grid_point>> loops_at(std::size_t level) const
     {
         std::vector<std::pair<std::uint32_t, std::uint32_t>> edges;
@@ -157,7 +155,7 @@ private:
         return broken_.empty();
     }
 
-    /// How far a node is from the line of an edge, inwards.
+    /// The distance of a node from the line of an edge, inwards.
     [[nodiscard]] double height_over(std::uint32_t edge, typemesh::grid_point p) const
     {
         const auto points = region_.points();
@@ -210,7 +208,7 @@ private:
         return it != sides_.end() && it->a == a && it->b == b ? &*it : nullptr;
     }
 
-    /// The sides without a counterpart are the region's boundary and the cap's, reversed.
+    /// The sides without a counterpart are the region's boundary, and the cap's reversed.
     void check_edges()
     {
         for (std::size_t i = 1; i < sides_.size(); ++i)
@@ -246,7 +244,7 @@ private:
         law(of_cap == of_level, "the edges at the last level are not the cap's");
     }
 
-    /// The edges at a level are what parts the bands that meet there, and know their faces.
+    /// The edges at a level separate the bands that meet there, and know their faces.
     void check_levels()
     {
         const auto& s = swept_;
@@ -279,7 +277,7 @@ private:
         }
         law(off_level_ <= max_off_level, "an edge at a level is not at its distance");
     }
-    /// Whether the triangle belongs to the edge's face, or that face is too narrow to have any in this band.
+    /// Whether the triangle belongs to the edge's face, or that face is too narrow to have a triangle in this band.
     [[nodiscard]] bool is_of_face(const side_of& p, std::uint32_t edge) const
     {
         const auto cell = swept_.cells[p.cell];

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// A font with glyphs for some characters only, for what several fonts do together.
+// A font with glyphs for some characters only, for tests of several fonts together.
 
 #include <typemesh/layout/shaper.hpp>
 #include <typemesh/layout/plain_text.hpp>
@@ -16,9 +16,11 @@
 
 namespace test {
 
-/// Every character that it has is a glyph of that number, drawn as a square of 1/10 em and half an em wide; marks have
-/// no width, and a cluster is a grapheme, but "fi" is a cluster of both. A joiner before a letter makes that unsafe to
-/// break before. Counts what it is asked.
+using namespace typemesh;
+
+/// Every character that it has is a glyph of that number, drawn as a square of 1/10 em, half an em wide. Marks have no
+/// width, and a cluster is a grapheme, except that "fi" is one cluster. After a joiner a letter is unsafe to break before.
+/// It counts its calls.
 struct toy_covering_font {
     std::u32string has;
     double units = 1000.0;
@@ -31,11 +33,11 @@ struct toy_covering_font {
     }
 
     double units_per_em() const noexcept { return units; }
-    typemesh::fill_rule fill() const noexcept { return typemesh::fill_rule::non_zero; }
-    typemesh::line_metrics metrics(typemesh::direction) const noexcept { return {0.8 * units, -0.2 * units, 0.0}; }
+    fill_rule fill() const noexcept { return fill_rule::non_zero; }
+    line_metrics metrics(direction) const noexcept { return {0.8 * units, -0.2 * units, 0.0}; }
 
-    template <typemesh::outline_sink Sink>
-    typemesh::error outline(typemesh::glyph_id id, Sink& sink) noexcept
+    template <outline_sink Sink>
+    error outline(glyph_id id, Sink& sink) noexcept
     {
         if (id == ' ') return {};
         const double side = units / 10;
@@ -45,11 +47,8 @@ struct toy_covering_font {
 
     bool covers(char32_t c) const { return has.find(c) != std::u32string::npos; }
 
-    typemesh::error shape(typemesh::text_view text, const typemesh::text_item& item,
-                               const typemesh::shape_options&,
-                               typemesh::buffer<typemesh::shaped_glyph>& glyphs) noexcept
+    error shape(text_view text, const text_item& item, const shape_options&, buffer<shaped_glyph>& glyphs) noexcept
     {
-        using namespace typemesh;
         ++items;
         asked.emplace_back(item.first, item.last);
         std::vector<shaped_glyph> made;
@@ -68,7 +67,7 @@ struct toy_covering_font {
                 g.cluster = made.back().cluster, g.advance = 0.0, g.flags = made.back().flags;
                 g.offset = {units / 4, 0};
             }
-            // What is not drawn has no glyph of its own, whatever the font has.
+            // A character that is not drawn has no glyph of its own, whatever the font has.
             const bool drawn = !is_default_ignorable(c.value);
             if (drawn && !covers(c.value)) g.id = 0, g.flags = g.flags | glyph_flags::missing;
             if (!drawn) g.advance = 0.0;
@@ -80,6 +79,6 @@ struct toy_covering_font {
         return glyphs.append(made) ? error{} : error{error::out_of_memory};
     }
 };
-static_assert(typemesh::shaper<toy_covering_font> && typemesh::outline_source<toy_covering_font>);
+static_assert(shaper<toy_covering_font> && outline_source<toy_covering_font>);
 
 }  // namespace test

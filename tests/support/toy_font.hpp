@@ -41,11 +41,8 @@ public:
     template <typemesh::outline_sink Sink>
     typemesh::error outline(typemesh::glyph_id id, Sink& sink) noexcept
     {
-        if (id == 6) {
-            sink.move({0, 0});
-            sink.line({std::numeric_limits<double>::quiet_NaN(), 1});
-            return {};
-        }
+        if (id == 6)
+            return sink.move({0, 0}), sink.line({std::numeric_limits<double>::quiet_NaN(), 1}), typemesh::error{};
         return drawings_.outline(id, sink);
     }
 

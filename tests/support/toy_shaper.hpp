@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// A shaper without a font.
+// A shaper without a font, for tests of layout and paragraphs.
 
 #include <typemesh/layout/shaper.hpp>
 #include <typemesh/unicode/utf.hpp>
@@ -11,10 +11,10 @@
 
 namespace test {
 
-/// Every code point is a glyph of that number, 500 units wide, a space 250, a soft hyphen and marks of direction 0, 1000 units to the em.
-/// Combining marks belong to the letter before and have no width. "AV" is kerned by -100 on the A, "fi" is one glyph of
-/// 700 (of id 0xFB01): both are unsafe to break between. Between two of U+0628 there may be a tatweel. U+007F has no
-/// glyph, U+FFFF is missing, '!' is refused. Counts what it is asked.
+/// Every code point is a glyph of that number, 500 units wide; a space is 250 wide, and a soft hyphen and direction marks
+/// 0, at 1000 units per em. Combining marks belong to the letter before and have no width. "AV" is kerned by -100 on the
+/// A, and "fi" is one glyph of 700 (id 0xFB01); both are unsafe to break between. Between two of U+0628 a tatweel may
+/// stand. U+007F has no glyph, U+FFFF is missing, '!' is refused. It counts its calls.
 struct toy_shaper {
     typemesh::line_metrics lines{700.0, -200.0, 100.0};
     bool all_unsafe = false;  // to break, before every glyph

@@ -14,7 +14,7 @@ using namespace typemesh;
 
 namespace {
 
-/// By x, then y, then index, as std::sort has it?
+/// Whether points are sorted by x, then y, then index, as std::stable_sort does it.
 bool is_right(const std::vector<grid_point>& points, workspace& space)
 {
     std::vector<std::uint32_t> order(points.size()), expected(points.size());
@@ -33,7 +33,7 @@ std::uint32_t next_random(std::uint64_t& state)
 
 }  // namespace
 
-TEST_CASE("sweep_order() sorts points of every number and spread as std::stable_sort does", "[core][sweep_order]")
+TEST_CASE("sweep_order() sorts points of every number and spread like std::stable_sort", "[core][sweep_order]")
 {
     workspace space;
     std::uint64_t seed = 1;
@@ -52,7 +52,7 @@ TEST_CASE("sweep_order() sorts points of every number and spread as std::stable_
     }
 }
 
-TEST_CASE("sweep_order() sorts crowds in one column among points far away", "[core][sweep_order]")
+TEST_CASE("sweep_order() sorts crowds in one column among distant points", "[core][sweep_order]")
 {
     workspace space;
     std::uint64_t seed = 2;
@@ -69,8 +69,7 @@ TEST_CASE("sweep_order() sorts crowds in one column among points far away", "[co
     }
 }
 
-TEST_CASE("sweep_order() keeps the order of equal points among points that are far away both ways",
-          "[core][sweep_order]")
+TEST_CASE("sweep_order() keeps the order of equal points among distant points", "[core][sweep_order]")
 {
     workspace space;
     for (const int crowd : {5, 15, 16, 17, 40, 255, 256, 600}) {
@@ -82,10 +81,9 @@ TEST_CASE("sweep_order() keeps the order of equal points among points that are f
     }
 }
 
-TEST_CASE("sweep_order() without memory says so", "[core][sweep_order]")
+TEST_CASE("sweep_order() reports that memory ran out", "[core][sweep_order]")
 {
-    test::counting_memory memory;
-    memory.fail_at = 1;
+    test::counting_memory memory{.fail_at = 1};
     workspace space{memory.source()};
     const std::vector<grid_point> points{{1, 2}, {0, 1}};
     std::uint32_t order[2];
@@ -95,7 +93,7 @@ TEST_CASE("sweep_order() without memory says so", "[core][sweep_order]")
     CHECK(order[0] == 1);
 }
 
-TEST_CASE("the points of contours are sorted once, until they move", "[sweep]")
+TEST_CASE("the points of contours are sorted once, until they change", "[sweep]")
 {
     contours loops;
     test::counting_memory memory;
@@ -107,9 +105,7 @@ TEST_CASE("the points of contours are sorted once, until they move", "[sweep]")
         REQUIRE(loops.points.push_back(p));
     CHECK(loops.order().empty());
     REQUIRE(sort_points(loops, space));
-    const auto is = [&](std::vector<std::uint32_t> expected) {
-        return std::equal(loops.order().begin(), loops.order().end(), expected.begin(), expected.end());
-    };
+    const auto is = [&](std::vector<std::uint32_t> expected) { return std::ranges::equal(loops.order(), expected); };
     CHECK(is({1, 2, 0}));
     const std::size_t before = memory.requests;
     space.trim();

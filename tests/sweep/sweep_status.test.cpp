@@ -11,8 +11,7 @@
 
 using namespace typemesh;
 
-TEST_CASE("a sweep status keeps the order of its items through thousands of insertions and removals",
-          "[core][sweep_status]")
+TEST_CASE("a sweep status keeps its order through thousands of changes", "[core][sweep_status]")
 {
     for (const std::size_t most : {1u, 10u, 17u, 60u, 3000u}) {
         workspace space;
@@ -82,10 +81,9 @@ TEST_CASE("two items may follow one search", "[core][sweep_status]")
     CHECK(count == 2000);
 }
 
-TEST_CASE("a sweep status without memory says so", "[core][sweep_status]")
+TEST_CASE("a sweep status reports that memory ran out", "[core][sweep_status]")
 {
-    test::counting_memory memory;
-    memory.fail_at = 1;
+    test::counting_memory memory{.fail_at = 1};
     workspace space{memory.source()};
     workspace::scope scratch{space};
     sweep_status status;

@@ -16,7 +16,7 @@ using detail::coarse_loops;
 
 namespace {
 
-/// Loops thinned out, and everything that must be true of them.
+/// Loops without their smoothing points, and everything that must be true of them.
 struct thinned {
     std::size_t kept = 0;
 
@@ -48,7 +48,7 @@ struct thinned {
                 check_turns(points, starts[l], starts[l + 1], v, w, straightness);
             }
         }
-        // Each comes back once, between two that are neighbours then, in the order of the loop.
+        // Each point comes back once, between two that are neighbours at that time, in the order of the loop.
         const bool all = coarse.bring_back([&](std::uint32_t before, std::uint32_t v) {
             REQUIRE(here.count(before) == 1);
             REQUIRE(here.insert(v).second);
@@ -65,7 +65,7 @@ struct thinned {
                 REQUIRE(next[v] == (v + 1 == starts[l + 1] ? starts[l] : v + 1));
     }
 
-    /// No edge of the subrange from v to w turns away from its first by as much as is said.
+    /// No edge between v and w turns away from the first one by more than the straightness allows.
     static void check_turns(std::span<const grid_point> points, std::uint32_t begin, std::uint32_t end, std::uint32_t v,
                             std::uint32_t w, std::int64_t straightness)
     {
@@ -86,16 +86,12 @@ struct thinned {
 
 }  // namespace
 
-TEST_CASE("coarse loops leave out what only smooths, and all of it comes back in its place",
-          "[triangulate][coarse_loops]")
+TEST_CASE("coarse loops leave out smoothing points, and bring each back in its place", "[triangulate][coarse_loops]")
 {
     for (const test::shape& s : test::delaunay_shapes()) {
         const contours given = test::contours_of(s);
         INFO(s.name);
-        for (const std::int64_t straightness : {2, 4, 8}) {
-            const thinned plain{s, straightness};
-            CHECK(plain.kept <= given.points.size());
-        }
+        for (const std::int64_t straightness : {2, 4, 8}) CHECK(thinned{s, straightness}.kept <= given.points.size());
         CHECK(thinned{s, coarse_loops::keep_all}.kept == given.points.size());
     }
     test::dice d{91};
@@ -103,21 +99,22 @@ TEST_CASE("coarse loops leave out what only smooths, and all of it comes back in
         (void)thinned{{"random", {test::random_polygon(3 + d.roll(40), 14, d)}}, 1 + d.roll(8)};
 }
 
-TEST_CASE("a fine circle keeps few points, a rough star all", "[triangulate][coarse_loops]")
+TEST_CASE("a fine circle keeps few points, and a rough star all", "[triangulate][coarse_loops]")
 {
-    CHECK(thinned{{"circle", {test::circle(2000, 1e8)}}, 2}.kept < 20);
-    CHECK(thinned{{"circle", {test::circle(2000, 1e8)}}, 8}.kept >
-          thinned{{"circle", {test::circle(2000, 1e8)}}, 2}.kept);
+    const test::shape circle{"circle", {test::circle(2000, 1e8)}};
+    CHECK(thinned{circle, 2}.kept < 20);
+    CHECK(thinned{circle, 8}.kept > thinned{circle, 2}.kept);
     CHECK(thinned{{"star", {test::star(60, 1e6, 1)}}, 8}.kept >= 50);
 }
 
-TEST_CASE("sheared loops stand elsewhere and lie alike", "[triangulate][coarse_loops]")
+TEST_CASE("sheared coarse loops contain the same points", "[triangulate][coarse_loops]")
 {
     for (const test::shape& s : {test::shape{"lattice", {test::circle(300, 1e6)}}, test::square_with_holes(6, 7)})
         (void)thinned{s, 2, true};
 }
 
-TEST_CASE("who has enough of the points that come back says so, and no memory is told", "[triangulate][coarse_loops]")
+TEST_CASE("bring_back() stops when its callback does, and take() reports that memory ran out",
+          "[triangulate][coarse_loops]")
 {
     const contours given = test::contours_of(std::vector<test::polyline>{test::circle(500, 1e7)});
     workspace space;

@@ -5,9 +5,9 @@
 #include <typemesh/triangulate/monotone.hpp>
 
 #include "support/catch.hpp"
-#include "support/counting_memory.hpp"
 #include "support/delaunay.hpp"
 #include "support/delaunay_shapes.hpp"
+#include "support/proving_memory.hpp"
 #include "support/regions.hpp"
 
 using namespace typemesh;
@@ -36,17 +36,13 @@ TEST_CASE("constrained_delaunay makes every edge of random polygons on tiny grid
     test::dice d{4};
     for (int i = 0; i < 6000; ++i) {
         const int width = 4 + d.roll(14), n = 3 + d.roll((std::min)(width * width / 3, 50));
-        const test::shape s{"random polygon " + std::to_string(i), {test::random_polygon(n, width, d)}};
-        const std::string mistake = mesh_of(s).mistake;
-        if (!mistake.empty()) {
-            INFO(s);
-            CHECK(mistake == "");
-        }
+        const test::shape s{"random polygon", {test::random_polygon(n, width, d)}};
+        INFO(s);
+        CHECK(mesh_of(s).mistake == "");
     }
 }
 
-TEST_CASE("the Delaunay triangles do not depend on where contours begin or how they are ordered",
-          "[triangulate][delaunay]")
+TEST_CASE("the Delaunay triangles do not depend on the start or order of contours", "[triangulate][delaunay]")
 {
     for (const test::shape& s : test::delaunay_shapes()) {
         const auto triangles = mesh_of(s, {}, false).triangles;
@@ -57,7 +53,7 @@ TEST_CASE("the Delaunay triangles do not depend on where contours begin or how t
     }
 }
 
-TEST_CASE("integer shifts and powers of two leave the Delaunay triangles as they are", "[triangulate][delaunay]")
+TEST_CASE("integer shifts and powers of two keep the Delaunay triangles", "[triangulate][delaunay]")
 {
     for (const test::shape& s : test::delaunay_shapes()) {
         std::int32_t reach = 1;
@@ -85,7 +81,7 @@ TEST_CASE("integer shifts and powers of two leave the Delaunay triangles as they
 
 namespace {
 
-/// The cells of points on one circle, most of them single triangles: the points of each, sorted, and the cells too.
+/// The cells of points on one circle, most of them single triangles: the points of each cell.
 std::vector<test::polyline> cells_of(const test::shape& s)
 {
     contours loops = test::contours_of(s);
@@ -118,7 +114,7 @@ std::vector<test::polyline> cells_of(const test::shape& s)
     return cells;
 }
 
-/// In one order, whatever they were made in.
+/// The cells in ascending order, whatever order they were made in.
 std::vector<test::polyline> sorted(std::vector<test::polyline> cells)
 {
     for (test::polyline& c : cells) {
@@ -134,10 +130,7 @@ std::vector<test::polyline> sorted(std::vector<test::polyline> cells)
 
 }  // namespace
 
-TEST_CASE(
-    "quarter turns and mirrors leave the cells of co-circular points and the Delaunay triangles outside them as "
-    "they are",
-    "[triangulate][delaunay]")
+TEST_CASE("quarter turns and mirrors keep the cells of points on one circle", "[triangulate][delaunay]")
 {
     for (const test::shape& s : test::delaunay_shapes()) {
         const auto cells = cells_of(s);
@@ -154,7 +147,7 @@ TEST_CASE(
     }
 }
 
-TEST_CASE("all free diagonals among points on one circle leave the smallest", "[triangulate][delaunay]")
+TEST_CASE("all free diagonals among points on one circle start at the smallest", "[triangulate][delaunay]")
 {
     for (const std::int32_t squared_radius : {25, 65, 325, 1105, 5525}) {
         const test::polyline circle = test::on_one_circle(squared_radius, 37);
@@ -189,43 +182,15 @@ TEST_CASE("constrained_delaunay proves what monotone proves", "[triangulate][del
     for (const test::corpus_shape& c : test::corpus("regions.txt")) compare(c.shape);
     for (int i = 0; i < 3000; ++i) {
         const int width = 3 + d.roll(7), count = 1 + d.roll(2);
-        test::shape s{"polylines " + std::to_string(i), {}};
-        for (int c = 0; c < count; ++c) {
-            test::polyline l;
-            for (int n = 3 + d.roll(4); n > 0; --n) l.push_back({d.roll(width), d.roll(width)});
-            s.loops.push_back(l);
-        }
+        const test::shape s = test::random_polylines(d, count, 3, 4, width);
         compare(s);
     }
     CHECK(accepted > 200);
 }
 
-TEST_CASE("proving Delaunay triangles without memory says so, and after warming up asks for none",
-          "[triangulate][delaunay]")
+TEST_CASE("a Delaunay proof reports that memory ran out, and needs none once warm", "[triangulate][delaunay]")
 {
-    const contours loops = test::contours_of(test::square_with_holes(12, 24));
-    for (std::size_t nth = 1;; ++nth) {
-        test::counting_memory memory;
-        workspace space{memory.source()};
-        triangle_list out{memory.source()};
-        memory.fail_at = nth;
-        memory.fail_once = true;
-        const result<region> proven = constrained_delaunay{}.prove(loops, space, out);
-        const bool was_asked = memory.requests >= nth;
-        memory.fail_at = 0;
-        INFO("request " << nth);
-        if (!proven) {
-            CHECK(proven.error() == error::out_of_memory);
-            CHECK(out.empty());
-        }
-        out.clear();
-        REQUIRE(constrained_delaunay{}.prove(loops, space, out));
-        const std::size_t warm = memory.requests;
-        out.clear();
-        REQUIRE(constrained_delaunay{}.prove(loops, space, out));
-        CHECK(memory.requests == warm);
-        if (!was_asked) break;
-    }
+    test::check_proving_memory(constrained_delaunay{}, test::square_with_holes(12, 24));
 }
 
 TEST_CASE("constrained_delaunay takes at most 220 bytes of scratch memory a point and 128 a loop",
@@ -236,18 +201,9 @@ TEST_CASE("constrained_delaunay takes at most 220 bytes of scratch memory a poin
           test::shape{"small star", {test::star(399, 1e8, 3)}}, test::shape{"rough", {test::rough_parabola(999, true)}},
           test::square_with_holes(60, 8), test::square_with_holes(60, 16), test::circle_with_holes(20'000, 2000)}) {
         const contours loops = test::contours_of(s);
-        const std::size_t wanted = 220 * loops.points.size() + 128 * loops.contour_count();
-        test::counting_memory memory;
-        workspace measured{memory.source()};
-        {
-            workspace::scope whole{measured};
-            REQUIRE(whole.take<char>(wanted) != nullptr);
-        }
-        const std::size_t before = memory.requests;
-        triangle_list out;
         INFO(s.name);
-        REQUIRE(constrained_delaunay{}.prove(loops, measured, out));
-        CHECK(memory.requests == before);
+        test::check_scratch_memory(constrained_delaunay{}, loops,
+                                   220 * loops.points.size() + 128 * loops.contour_count());
     }
 }
 

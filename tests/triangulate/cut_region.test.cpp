@@ -12,7 +12,7 @@ using namespace typemesh;
 
 namespace {
 
-/// Cuts the stem below, and cuts its ears off first, which are low. Final or not.
+/// Cuts the stem below, first its ears, which are low. Final or not.
 template <bool Final>
 struct ears_first {
     static constexpr bool has_final_diagonals = Final;
@@ -25,7 +25,7 @@ struct ears_first {
 
 }  // namespace
 
-TEST_CASE("cut_region() appends, and leaves what was there when the triangulator fails", "[triangulate]")
+TEST_CASE("cut_region() appends, and keeps the triangles before it when the triangulator fails", "[triangulate]")
 {
     struct failing {
         error operator()(const region&, workspace&, triangle_list&) const noexcept { return error::out_of_memory; }
@@ -42,8 +42,7 @@ TEST_CASE("cut_region() appends, and leaves what was there when the triangulator
     CHECK(out.size() == 4);
 }
 
-TEST_CASE("cut_region() exchanges the low triangles of any triangulator but one whose diagonals are final",
-          "[triangulate]")
+TEST_CASE("cut_region() exchanges low triangles unless the diagonals are final", "[triangulate]")
 {
     // A slanted stem with a point a cell outside of each side.
     const test::shape stem{

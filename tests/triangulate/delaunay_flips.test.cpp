@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::uint64_t plenty = 1'000'000;
 
-/// The Delaunay triangles of a region made by slabs, which share no line with flips.
+/// The Delaunay triangles of a region, made by slabs, which share no code with flips.
 std::vector<test::oracle::placed_triangle> by_slabs(const std::vector<test::polyline>& loops)
 {
     contours given = test::contours_of(loops);
@@ -44,7 +44,7 @@ std::vector<test::polyline> placed(const test::half_edge_mesh& m, const test::nu
 
 }  // namespace
 
-TEST_CASE("flips everywhere make the triangles that slabs make", "[triangulate][delaunay_flips]")
+TEST_CASE("flips everywhere make the same triangles as slabs", "[triangulate][delaunay_flips]")
 {
     for (const test::shape& s : test::delaunay_shapes()) {
         if (!test::is_region(s.loops)) continue;
@@ -60,7 +60,7 @@ TEST_CASE("flips everywhere make the triangles that slabs make", "[triangulate][
     }
 }
 
-TEST_CASE("a budget that suffices gives the same mesh, however large it is, and one that does not is told",
+TEST_CASE("every sufficient budget of flips gives the same mesh, and a smaller one is reported",
           "[triangulate][delaunay_flips]")
 {
     const test::shape s{"star", {test::star(40, 1000, 5)}};
@@ -83,8 +83,7 @@ TEST_CASE("a budget that suffices gives the same mesh, however large it is, and 
     CHECK(sufficed);
 }
 
-TEST_CASE("a point inserted between two of the boundary leaves the Delaunay triangles of all",
-          "[triangulate][delaunay_flips]")
+TEST_CASE("a point inserted into the boundary leaves the Delaunay triangles of all", "[triangulate][delaunay_flips]")
 {
     test::dice d{10};
     int outside = 0, inside = 0, beyond = 0, given_up = 0;
@@ -108,7 +107,7 @@ TEST_CASE("a point inserted between two of the boundary leaves the Delaunay tria
         outside += ear;
         inside += dent;
         beyond += !ear && !dent;
-        if (!ear && !dent && !done) {  // it may give up there, which is seldom
+        if (!ear && !dent && !done) {  // it may give up there, which is rare
             ++given_up;
             continue;
         }

@@ -30,7 +30,7 @@ inline bool is_region(const std::vector<polyline>& loops)
     return !sweep.run(space);
 }
 
-/// The mesh that a sweep leaves of some of the points, those that `loops` names, with room for all of them.
+/// The mesh that a sweep makes of the points in `loops`, with room for all points.
 class half_edge_mesh {
 public:
     half_edge_mesh(std::vector<grid_point> points, const numbered_loops& loops)
@@ -73,7 +73,7 @@ public:
     typemesh::detail::half_edges mesh;
 };
 
-/// The first law that the mesh breaks whose boundary are these loops; empty when it obeys all.
+/// The first law that a mesh with this boundary breaks, or nothing.
 inline std::string broken_mesh(const half_edge_mesh& m, const numbered_loops& loops)
 {
     using typemesh::detail::half_edges;
@@ -110,30 +110,25 @@ inline std::string broken_mesh(const half_edge_mesh& m, const numbered_loops& lo
     return edges == boundary ? "" : "there are boundary edges that the region does not have";
 }
 
-/// What keeps the mesh from covering the region of these loops; empty when nothing does.
+/// Why the mesh does not cover the region of these loops, or nothing.
 inline std::string broken_cover(const half_edge_mesh& m, const numbered_loops& loops)
 {
-    typemesh::contours given;
-    bool fits = given.starts.push_back(0);
     std::vector<std::uint32_t> place(m.points().size(), ~std::uint32_t{0});
+    std::vector<polyline> placed;
+    std::uint32_t count = 0, holes = 0;
     for (const auto& l : loops) {
+        placed.emplace_back();
         for (const std::uint32_t v : l) {
-            place[v] = static_cast<std::uint32_t>(given.points.size());
-            fits = fits && given.points.push_back(m.points()[v]) && given.edges.push_back({v, 0.0f, 1.0f});
+            place[v] = count++;
+            placed.back().push_back(m.points()[v]);
         }
-        fits = fits && given.starts.push_back(static_cast<std::uint32_t>(given.points.size()));
+        holes += oracle::doubled_area(oracle::loop{placed.back()}) < 0;
     }
-    if (!fits) return "no memory";
     std::vector<typemesh::triangle> triangles = m.triangles();
     for (typemesh::triangle& t : triangles) t = {place[t.a], place[t.b], place[t.c]};
-    std::uint32_t holes = 0;
-    for (const auto& l : loops) {
-        polyline alone;
-        for (const std::uint32_t v : l) alone.push_back(m.points()[v]);
-        holes += oracle::doubled_area(oracle::loop{alone}) < 0;
-    }
-    const auto count = static_cast<std::uint32_t>(loops.size());
-    return oracle::broken_law(typemesh::region::proven(given, holes, count - holes), triangles);
+    const typemesh::contours given = contours_of(placed);
+    const auto outers = static_cast<std::uint32_t>(loops.size()) - holes;
+    return oracle::broken_law(typemesh::region::proven(given, holes, outers), triangles);
 }
 
 /// All points of a shape, and its loops by their numbers.
@@ -151,7 +146,7 @@ struct numbered_shape {
     }
 };
 
-/// A region, a point of its boundary, and the point before it; without the point it is a region too.
+/// A region, a point of its boundary, and the point before it. Without the point it is a region too.
 struct one_point_less {
     numbered_shape all;
     numbered_loops loops;  ///< without it

@@ -20,7 +20,7 @@ bool strictly_convex(const half_edges& e, std::uint32_t h)
 
 }  // namespace
 
-TEST_CASE("a sweep leaves half-edges whose twins fit and whose triangles cover the region", "[triangulate][half_edges]")
+TEST_CASE("a sweep leaves half-edges with matching twins that cover the region", "[triangulate][half_edges]")
 {
     for (const test::shape& s : test::generated_regions()) {
         if (!test::is_region(s.loops)) continue;
@@ -32,7 +32,7 @@ TEST_CASE("a sweep leaves half-edges whose twins fit and whose triangles cover t
     }
 }
 
-TEST_CASE("flips, as many as one likes, leave a mesh of the same region", "[triangulate][half_edges]")
+TEST_CASE("any number of flips leaves a mesh of the same region", "[triangulate][half_edges]")
 {
     test::dice d{8};
     std::size_t flipped = 0;
@@ -53,7 +53,7 @@ TEST_CASE("flips, as many as one likes, leave a mesh of the same region", "[tria
                                 q = m.mesh.origin(g);
             m.mesh.flip(h);
             ++flipped;
-            // As the drawing above flip() says.
+            // As in the drawing above flip().
             const std::array<std::uint32_t, 4> diagonal{
                 m.mesh.origin(half_edges::next(h)), m.mesh.origin(half_edges::next(half_edges::next(h))),
                 m.mesh.origin(half_edges::next(g)), m.mesh.origin(half_edges::next(half_edges::next(g)))};
@@ -67,7 +67,7 @@ TEST_CASE("flips, as many as one likes, leave a mesh of the same region", "[tria
     CHECK(flipped > 1000);
 }
 
-TEST_CASE("an ear or a dent puts a point on the boundary between two others", "[triangulate][half_edges]")
+TEST_CASE("an ear or a dent inserts a point into the boundary", "[triangulate][half_edges]")
 {
     test::dice d{9};
     int ears = 0, dents = 0;
@@ -97,7 +97,7 @@ TEST_CASE("an ear or a dent puts a point on the boundary between two others", "[
     CHECK(dents >= 300);
 }
 
-TEST_CASE("triangles are written as they stand, one for every four places", "[triangulate][half_edges]")
+TEST_CASE("write() writes one triangle for every four places", "[triangulate][half_edges]")
 {
     const test::numbered_shape given{{"square", {test::square(0, 0, 7)}}};
     const test::half_edge_mesh m{given.points, given.loops};

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 
-// Triangles too low for 32-bit floats: exchanged wherever there is another way to cut.
+// Triangles too low for 32-bit floats are exchanged wherever there is another way to cut.
 
 #include <typemesh/fill/fill.hpp>
 #include <typemesh/triangulate/constrained_delaunay.hpp>
@@ -9,6 +9,7 @@
 
 #include "support/catch.hpp"
 #include "support/counting_memory.hpp"
+#include "support/filled_shape.hpp"
 #include "support/regions.hpp"
 
 #include <algorithm>
@@ -19,10 +20,10 @@ using namespace typemesh;
 
 namespace {
 
-/// A grid on which triangles are low that are lower than so many cells.
+/// A grid on which triangles lower than so many cells are low.
 grid grid_of(double low_cells) { return {.cells = 1.0, .units_per_em = low_cells * 0x1p20}; }
 
-/// Small whole numbers only, which doubles square exactly.
+/// For small whole numbers only, which doubles square exactly.
 bool is_low(grid_point a, grid_point b, grid_point c, double cells)
 {
     const auto squared = [](grid_point p, grid_point q) {
@@ -58,8 +59,7 @@ std::size_t fewest_low(const test::polyline& p, double cells)
     return over(over, 0, p.size() - 1);
 }
 
-/// What is wrong with monotone's triangles of a shape where triangles below so many cells are low; `low` is told how
-/// many there are.
+/// What is wrong with the triangles of a shape where triangles below so many cells are low; `low` becomes their number.
 template <class Triangulator = monotone>
 std::string broken_law(const test::shape& s, double cells, std::size_t& low, Triangulator how = {})
 {
@@ -93,7 +93,7 @@ struct fan {
 
 }  // namespace
 
-TEST_CASE("no triangle of a polygon is low when all its triangulations hold one without", "[triangulate][low]")
+TEST_CASE("no triangle of a polygon is low if one of its triangulations has none", "[triangulate][low]")
 {
     test::dice d{5};
     std::size_t raised = 0, unavoidable = 0;
@@ -102,17 +102,14 @@ TEST_CASE("no triangle of a polygon is low when all its triangulations hold one 
         const test::shape s{"random polygon " + std::to_string(i), {test::random_polygon(n, width, d)}};
         for (const double cells : {0.25, 0.75, 1.5}) {  // whole numbers of cells an em
             for (const test::shape& t : {s, test::mirrored(s), test::turned(s, 90.0)}) {
-                std::size_t before = 0, low = 0;
-                contours loops = test::contours_of(t);
-                workspace space;
-                const auto filled = fill(loops, fill_rule::non_zero, space);
-                REQUIRE(filled);
+                std::size_t low = 0;
+                test::filled_shape f{t};
                 triangle_list plain;
-                REQUIRE_FALSE(monotone{}(*filled, space, plain));
-                before = low_of(filled->points(), plain.view(), cells);
+                REQUIRE_FALSE(monotone{}(f.filled, f.space, plain));
+                const auto points = f.filled.points();
+                const std::size_t before = low_of(points, plain.view(), cells);
                 INFO(t << "below " << cells);
                 REQUIRE(broken_law(t, cells, low) == "");
-                const auto points = filled->points();
                 const std::size_t fewest = fewest_low({points.begin(), points.end()}, cells);
                 CHECK((low == 0) == (fewest == 0));
                 raised += before != 0 && low == 0;
@@ -124,9 +121,9 @@ TEST_CASE("no triangle of a polygon is low when all its triangulations hold one 
     CHECK(unavoidable > 30);
 }
 
-TEST_CASE("points that lie a cell beside a long edge are cut without low triangles", "[triangulate][low]")
+TEST_CASE("points one cell beside a long edge are cut without low triangles", "[triangulate][low]")
 {
-    // A slanted stem, whose sides have points that rounding puts beside them: as in italics.
+    // A slanted stem whose sides have points that rounding puts beside them, as in italics.
     for (const int count : {1, 2, 5, 20}) {
         test::polyline stem;
         for (int i = 0; i <= count + 1; ++i)
@@ -146,7 +143,7 @@ TEST_CASE("points that lie a cell beside a long edge are cut without low triangl
     }
 }
 
-TEST_CASE("shapes of all kinds obey the laws where most triangles are low", "[triangulate][low]")
+TEST_CASE("all kinds of shapes obey the laws when most triangles are low", "[triangulate][low]")
 {
     for (const test::shape& s : test::generated_regions()) {
         for (const double cells : {1.0, 30.0}) {
@@ -167,7 +164,7 @@ TEST_CASE("around a hole no triangle is exchanged twice", "[triangulate][low]")
         test::polyline hole = test::random_polygon(3 + d.roll(10), 12, d);
         for (grid_point& p : hole) p = {p.x + 2, p.y + 2};
         const test::shape s{"hole " + std::to_string(i), {test::square(0, 0, 16), test::reversed(hole)}};
-        for (const double cells : {1.5, 5.0, 20.0}) {  // low are some, many, all
+        for (const double cells : {1.5, 5.0, 20.0}) {  // some are low, many, all
             std::size_t low = 0;
             INFO(s << "below " << cells);
             CHECK(broken_law(s, cells, low) == "");
@@ -175,12 +172,12 @@ TEST_CASE("around a hole no triangle is exchanged twice", "[triangulate][low]")
     }
 }
 
-TEST_CASE("a long fan of low triangles is mended, with a table of neighbours", "[triangulate][low]")
+TEST_CASE("a long fan of low triangles is repaired with a table of neighbours", "[triangulate][low]")
 {
     for (const int n : {40, 200, 3000}) {
         const test::shape s{"circle", {test::circle(n, 5e6)}};
         std::size_t low = 1, by_sweep = 1;
-        const double cells = 5e6 * 10.0 / n / n;  // ears are lower by far than what is across, higher than this
+        const double cells = 5e6 * 10.0 / n / n;  // ears are much lower than this, and triangles across are higher
         INFO(n << " points");
         CHECK(broken_law(s, cells, low, fan{}) == "");
         CHECK(broken_law(s, cells, by_sweep) == "");
@@ -188,34 +185,26 @@ TEST_CASE("a long fan of low triangles is mended, with a table of neighbours", "
     }
 }
 
-TEST_CASE("what one pass leaves low is raised by the next", "[triangulate][low]")
+TEST_CASE("one call raises all triangles that a second pass could raise", "[triangulate][low]")
 {
     // Triangles of this strip that stay low at first have neighbours that are raised after them.
     const test::polyline strip{{2, 1},   {7, 4},   {14, 0},  {22, 2},  {30, 3},  {33, 4},  {39, 4},  {44, 3},  {51, 0},
                                {58, 4},  {62, 0},  {68, 4},  {73, 1},  {80, 0},  {86, 2},  {89, 2},  {91, 3},  {90, 16},
                                {84, 18}, {82, 15}, {74, 16}, {69, 17}, {61, 16}, {55, 14}, {52, 17}, {46, 17}, {43, 15},
                                {41, 16}, {40, 17}, {36, 16}, {30, 15}, {27, 14}, {25, 17}, {18, 15}};
-    contours loops = test::contours_of({"strip", {strip}});
-    loops.grid = grid_of(3.0);
-    workspace space;
-    const auto filled = fill(loops, fill_rule::non_zero, space);
-    REQUIRE(filled);
+    test::filled_shape f{{"strip", {strip}}, fill_rule::non_zero, grid_of(3.0)};
     triangle_list out;
-    REQUIRE_FALSE(monotone{}(*filled, space, out));
-    const std::size_t low = low_of(filled->points(), out.view(), 3.0);
+    REQUIRE_FALSE(monotone{}(f.filled, f.space, out));
+    const std::size_t low = low_of(f.filled.points(), out.view(), 3.0);
     CHECK(low > 0);
-    REQUIRE_FALSE(raise_low_triangles(*filled, out.view(), space));
-    CHECK(low_of(filled->points(), out.view(), 3.0) == low);  // so nothing was left to another pass
+    REQUIRE_FALSE(raise_low_triangles(f.filled, out.view(), f.space));
+    CHECK(low_of(f.filled.points(), out.view(), 3.0) == low);  // nothing was left for another pass
 }
 
-TEST_CASE("low triangles are mended without memory as far as a table is not needed, and say so where it is",
+TEST_CASE("low triangles are raised without memory until a table is needed, and then it is reported",
           "[triangulate][low]")
 {
-    contours loops = test::contours_of(test::shape{"circle", {test::circle(500, 5e6)}});
-    loops.grid = grid_of(2000.0);
-    workspace for_fill;
-    const auto filled = fill(loops, fill_rule::non_zero, for_fill);
-    REQUIRE(filled);
+    const test::filled_shape f{{"circle", {test::circle(500, 5e6)}}, fill_rule::non_zero, grid_of(2000.0)};
     for (std::size_t nth = 1;; ++nth) {
         test::counting_memory memory;
         workspace space{memory.source()};
@@ -223,18 +212,18 @@ TEST_CASE("low triangles are mended without memory as far as a table is not need
         REQUIRE(out.push_back({7, 8, 9}));
         memory.requests = 0;
         memory.fail_at = nth;
-        const error e = monotone{}(*filled, space, out);
+        const error e = monotone{}(f.filled, space, out);
         const bool was_asked = memory.requests >= nth;
         memory.fail_at = 0;
         if (!e) {
-            CHECK(test::oracle::broken_law(*filled, out.view().subspan(1)) == "");
+            CHECK(test::oracle::broken_law(f.filled, out.view().subspan(1)) == "");
             if (!was_asked) break;
             continue;
         }
         CHECK(e == error::out_of_memory);
         CHECK(out.size() == 1);
-        REQUIRE_FALSE(monotone{}(*filled, space, out));
-        CHECK(test::oracle::broken_law(*filled, out.view().subspan(1)) == "");
+        REQUIRE_FALSE(monotone{}(f.filled, space, out));
+        CHECK(test::oracle::broken_law(f.filled, out.view().subspan(1)) == "");
     }
 }
 
@@ -243,16 +232,11 @@ TEST_CASE("the constrained Delaunay triangulation keeps its low triangles", "[tr
     test::dice d{9};
     for (int i = 0; i < 300; ++i) {
         const test::shape s{"random", {test::random_polygon(12, 12, d)}};
-        contours plain = test::contours_of(s), told = test::contours_of(s);
-        told.grid = grid_of(3.0);
-        workspace space;
-        const auto a = fill(plain, fill_rule::non_zero, space), b = fill(told, fill_rule::non_zero, space);
-        REQUIRE(a);
-        REQUIRE(b);
+        test::filled_shape plain{s}, with_em{s, fill_rule::non_zero, grid_of(3.0)};
         triangle_list first, second;
-        REQUIRE_FALSE(constrained_delaunay{}(*a, space, first));
-        REQUIRE_FALSE(constrained_delaunay{}(*b, space, second));
-        CHECK(std::equal(first.begin(), first.end(), second.begin(), second.end()));
+        REQUIRE_FALSE(constrained_delaunay{}(plain.filled, plain.space, first));
+        REQUIRE_FALSE(constrained_delaunay{}(with_em.filled, with_em.space, second));
+        CHECK(std::ranges::equal(first, second));
     }
     STATIC_REQUIRE(has_final_diagonals<constrained_delaunay>);
     STATIC_REQUIRE(has_final_diagonals<monotone>);

@@ -4,13 +4,14 @@
 
 #include "support/catch.hpp"
 #include "support/counting_memory.hpp"
+#include "support/proving_memory.hpp"
 #include "support/regions.hpp"
 
 using namespace typemesh;
 
 namespace {
 
-/// What is wrong with what monotone says of a shape; empty when it accepts exactly the regions and obeys the laws.
+/// What is wrong with monotone's answer for a shape: it must accept exactly the regions and obey the laws.
 std::string mistake_on(const test::shape& s)
 {
     const contours loops = test::contours_of(s);
@@ -28,9 +29,8 @@ std::string mistake_on(const test::shape& s)
     if (std::string law = test::oracle::broken_law(*proven, out.view().subspan(1)); !law.empty()) return law;
     triangle_list trusting;
     if (const error e = monotone{}(*proven, space, trusting)) return e.message();
-    return std::equal(trusting.begin(), trusting.end(), out.begin() + 1, out.end())
-               ? ""
-               : "trusting and proving give other triangles";
+    return std::equal(trusting.begin(), trusting.end(), out.begin() + 1, out.end()) ? ""
+                                                                                    : "trusting differs from proving";
 }
 
 }  // namespace
@@ -41,12 +41,7 @@ TEST_CASE("monotone accepts exactly the regions of the corpus", "[triangulate][m
         INFO(c);
         CHECK(test::oracle::is_region(test::loops_of(c.shape)) == c.is_region);
         CHECK(test::oracle::is_crossing(test::loops_of(c.shape)) == c.is_crossing);
-        for (const double degrees : {0.0, 90.0, 180.0, 270.0}) {
-            const test::shape s = test::turned(c.shape, degrees);
-            CHECK(mistake_on(s) == "");
-            CHECK(mistake_on(test::mirrored(s)) == "");
-            CHECK(mistake_on(test::reversed(s)) == "");
-        }
+        for (const test::shape& s : test::in_positions(c.shape)) CHECK(mistake_on(s) == "");
         const contours loops = test::contours_of(c.shape);
         workspace space;
         triangle_list out;
@@ -62,12 +57,9 @@ TEST_CASE("monotone accepts exactly the regions of the corpus", "[triangulate][m
 TEST_CASE("monotone proves generated shapes in every position", "[triangulate][monotone]")
 {
     for (const test::shape& s : test::generated_regions()) {
-        for (const double degrees : {0.0, 0.001, 90.0, 180.0, 270.0, 33.0}) {
-            const test::shape t = test::turned(s, degrees);
+        for (const test::shape& t : test::in_positions(s, {0.0, 0.001, 90.0, 180.0, 270.0, 33.0})) {
             INFO(t.name);
             CHECK(mistake_on(t) == "");
-            CHECK(mistake_on(test::mirrored(t)) == "");
-            CHECK(mistake_on(test::reversed(t)) == "");
         }
     }
 }
@@ -78,17 +70,9 @@ TEST_CASE("monotone refuses random polylines on tiny grids exactly where the ora
     int accepted = 0;
     for (int i = 0; i < 60'000; ++i) {
         const int width = 3 + d.roll(7), count = 1 + d.roll(3);
-        test::shape s{"polylines " + std::to_string(i), {}};
-        for (int c = 0; c < count; ++c) {
-            test::polyline l;
-            for (int n = 3 + d.roll(count == 1 ? 6 : 3); n > 0; --n) l.push_back({d.roll(width), d.roll(width)});
-            s.loops.push_back(l);
-        }
-        const std::string mistake = mistake_on(s);
-        if (!mistake.empty()) {
-            INFO(s);
-            CHECK(mistake == "");
-        }
+        const test::shape s = test::random_polylines(d, count, 3, count == 1 ? 6 : 3, width);
+        INFO(s);
+        CHECK(mistake_on(s) == "");
         accepted += test::oracle::is_region(test::loops_of(s));
     }
     CHECK(accepted > 2000);
@@ -113,17 +97,14 @@ TEST_CASE("monotone refuses random polygons within polygons exactly where the or
             for (grid_point& p : l) p = {p.x + at.x, p.y + at.y};
             s.loops.push_back(l);
         }
-        const std::string mistake = mistake_on(s);
-        if (!mistake.empty()) {
-            INFO(s);
-            CHECK(mistake == "");
-        }
+        INFO(s);
+        CHECK(mistake_on(s) == "");
         accepted += s.loops.size() > 1 && test::oracle::is_region(test::loops_of(s));
     }
     CHECK(accepted > 300);
 }
 
-TEST_CASE("monotone finds the one crossing in a shape of thousands of spans", "[triangulate][monotone]")
+TEST_CASE("monotone finds the only crossing in a shape of thousands of spans", "[triangulate][monotone]")
 {
     test::dice d{3};
     for (const test::polyline& simple :
@@ -142,7 +123,7 @@ TEST_CASE("monotone finds the one crossing in a shape of thousands of spans", "[
     }
 }
 
-TEST_CASE("nothing is proven of nothing", "[triangulate][monotone]")
+TEST_CASE("contours without points are the empty region", "[triangulate][monotone]")
 {
     contours none;
     workspace space;
@@ -154,36 +135,12 @@ TEST_CASE("nothing is proven of nothing", "[triangulate][monotone]")
     CHECK(out.empty());
 }
 
-TEST_CASE("prove() without memory says so, and after warming up asks for none", "[triangulate][monotone]")
+TEST_CASE("prove() reports that memory ran out, and needs none once warm", "[triangulate][monotone]")
 {
-    const contours loops = test::contours_of(test::square_with_holes(12, 12));
-    for (std::size_t nth = 1;; ++nth) {
-        test::counting_memory memory;
-        workspace space{memory.source()};
-        triangle_list out{memory.source()};
-        memory.fail_at = nth;
-        memory.fail_once = true;
-        const result<region> proven = monotone{}.prove(loops, space, out);
-        const bool was_asked = memory.requests >= nth;
-        memory.fail_at = 0;
-        INFO("request " << nth);
-        if (!proven) {
-            CHECK(proven.error() == error::out_of_memory);
-            CHECK(out.empty());
-        }
-        out.clear();
-        const result<region> again = monotone{}.prove(loops, space, out);
-        REQUIRE(again);
-        CHECK(test::oracle::broken_law(*again, out.view()) == "");
-        const std::size_t warm = memory.requests;
-        out.clear();
-        REQUIRE(monotone{}.prove(loops, space, out));
-        CHECK(memory.requests == warm);
-        if (!was_asked) break;
-    }
+    test::check_proving_memory(monotone{}, test::square_with_holes(12, 12));
 }
 
-TEST_CASE("monotone takes at most 130 bytes of scratch memory a point, twice that while the workspace grows",
+TEST_CASE("monotone takes at most 130 bytes of scratch memory a point, 260 while its workspace grows",
           "[triangulate][monotone]")
 {
     for (const double radius : {1e6, 1e8}) {  // keys of 64 bits and wider ones
@@ -207,7 +164,7 @@ TEST_CASE("monotone takes at most 130 bytes of scratch memory a point, twice tha
     }
 }
 
-TEST_CASE("a region proven to touch itself says so, and what is refused leaves the triangles alone",
+TEST_CASE("prove_touching() reports a touching corner, and a refusal leaves the triangles as they were",
           "[triangulate][monotone]")
 {
     workspace space;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 
-// What the sweep proves of loops that may come through a point more than once.
+// What the sweep proves of loops that may pass through a point more than once.
 
 #include <typemesh/fill/resolve.hpp>
 #include <typemesh/triangulate/constrained_delaunay.hpp>
@@ -39,19 +39,13 @@ bool is_touching_region(const std::vector<test::oracle::loop>& loops)
 
 }  // namespace
 
-TEST_CASE("prove_touching() accepts random polylines on tiny grids exactly where the oracle does",
-          "[triangulate][monotone_sweep]")
+TEST_CASE("prove_touching() accepts the same random polylines as the oracle", "[triangulate][monotone_sweep]")
 {
     test::dice d{411};
     int accepted = 0, touching = 0;
     for (int i = 0; i < 400'000; ++i) {
         const int width = 3 + d.roll(4), count = 1 + d.roll(3), most = count == 1 ? 10 : 5;
-        test::shape s{"polylines " + std::to_string(i), {}};
-        for (int c = 0; c < count; ++c) {
-            test::polyline l;
-            for (int n = 3 + d.roll(most - 2); n > 0; --n) l.push_back({d.roll(width), d.roll(width)});
-            s.loops.push_back(l);
-        }
+        const test::shape s = test::random_polylines(d, count, 3, most - 2, width);
         const contours loops = test::contours_of(s);
         workspace space;
         triangle_list out;
@@ -72,19 +66,14 @@ TEST_CASE("prove_touching() accepts random polylines on tiny grids exactly where
     CHECK(touching > 100);
 }
 
-TEST_CASE("prove_touching() accepts what resolve() makes of random polylines, and cuts it as trusting does",
+TEST_CASE("prove_touching() accepts what resolve() makes, and cuts it as without a proof",
           "[triangulate][monotone_sweep]")
 {
     test::dice d{412};
     int touching = 0;
     for (int i = 0; i < 10'000; ++i) {
         const int width = 3 + d.roll(8), scale = 1 << d.roll(10), count = 1 + d.roll(4);
-        test::shape s{"polylines " + std::to_string(i), {}};
-        for (int c = 0; c < count; ++c) {
-            test::polyline l;
-            for (int n = 3 + d.roll(12); n > 0; --n) l.push_back({d.roll(width) * scale, d.roll(width) * scale});
-            s.loops.push_back(l);
-        }
+        const test::shape s = test::random_polylines(d, count, 3, 12, width, scale);
         contours loops = test::contours_of(s);
         workspace space;
         const auto made = resolve(loops, fill_rule::even_odd, space);
@@ -98,7 +87,7 @@ TEST_CASE("prove_touching() accepts what resolve() makes of random polylines, an
         CHECK(proven->is_touching() == made->is_touching());
         touching += made->is_touching();
         REQUIRE_FALSE(monotone{}(*made, space, trusting));
-        CHECK(std::equal(proving.begin(), proving.end(), trusting.begin(), trusting.end()));
+        CHECK(std::ranges::equal(proving, trusting));
         CHECK(constrained_delaunay{}.prove_touching(loops, space, delaunay));
         CHECK(delaunay.size() == trusting.size());
     }

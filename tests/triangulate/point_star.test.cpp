@@ -11,7 +11,7 @@ using detail::point_star;
 
 namespace point_star_test {
 
-/// Half a circle, and point 5, which is still to come between its ends and lies in the circle of every triangle.
+/// Half a circle, and point 5, which will come between its ends and lies in the circle of every triangle.
 ///
 ///      0 --- 5 --- 4     The triangles are 0 1 2, 0 2 3, 0 3 4.
 ///       \          3
@@ -22,7 +22,7 @@ struct fan {
     test::half_edge_mesh m{points, before};
     std::int64_t flips_left = 100;
 
-    /// Brings in point 5 and visits the two edges opposite, with room for so many; how many are left open.
+    /// Inserts point 5 and visits the two opposite edges, with limited room; returns how many edges are left open.
     std::size_t close(std::size_t room)
     {
         const std::uint32_t h = m.mesh.boundary_from(4);
@@ -46,17 +46,16 @@ struct fan {
 
 }  // namespace point_star_test
 
-TEST_CASE("a star takes in every triangle whose circle holds its point", "[triangulate][point_star]")
+TEST_CASE("a star takes in every triangle whose circle contains its point", "[triangulate][point_star]")
 {
     point_star_test::fan f;
     CHECK(f.close(8) == 0);
     CHECK(test::broken_mesh(f.m, f.after) == "");
-    CHECK(f.around() == 4);  // one at each edge opposite
+    CHECK(f.around() == 4);  // one at each opposite edge
     CHECK(f.flips_left == 98);
 }
 
-TEST_CASE("a star without room for a flip leaves a mesh and the edges that are still to be visited",
-          "[triangulate][point_star]")
+TEST_CASE("a star without room for a flip leaves a mesh and its open edges", "[triangulate][point_star]")
 {
     point_star_test::fan f;
     CHECK(f.close(2) == 2);

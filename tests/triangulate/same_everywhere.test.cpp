@@ -40,7 +40,7 @@ contours scribble(std::uint64_t seed, int points, std::int32_t width)
     return loops;
 }
 
-/// A smooth convex loop of whole numbers only: runs along two parabolas.
+/// A smooth convex loop of whole numbers only: points on two parabolas.
 test::polyline whole_ring(std::int32_t half)
 {
     test::polyline ring;
@@ -51,7 +51,7 @@ test::polyline whole_ring(std::int32_t half)
 
 }  // namespace
 
-TEST_CASE("from equal grid points every compiler makes the same regions and the same triangles", "[triangulate]")
+TEST_CASE("every compiler makes the same regions and triangles of equal grid points", "[triangulate]")
 {
     checksum sum, delaunay;
     std::size_t accepted = 0;
@@ -82,7 +82,7 @@ TEST_CASE("from equal grid points every compiler makes the same regions and the 
     }
     CHECK(accepted > 1500);
     CHECK(sum.value == 0x5161970746dd9006u);  // changes only where the triangulation is changed on purpose
-    for (const test::polyline& ring : {whole_ring(40), whole_ring(900)}) {  // smooth: points are left out and come back
+    for (const test::polyline& ring : {whole_ring(40), whole_ring(900)}) {  // smooth: points are left out and return
         contours loops = test::contours_of({ring});
         add(loops, fill_rule::non_zero);
     }

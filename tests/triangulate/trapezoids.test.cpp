@@ -15,7 +15,7 @@ using namespace typemesh;
 
 namespace {
 
-/// What a sweep writes of one shape; empty where that is no region.
+/// What a sweep writes of one shape; empty if that is no region.
 struct swept {
     contours loops;
     std::vector<detail::trapezoid> trapezoids;
@@ -42,7 +42,7 @@ struct swept {
 
 }  // namespace
 
-TEST_CASE("points are numbered from left to right, and there are n + h - c trapezoids", "[triangulate][trapezoids]")
+TEST_CASE("points are numbered from left to right, and make n + h - c trapezoids", "[triangulate][trapezoids]")
 {
     int regions = 0;
     for (const test::shape& s : test::delaunay_shapes()) {
@@ -61,8 +61,7 @@ TEST_CASE("points are numbered from left to right, and there are n + h - c trape
     CHECK(regions > 20);
 }
 
-TEST_CASE("the two points of a trapezoid see each other, with nothing between them in its span",
-          "[triangulate][trapezoids]")
+TEST_CASE("the two points of a trapezoid see each other", "[triangulate][trapezoids]")
 {
     test::dice d{95};
     int looked_at = 0;
@@ -87,7 +86,7 @@ TEST_CASE("the two points of a trapezoid see each other, with nothing between th
                 };
                 REQUIRE_FALSE((side(a, b, p) * side(a, b, q) < 0 && side(p, q, a) * side(p, q, b) < 0));
             }
-            // Its lower side begins left of it or in its left point, and ends right of it or in its right point.
+            // Its lower side begins left of its left point or in it, and ends right of its right point or in it.
             const std::uint32_t end = next(t.below);
             REQUIRE(made.rank[t.below] <= made.rank[t.left]);
             REQUIRE(made.rank[end] >= made.rank[t.right]);

@@ -10,8 +10,7 @@
 
 using namespace typemesh;
 
-TEST_CASE("a triangle's level tells how often its height has to be doubled to reach 2^-16 em",
-          "[triangulate][triangle_heights]")
+TEST_CASE("a level counts how often a height must be doubled to reach 2^-16 em", "[triangulate][triangle_heights]")
 {
     const grid g{.cells = 512.0, .units_per_em = 2048.0};  // 2^-20 em is one cell
     const triangle_heights heights{g};
@@ -19,15 +18,15 @@ TEST_CASE("a triangle's level tells how often its height has to be doubled to re
         return heights.level({-length, 0}, {middle, -height}, {length, 0});
     };
     for (const std::int32_t length : {40, 1000, 1 << 20, 1 << 27}) {
-        for (const std::int32_t middle : {0, 7, -33}) {
-            CHECK(level(length, middle, 17) == 0);
-            CHECK(level(length, middle, 16) == 0);
-            CHECK(level(length, middle, 15) == 1);
-            CHECK(level(length, middle, 8) == 1);
-            CHECK(level(length, middle, 7) == 2);
-            CHECK(level(length, middle, 2) == 3);
-            CHECK(level(length, middle, 1) == 4);  // just not low
-        }
+        for (const std::int32_t middle : {0, 7, -33})
+            for (const auto& [height, expected] : {std::pair{17, 0u},
+                                                   {16, 0u},
+                                                   {15, 1u},
+                                                   {8, 1u},
+                                                   {7, 2u},
+                                                   {2, 3u},
+                                                   {1, 4u}})  // a level of 4 is not low
+                CHECK(level(length, middle, height) == expected);
     }
     // Slanted: height times length is the doubled area, 1 here.
     for (std::uint32_t k = 1; k < 20; ++k) {
@@ -35,7 +34,7 @@ TEST_CASE("a triangle's level tells how often its height has to be doubled to re
         CHECK(heights.level({0, 0}, {reach, 1}, {2 * reach + 1, 2}, 1) == (std::min)(12u, 4 + k + 2));
         CHECK(heights.is_low({0, 0}, {reach, 0}, {2 * reach + 1, 1}));
     }
-    CHECK_FALSE(triangle_heights{grid{}}.is_low({0, 0}, {1000, 0}, {2001, 1}));  // no em, nothing is low
+    CHECK_FALSE(triangle_heights{grid{}}.is_low({0, 0}, {1000, 0}, {2001, 1}));  // without an em nothing is low
     CHECK(triangle_heights{grid{}}.doubled_area_of_low() == 0);
 }
 

@@ -17,7 +17,7 @@ using detail::triangle_neighbours;
 
 namespace {
 
-/// Triangles with all their neighbours, found by looking at every edge.
+/// Triangles with all their neighbours, found by a search through every edge.
 struct known {
     contours loops;
     region shape;
@@ -58,7 +58,7 @@ void check_all(const known& k, triangle_neighbours& n)
 
 }  // namespace
 
-TEST_CASE("neighbours are those that share an edge, with a table and without", "[triangulate][triangle_neighbours]")
+TEST_CASE("neighbours share an edge, with a table and without", "[triangulate][triangle_neighbours]")
 {
     std::vector<test::shape> shapes = test::generated_regions();
     test::dice d{71};
@@ -74,7 +74,7 @@ TEST_CASE("neighbours are those that share an edge, with a table and without", "
         workspace space, building;
         workspace::scope scratch{space};
         triangle_neighbours n{k.shape.points().size(), k.shape.starts(), k.triangles};
-        for (int round = 0; round < 50; ++round) {  // with questions enough it makes the table
+        for (int round = 0; round < 50; ++round) {  // after enough questions it makes the table
             check_all(k, n);
             REQUIRE(n.prepare(scratch, building));
         }
@@ -83,7 +83,7 @@ TEST_CASE("neighbours are those that share an edge, with a table and without", "
     }
 }
 
-TEST_CASE("a table is told of exchanges", "[triangulate][triangle_neighbours]")
+TEST_CASE("join() updates the table after an exchange", "[triangulate][triangle_neighbours]")
 {
     std::vector<triangle> square{{0, 1, 2}, {0, 2, 3}};
     const std::uint32_t starts[] = {0, 4};
@@ -105,19 +105,19 @@ TEST_CASE("a table is told of exchanges", "[triangulate][triangle_neighbours]")
     CHECK(n.across(3) == triangle_neighbours::none);
 }
 
-TEST_CASE("neighbours without memory for a table say so and go on looking", "[triangulate][triangle_neighbours]")
+TEST_CASE("neighbours without memory for a table report it and keep looking", "[triangulate][triangle_neighbours]")
 {
     const known k{{"star", {test::star(60, 100'000, 4)}}};
     test::counting_memory failing{.fail_at = 1};
     workspace space{failing.source()}, building;
     workspace::scope scratch{space};
     triangle_neighbours n{k.shape.points().size(), k.shape.starts(), k.triangles};
-    bool told = false;
-    for (int round = 0; round < 100 && !told; ++round) {
+    bool reported = false;
+    for (int round = 0; round < 100 && !reported; ++round) {
         check_all(k, n);
-        told = !n.prepare(scratch, building);
+        reported = !n.prepare(scratch, building);
     }
-    CHECK(told);
+    CHECK(reported);
     CHECK_FALSE(n.knows_all());
     check_all(k, n);
 }

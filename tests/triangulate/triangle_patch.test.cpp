@@ -17,7 +17,7 @@ using detail::triangle_patch;
 
 namespace {
 
-/// How many triangles of each level: the lowest first, so that less is better.
+/// The numbers of triangles at each level: the lowest first, so that less is better.
 using tally = std::array<std::uint32_t, triangle_heights::levels>;
 
 tally operator+(tally a, const tally& b)
@@ -64,7 +64,7 @@ test::polyline flat_arc(test::dice& d, int n)
 
 }  // namespace
 
-TEST_CASE("a patch that can grow over a whole polygon cuts it the best way there is", "[triangulate][triangle_patch]")
+TEST_CASE("a patch that may grow over a whole polygon cuts it in the best way", "[triangulate][triangle_patch]")
 {
     test::dice d{81};
     int improved = 0;
@@ -75,8 +75,7 @@ TEST_CASE("a patch that can grow over a whole polygon cuts it the best way there
         const region r = region::proven(loops, 0, 1);
         REQUIRE(test::oracle::broken_cycle(test::oracle::loops_of(r)) == "");
         std::vector<triangle> triangles;
-        for (std::uint32_t i = 0; i + 2 < n; ++i)
-            triangles.push_back({n - 1, i, i + 1});  // a fan, low triangles and all
+        for (std::uint32_t i = 0; i + 2 < n; ++i) triangles.push_back({n - 1, i, i + 1});  // a fan with low triangles
         const triangle_heights heights{{.cells = 1.0, .units_per_em = 0x1p20 * (1 + d.roll(60))}};
         const auto tally_of = [&] {
             tally sum{};
@@ -96,13 +95,13 @@ TEST_CASE("a patch that can grow over a whole polygon cuts it the best way there
         REQUIRE(test::oracle::broken_law(r, triangles) == "");
         REQUIRE(outcome.improved == (tally_of() < before));
         REQUIRE(tally_of() <= before);
-        if (!outcome.clear) REQUIRE(tally_of() == best_of(p, heights));  // grown over all of it
+        if (!outcome.clear) REQUIRE(tally_of() == best_of(p, heights));  // it has grown over everything
         improved += outcome.improved;
     }
     CHECK(improved > 300);
 }
 
-TEST_CASE("a patch ends when what it may look at is used up", "[triangulate][triangle_patch]")
+TEST_CASE("a patch stops when its number of looks is used up", "[triangulate][triangle_patch]")
 {
     const test::polyline p{{0, 0}, {1000, 1}, {2000, 4}, {3000, 9}, {4000, 16}};
     const contours loops = test::contours_of(std::vector<test::polyline>{p});

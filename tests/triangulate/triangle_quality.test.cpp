@@ -23,8 +23,7 @@ TEST_CASE("a square halved has angles of 45 degrees and an aspect of 2", "[trian
     CHECK(std::abs(q.angle_at(0.5) - 45.0) < 0.06);
 }
 
-TEST_CASE("a share of the angles that ends with a triangle is that triangle's angle, as counting tells",
-          "[triangulate][quality]")
+TEST_CASE("angle_at() returns the angle that a share of all triangles reaches", "[triangulate][quality]")
 {
     const grid_point points[] = {{0, 0}, {1000, 0}, {1000, 100}, {1000, 300}, {1000, 1000}};
     const triangle triangles[] = {{0, 1, 2}, {0, 1, 4}, {0, 1, 3}, {0, 1, 2}};
@@ -39,7 +38,7 @@ TEST_CASE("a share of the angles that ends with a triangle is that triangle's an
     CHECK(std::abs(q.angle_at(0.0) - sorted[0]) < 0.06);
 }
 
-TEST_CASE("quality holds at the ends of the grid, whatever the order of the corners", "[triangulate][quality]")
+TEST_CASE("quality is right at the ends of the grid, in every order of corners", "[triangulate][quality]")
 {
     constexpr std::int32_t r = 1 << 28;
     const grid_point points[] = {{-r, -r}, {r, -r}, {-r, 1 - r}};
@@ -50,7 +49,7 @@ TEST_CASE("quality holds at the ends of the grid, whatever the order of the corn
     }
 }
 
-TEST_CASE("triangles without area count with angle 0, and none at all is no trouble", "[triangulate][quality]")
+TEST_CASE("a triangle without area has angle 0, and no triangles have no quality", "[triangulate][quality]")
 {
     const grid_point points[] = {{0, 0}, {1, 1}, {5, 5}};
     const triangle flat{0, 1, 2};

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 
-// The laws that every triangulator obeys.
+// Laws that every triangulator obeys.
 
 #include <typemesh/fill/fill.hpp>
 #include <typemesh/triangulate/constrained_delaunay.hpp>
@@ -8,6 +8,7 @@
 
 #include "support/catch.hpp"
 #include "support/counting_memory.hpp"
+#include "support/filled_shape.hpp"
 #include "support/regions.hpp"
 
 #include <tuple>
@@ -18,7 +19,7 @@ namespace {
 
 using triangulators = std::tuple<monotone, constrained_delaunay>;  // a new one joins the list
 
-/// Fills and triangulates; the first broken law, or what went wrong before. Shapes whose edges meet break none.
+/// The first law that the triangles of a filled shape break, or an earlier error. Shapes whose edges meet break none.
 template <class Triangulator>
 std::string broken_law(const test::shape& s, fill_rule rule = fill_rule::non_zero)
 {
@@ -40,18 +41,14 @@ TEMPLATE_LIST_TEST_CASE("a triangulator cuts every shape of the corpus into tria
 {
     for (const test::corpus_shape& c : test::corpus("regions.txt")) {
         if (c.is_crossing) continue;
-        for (const double degrees : {0.0, 90.0, 180.0, 270.0}) {
-            const test::shape s = test::turned(c.shape, degrees);
+        for (const test::shape& s : test::in_positions(c.shape)) {
             INFO(s);
-            for (const test::shape& t : {s, test::mirrored(s), test::reversed(s)}) CHECK(broken_law<TestType>(t) == "");
+            CHECK(broken_law<TestType>(s) == "");
         }
-        contours loops = test::contours_of(c.shape);
-        workspace space;
-        const result<region> filled = fill(loops, fill_rule::non_zero, space);
         INFO(c);
-        REQUIRE(filled);
+        test::filled_shape f{c.shape};
         triangle_list out;
-        CHECK_FALSE(TestType{}(*filled, space, out));
+        CHECK_FALSE(TestType{}(f.filled, f.space, out));
         CHECK(out.size() == c.triangles);
     }
 }
@@ -60,12 +57,9 @@ TEMPLATE_LIST_TEST_CASE("a triangulator cuts shapes of all kinds into triangles 
                         triangulators)
 {
     for (const test::shape& s : test::generated_regions()) {
-        for (const double degrees : {0.0, 0.001, 33.0, 90.0, 180.0}) {
-            const test::shape t = test::turned(s, degrees);
+        for (const test::shape& t : test::in_positions(s, {0.0, 0.001, 33.0, 90.0, 180.0})) {
             INFO(t.name);
             CHECK(broken_law<TestType>(t) == "");
-            CHECK(broken_law<TestType>(test::mirrored(t)) == "");
-            CHECK(broken_law<TestType>(test::reversed(t)) == "");
         }
     }
 }
@@ -81,8 +75,7 @@ TEMPLATE_LIST_TEST_CASE("a triangulator cuts random polygons on tiny grids", "[t
     }
 }
 
-TEMPLATE_LIST_TEST_CASE("the laws do not depend on where contours begin or how they are ordered", "[triangulate]",
-                        triangulators)
+TEMPLATE_LIST_TEST_CASE("the laws do not depend on the start or order of contours", "[triangulate]", triangulators)
 {
     for (const test::shape& s : test::generated_regions()) {
         for (std::uint64_t seed = 0; seed < 3; ++seed) {
@@ -92,22 +85,17 @@ TEMPLATE_LIST_TEST_CASE("the laws do not depend on where contours begin or how t
     }
 }
 
-TEMPLATE_LIST_TEST_CASE("equal regions give equal triangles, whatever the workspace was used for before",
-                        "[triangulate]", triangulators)
+TEMPLATE_LIST_TEST_CASE("equal regions give equal triangles, whatever the workspace did before", "[triangulate]",
+                        triangulators)
 {
-    contours loops = test::contours_of(test::circle_with_holes(300, 40)),
-             others = test::contours_of(test::square_with_holes(9, 9));
-    workspace fresh, used;
-    const result<region> filled = fill(loops, fill_rule::non_zero, fresh),
-                         other = fill(others, fill_rule::non_zero, fresh);
-    REQUIRE(filled);
-    REQUIRE(other);
+    test::filled_shape one{test::circle_with_holes(300, 40)}, other{test::square_with_holes(9, 9)};
+    workspace used;
     triangle_list first, second;
-    REQUIRE_FALSE(TestType{}(*filled, fresh, first));
-    REQUIRE_FALSE(TestType{}(*other, used, second));
+    REQUIRE_FALSE(TestType{}(one.filled, one.space, first));
+    REQUIRE_FALSE(TestType{}(other.filled, used, second));
     second.clear();
-    REQUIRE_FALSE(TestType{}(*filled, used, second));
-    CHECK(std::equal(first.begin(), first.end(), second.begin(), second.end()));
+    REQUIRE_FALSE(TestType{}(one.filled, used, second));
+    CHECK(std::ranges::equal(first, second));
 }
 
 TEMPLATE_LIST_TEST_CASE("the empty region has no triangles", "[triangulate]", triangulators)
@@ -118,13 +106,10 @@ TEMPLATE_LIST_TEST_CASE("the empty region has no triangles", "[triangulate]", tr
     CHECK(out.empty());
 }
 
-TEMPLATE_LIST_TEST_CASE("a triangulator without memory says so and leaves everything as it was", "[triangulate]",
+TEMPLATE_LIST_TEST_CASE("a triangulator without memory reports it and keeps the triangles before it", "[triangulate]",
                         triangulators)
 {
-    contours loops = test::contours_of(test::square_with_holes(30, 12));
-    workspace for_fill;
-    const result<region> filled = fill(loops, fill_rule::non_zero, for_fill);
-    REQUIRE(filled);
+    const test::filled_shape f{test::square_with_holes(30, 12)};
     for (std::size_t nth = 1;; ++nth) {
         test::counting_memory memory;
         workspace space{memory.source()};
@@ -133,38 +118,35 @@ TEMPLATE_LIST_TEST_CASE("a triangulator without memory says so and leaves everyt
         memory.requests = 0;
         memory.fail_at = nth;
         memory.fail_once = true;
-        const error e = TestType{}(*filled, space, out);
+        const error e = TestType{}(f.filled, space, out);
         const bool was_asked = memory.requests >= nth;
         memory.fail_at = 0;
         INFO("request " << nth);
         if (!e) {
             // the workspace may do without joining its blocks, but nothing else may fail unnoticed
-            CHECK(test::oracle::broken_law(*filled, out.view().subspan(1)) == "");
+            CHECK(test::oracle::broken_law(f.filled, out.view().subspan(1)) == "");
             if (!was_asked) break;
             continue;
         }
         CHECK(e == error::out_of_memory);
         CHECK(out.size() == 1);
         CHECK(out[0] == triangle{7, 8, 9});
-        REQUIRE_FALSE(TestType{}(*filled, space, out));
-        CHECK(test::oracle::broken_law(*filled, out.view().subspan(1)) == "");
+        REQUIRE_FALSE(TestType{}(f.filled, space, out));
+        CHECK(test::oracle::broken_law(f.filled, out.view().subspan(1)) == "");
     }
 }
 
 TEMPLATE_LIST_TEST_CASE("a triangulator that has warmed up allocates nothing", "[triangulate]", triangulators)
 {
-    contours loops = test::contours_of(test::square_with_holes(10, 12));
-    workspace for_fill;
-    const result<region> filled = fill(loops, fill_rule::non_zero, for_fill);
-    REQUIRE(filled);
+    const test::filled_shape f{test::square_with_holes(10, 12)};
     test::counting_memory memory;
     workspace space{memory.source()};
     triangle_list out{memory.source()};
-    REQUIRE_FALSE(TestType{}(*filled, space, out));
+    REQUIRE_FALSE(TestType{}(f.filled, space, out));
     const std::size_t warm = memory.requests;
     for (int i = 0; i < 3; ++i) {
         out.clear();
-        REQUIRE_FALSE(TestType{}(*filled, space, out));
+        REQUIRE_FALSE(TestType{}(f.filled, space, out));
     }
     CHECK(memory.requests == warm);
 }

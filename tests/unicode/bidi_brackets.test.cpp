@@ -12,7 +12,7 @@ using namespace typemesh;
 
 namespace {
 
-/// The pairs of a text as UAX #9 lists them: places of both brackets, by the first.
+/// The pairs of a text as UAX #9 lists them: the places of both brackets, sorted by the first.
 std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs_of(const std::u32string& text)
 {
     std::vector<bidi_class> classes;
@@ -35,7 +35,7 @@ using pairs = std::vector<std::pair<std::uint32_t, std::uint32_t>>;
 }  // namespace
 
 // The examples of UAX #9, 3.1.3.
-TEST_CASE("brackets are paired as definition BD16 says", "[bidi]")
+TEST_CASE("brackets are paired by definition BD16", "[bidi]")
 {
     CHECK(pairs_of(U"a)b(c").empty());
     CHECK(pairs_of(U"a(b]c").empty());
@@ -55,7 +55,7 @@ TEST_CASE("canonically equivalent brackets make a pair", "[bidi]")
     CHECK(opening_bracket(0x232A, bracket_kind::closing) == opening_bracket(0x3008, bracket_kind::opening));
 }
 
-TEST_CASE("each bracket leads to its opening bracket, which leads to itself", "[bidi]")
+TEST_CASE("each bracket has an opening bracket, which is its own", "[bidi]")
 {
     std::size_t closing = 0;
     for (char32_t c = 0; c < 0x110000; ++c) {
@@ -79,24 +79,15 @@ TEST_CASE("the 64th open bracket ends the search for pairs", "[bidi]")
 TEST_CASE("both brackets and the marks on them take a direction", "[bidi]")
 {
     using enum bidi_class;
-    std::vector<bidi_class> classes{r, on, on, l, on, on, r};
-    const std::vector<bidi_class> original{r, on, nsm, l, on, nsm, r};
+    const std::vector<bidi_class> given{r, on, on, l, on, on, r}, original{r, on, nsm, l, on, nsm, r};
     const std::vector<std::uint32_t> places{0, 1, 2, 3, 4, 5, 6};
-    std::vector<detail::opened_bracket> opened{{1, 4, bidi_classes{l}}};
-    SECTION("that of the embedding, which stands between them")
-    {
-        detail::resolve_brackets({classes.data(), places.data(), 7, 0, l, l}, original.data(), opened.data(), 1);
-        CHECK(classes == std::vector<bidi_class>{r, l, l, l, l, l, r});
-    }
-    SECTION("that of the context, where only the other stands between them")
-    {
-        detail::resolve_brackets({classes.data(), places.data(), 7, 1, l, l}, original.data(), opened.data(), 1);
-        CHECK(classes == std::vector<bidi_class>{r, r, r, l, r, r, r});
-    }
-    SECTION("none without a letter between them")
-    {
-        opened[0].inside = bidi_classes{on};
-        detail::resolve_brackets({classes.data(), places.data(), 7, 0, l, l}, original.data(), opened.data(), 1);
-        CHECK(classes == std::vector<bidi_class>{r, on, on, l, on, on, r});
-    }
+    const auto resolved = [&](std::uint8_t level, bidi_class inside) {
+        std::vector<bidi_class> classes = given;
+        std::vector<detail::opened_bracket> opened{{1, 4, bidi_classes{inside}}};
+        detail::resolve_brackets({classes.data(), places.data(), 7, level, l, l}, original.data(), opened.data(), 1);
+        return classes;
+    };
+    CHECK(resolved(0, l) == std::vector<bidi_class>{r, l, l, l, l, l, r});  // the embedding's, which is between them
+    CHECK(resolved(1, l) == std::vector<bidi_class>{r, r, r, l, r, r, r});  // the context's, if only the other is
+    CHECK(resolved(0, on) == given);                                        // none without a letter between them
 }

@@ -5,7 +5,7 @@
 
 using namespace typemesh;
 
-TEST_CASE("each bidi class is that of some character", "[bidi]")
+TEST_CASE("each bidi class belongs to a character", "[bidi]")
 {
     constexpr char32_t some[] = {U'a',   0x05D0, 0x0627, U'1',   U'+',   U'$',   0x0661, U',',
                                  0x0301, 0x00AD, 0x2029, U'\t',  U' ',   U'!',   0x202A, 0x202D,

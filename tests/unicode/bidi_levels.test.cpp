@@ -50,7 +50,7 @@ public:
         return true;
     }
 
-    /// As the test files write them; -1 for what is removed.
+    /// Compares in the notation of the test files: -1 for what is removed.
     bool has(const std::vector<int>& levels, const std::vector<int>& order) const
     {
         for (std::size_t i = 0; i < levels_.size(); ++i)
@@ -70,12 +70,19 @@ private:
     std::uint8_t base_ = 0;
 };
 
-/// Decimal numbers and x, which is -1.
+/// Decimal numbers, and -1 for x.
 std::vector<int> numbers(std::string_view s)
 {
     std::vector<int> all;
     for (const std::string& word : ucd::words(s)) all.push_back(word == "x" ? -1 : std::stoi(word));
     return all;
+}
+
+std::vector<bidi_class> classes_of(std::u32string_view text)
+{
+    std::vector<bidi_class> classes;
+    for (const char32_t c : text) classes.push_back(character_of(c).bidi);
+    return classes;
 }
 
 bidi_class class_named(std::string_view name)
@@ -90,7 +97,7 @@ bidi_class class_named(std::string_view name)
 
 }  // namespace
 
-TEST_CASE("bidi levels and orders are those of every case of BidiTest.txt", "[bidi]")
+TEST_CASE("bidi levels and orders pass every case of BidiTest.txt", "[bidi]")
 {
     if (!ucd::is_of_our_version()) return;
     const std::string all = ucd::contents("BidiTest.txt");
@@ -103,11 +110,7 @@ TEST_CASE("bidi levels and orders are those of every case of BidiTest.txt", "[bi
         if (row.substr(0, 9) == "@Reorder:") return void(order = numbers(row.substr(9)));
         const auto semicolon = row.find(';');
         std::vector<bidi_class> classes;
-        for (std::size_t i = 0; i < semicolon;) {
-            const std::size_t end = std::min(row.find(' ', i), semicolon);
-            classes.push_back(class_named(row.substr(i, end - i)));
-            i = end + 1;
-        }
+        for (const std::string& word : ucd::words(row.substr(0, semicolon))) classes.push_back(class_named(word));
         const std::vector<char32_t> text(classes.size(), U'a');  // no bracket
         const int asked = row.back() - '0';
         for (int k = 0; k < 3; ++k) {
@@ -121,7 +124,7 @@ TEST_CASE("bidi levels and orders are those of every case of BidiTest.txt", "[bi
     CHECK(wrong == 0);
 }
 
-TEST_CASE("bidi levels and orders are those of every case of BidiCharacterTest.txt", "[bidi]")
+TEST_CASE("bidi levels and orders pass every case of BidiCharacterTest.txt", "[bidi]")
 {
     if (!ucd::is_of_our_version()) return;
     const std::string all = ucd::contents("BidiCharacterTest.txt");
@@ -131,17 +134,13 @@ TEST_CASE("bidi levels and orders are those of every case of BidiCharacterTest.t
         if (row.empty() || row[0] == '#') return;
         const auto fields = ucd::split(row, ';');
         REQUIRE(fields.size() == 5);
-        std::vector<char32_t> text;
-        std::vector<bidi_class> classes;
-        for (const std::string& word : ucd::words(fields[0])) {
-            text.push_back(ucd::hexadecimal(word));
-            classes.push_back(character_of(text.back()).bidi);
-        }
+        std::u32string text;
+        for (const std::string& word : ucd::words(fields[0])) text += ucd::hexadecimal(word);
         constexpr paragraph_direction asked[] = {paragraph_direction::left_to_right, paragraph_direction::right_to_left,
                                                  paragraph_direction::automatic};
         ++cases;
-        if (line.resolve(text, classes, asked[std::stoi(fields[1])]) && line.base() == std::stoi(fields[2]) &&
-            line.has(numbers(fields[3]), numbers(fields[4])))
+        if (line.resolve({text.begin(), text.end()}, classes_of(text), asked[std::stoi(fields[1])]) &&
+            line.base() == std::stoi(fields[2]) && line.has(numbers(fields[3]), numbers(fields[4])))
             return;
         if (++wrong <= 5) WARN(row);
     });
@@ -149,7 +148,7 @@ TEST_CASE("bidi levels and orders are those of every case of BidiCharacterTest.t
     CHECK(wrong == 0);
 }
 
-TEST_CASE("bidi levels of any text are those that the rules give word by word", "[bidi]")
+TEST_CASE("bidi levels of any text agree with the rules word by word", "[bidi]")
 {
     std::mt19937 random{9};
     workspace space;
@@ -157,15 +156,14 @@ TEST_CASE("bidi levels of any text are those that the rules give word by word", 
         U"a\u05D0\u06281+$\u0661,\u0301\u00AD\t .()[]\u2329\u232A\u3008\u3009"
         U"\u202A\u202B\u202C\u202D\u202E\u2066\u2067\u2068\u2069";
     for (std::size_t repeat = 0; repeat < 20000; ++repeat) {
-        // Some letters more than others, so that brackets and isolates close what was opened; some texts deep.
+        // Some letters are frequent, so that brackets and isolates close what was opened. Some texts are deep.
         const std::size_t few = 1 + random() % letters.size(), deep = repeat % 100 == 0 ? 140 : 0;
         std::u32string text;
         for (std::size_t i = 0; i < deep; ++i) text += letters[letters.size() - 1 - random() % 9];
         const std::size_t size = deep + random() % 40;
         while (text.size() < size)
             text += letters[random() % 2 == 0 ? random() % letters.size() : (random() % few + repeat) % letters.size()];
-        std::vector<bidi_class> classes;
-        for (const char32_t c : text) classes.push_back(character_of(c).bidi);
+        const std::vector<bidi_class> classes = classes_of(text);
 
         const int k = static_cast<int>(random() % 3);
         int base = k - 1;
@@ -185,18 +183,17 @@ TEST_CASE("bidi levels of any text are those that the rules give word by word", 
     }
 }
 
-TEST_CASE("a mark that is overridden does not go with the bracket before it", "[bidi]")
+TEST_CASE("an overridden mark does not follow the bracket before it", "[bidi]")
 {
     const std::u32string text = U"\u202Ba(b)\u202C\u202E\u0301";
-    std::vector<bidi_class> classes;
-    for (const char32_t c : text) classes.push_back(character_of(c).bidi);
+    const std::vector<bidi_class> classes = classes_of(text);
     std::vector<std::uint8_t> levels(text.size());
     workspace space;
     REQUIRE(bidi_levels(text, classes, paragraph_direction::left_to_right, space, levels));
     CHECK(levels == std::vector<std::uint8_t>{0, 2, 2, 2, 2, 2, 2, 1});
 }
 
-TEST_CASE("an empty paragraph has a level, and one without memory an error", "[bidi]")
+TEST_CASE("an empty paragraph has a level, and a paragraph without memory an error", "[bidi]")
 {
     test::counting_memory heap;
     workspace space{heap.source()};

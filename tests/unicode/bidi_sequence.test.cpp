@@ -27,7 +27,7 @@ const auto neutral_rules = [](const detail::bidi_sequence& s) { detail::resolve_
 }  // namespace
 
 // The examples of UAX #9, 3.3.4 and 3.3.6.
-TEST_CASE("rules W1 to W3: marks, Arabic numbers and letters", "[bidi]")
+TEST_CASE("rules W1 to W3 resolve marks, Arabic numbers and letters", "[bidi]")
 {
     CHECK(after(mark_rules, r, {al, nsm, nsm}, r) == classes{r, r, r});
     CHECK(after(mark_rules, r, {nsm}, r) == classes{r});
@@ -40,7 +40,7 @@ TEST_CASE("rules W1 to W3: marks, Arabic numbers and letters", "[bidi]")
     CHECK(after(mark_rules, r, {r, on, en}, r) == classes{r, on, en});
 }
 
-TEST_CASE("rules W4 to W7: separators, terminators and digits", "[bidi]")
+TEST_CASE("rules W4 to W7 resolve separators, terminators and digits", "[bidi]")
 {
     CHECK(after(number_rules, r, {en, es, en}, r) == classes{en, en, en});
     CHECK(after(number_rules, r, {en, cs, en}, r) == classes{en, en, en});
@@ -59,7 +59,7 @@ TEST_CASE("rules W4 to W7: separators, terminators and digits", "[bidi]")
     CHECK(after(number_rules, l, {en, et}, r) == classes{l, l});
 }
 
-TEST_CASE("rules N1 and N2: neutrals take the direction on both sides, else the embedding's", "[bidi]")
+TEST_CASE("rules N1 and N2 give neutrals the direction on both sides, or else the embedding's", "[bidi]")
 {
     CHECK(after(neutral_rules, l, {r, on, r}, l) == classes{r, r, r});
     CHECK(after(neutral_rules, l, {r, on, ws, an}, l) == classes{r, r, r, an});
@@ -71,7 +71,7 @@ TEST_CASE("rules N1 and N2: neutrals take the direction on both sides, else the 
     CHECK(after(neutral_rules, l, {}, r).empty());
 }
 
-TEST_CASE("rules I1 and I2: levels of letters and digits", "[bidi]")
+TEST_CASE("rules I1 and I2 give letters and digits their levels", "[bidi]")
 {
     CHECK(detail::implicit_level(0, l) == 0);
     CHECK(detail::implicit_level(0, r) == 1);

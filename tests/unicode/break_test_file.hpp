@@ -13,7 +13,7 @@ namespace ucd {
 struct break_case {
     std::string row;
     std::vector<char32_t> text;
-    std::vector<bool> breaks;  ///< before each character and behind the last
+    std::vector<bool> breaks;  ///< before each character and after the last
 };
 
 inline std::vector<break_case> break_cases(const std::string& file)

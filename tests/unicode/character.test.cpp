@@ -5,7 +5,7 @@
 
 using namespace typemesh;
 
-TEST_CASE("the properties of some characters are those that the standard names", "[character]")
+TEST_CASE("some characters have the properties that the standard names", "[character]")
 {
     CHECK(character_of(U'A').bidi == bidi_class::l);
     CHECK(character_of(U'A').line == line_class::al);
@@ -30,7 +30,7 @@ TEST_CASE("the properties of some characters are those that the standard names",
     CHECK(character_of(0x3001).orientation == vertical_orientation::transformed_upright);
 }
 
-TEST_CASE("an unassigned character is read as its block is", "[character]")
+TEST_CASE("an unassigned character has the properties of its block", "[character]")
 {
     CHECK(character_of(0x05FF).bidi == bidi_class::r);
     CHECK(character_of(0x07BF).bidi == bidi_class::al);
@@ -40,7 +40,7 @@ TEST_CASE("an unassigned character is read as its block is", "[character]")
     CHECK(character_of(0x3FFFD).line == line_class::id);
 }
 
-TEST_CASE("what is no code point has the properties of U+FFFD", "[character]")
+TEST_CASE("a number that is no code point has the properties of U+FFFD", "[character]")
 {
     const character none = character_of(0xFFFFFFFF), replacement = character_of(0xFFFD);
     CHECK(none.bidi == replacement.bidi);

@@ -21,8 +21,8 @@ namespace ucd {
 
 inline const std::string version = "17.0.0";
 
-/// Where the database lies: in TYPEMESH_UNICODE_DATA, or where install_unicode_data() of cmake/setup.sh or Debian has put
-/// it. Of several the first that is of our version; empty if none is.
+/// The folder of the database: TYPEMESH_UNICODE_DATA, or where install_unicode_data() of cmake/setup.sh or Debian has put
+/// it. Of several, the first of our version; empty if there is none.
 inline std::filesystem::path folder()
 {
     const char* given = std::getenv("TYPEMESH_UNICODE_DATA");
@@ -36,7 +36,7 @@ inline std::filesystem::path folder()
     return {};
 }
 
-/// Whether the database is there in our version; says so where it is not.
+/// Whether the database is there in our version; warns if it is not.
 inline bool is_of_our_version()
 {
     if (!folder().empty()) return true;
@@ -44,17 +44,16 @@ inline bool is_of_our_version()
     return false;
 }
 
-/// The whole of one of its files. Needs is_of_our_version().
+/// The whole text of one file. Needs is_of_our_version().
 inline std::string contents(const std::string& name)
 {
     std::ifstream file{folder() / name, std::ios::binary};
     INFO(name);
     REQUIRE(file.is_open());
-    std::string all{std::istreambuf_iterator<char>{file}, {}};
-    return all;
+    return {std::istreambuf_iterator<char>{file}, {}};
 }
 
-/// Calls use(line) for each line, without its end; test files hold hundreds of thousands.
+/// Calls use(line) for each line, without its end; test files have hundreds of thousands of lines.
 inline void for_each_line(const std::string& all, const std::function<void(std::string_view)>& use)
 {
     for (std::size_t i = 0; i < all.size();) {
@@ -96,11 +95,11 @@ inline std::string hex_of(char32_t c)
     return out.str();
 }
 
-/// A property of all code points, from lines such as "0041..005A ; Latin # comment". What no line names has the value
-/// of the last "@missing" line that does, by its long name.
+/// A property of all code points, from lines such as "0041..005A ; Latin # comment". A code point without a line has the
+/// value of the last "@missing" line that includes it, by its long name.
 ///
-///     wanted    of a file of several properties the one that is meant, by its name in the second field
-///     value     which field after that holds the value; 0: the name itself
+///     wanted    the property, by its name in the second field, in a file of several
+///     value     the number of the field after the name that contains the value; 0: the name itself
 inline std::vector<std::string> property(const std::string& name, const std::string& wanted = "", std::size_t value = 0)
 {
     std::vector<std::string> values(0x110000);

@@ -3,13 +3,13 @@
 
 #include <typemesh/unicode/impl/character.hpp>
 
-TEST_CASE("character_table.hpp is what the Unicode Character Database gives", "[tables]")
+TEST_CASE("character_table.hpp agrees with the Unicode Character Database", "[tables]")
 {
     if (!ucd::is_of_our_version()) return;
     ucd::check_or_make("character_table.hpp", ucd::character_table());
 }
 
-TEST_CASE("every character stands in columns as VerticalOrientation.txt has it", "[tables]")
+TEST_CASE("every character has its orientation of VerticalOrientation.txt", "[tables]")
 {
     if (!ucd::is_of_our_version()) return;
     const auto wanted = ucd::property("VerticalOrientation.txt");

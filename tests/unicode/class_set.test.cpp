@@ -5,7 +5,7 @@
 
 using namespace typemesh;
 
-TEST_CASE("a set of bidi classes holds what was put into it and nothing else", "[bidi]")
+TEST_CASE("a set of bidi classes contains what was added and nothing else", "[bidi]")
 {
     for (int a = 0; a <= static_cast<int>(bidi_class::pdi); ++a)
         for (int b = 0; b <= static_cast<int>(bidi_class::pdi); ++b) {

@@ -6,7 +6,7 @@
 
 using namespace typemesh;
 
-TEST_CASE("the words of a dictionary's script are what an analyser without one leaves unbroken", "[unicode]")
+TEST_CASE("an analyser without a dictionary leaves the sample words of its script unbroken", "[unicode]")
 {
     unicode_analyser analyser;
     text_analysis found;
@@ -14,8 +14,7 @@ TEST_CASE("the words of a dictionary's script are what an analyser without one l
         INFO(s.language);
         REQUIRE_FALSE(analyser.analyse(s.words, {}, found));
         REQUIRE(found.unbroken.size() == 1);
-        CHECK(found.unbroken[0].first == 0);
-        CHECK(found.unbroken[0].last == s.words.size());
+        CHECK((found.unbroken[0].first == 0 && found.unbroken[0].last == s.words.size()));
         REQUIRE(found.scripts.size() == 1);
         CHECK(found.scripts[0].script == s.tag);
         REQUIRE(s.second_word > 1);
@@ -24,7 +23,7 @@ TEST_CASE("the words of a dictionary's script are what an analyser without one l
     }
 }
 
-TEST_CASE("a script of no dictionary is behind the list of those", "[unicode]")
+TEST_CASE("a script without a dictionary has a number after the list", "[unicode]")
 {
     for (std::size_t k = 0; k < dictionary_script_count; ++k)
         CHECK(dictionary_script_number(dictionary_scripts[k].tag) == k);

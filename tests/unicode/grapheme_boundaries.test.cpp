@@ -19,7 +19,7 @@ std::size_t graphemes(const std::u32string& text)
 
 }  // namespace
 
-TEST_CASE("graphemes are those of every case of GraphemeBreakTest.txt", "[breaks]")
+TEST_CASE("graphemes pass every case of GraphemeBreakTest.txt", "[breaks]")
 {
     if (!ucd::is_of_our_version()) return;
     const auto cases = ucd::break_cases("auxiliary/GraphemeBreakTest.txt");
@@ -29,12 +29,12 @@ TEST_CASE("graphemes are those of every case of GraphemeBreakTest.txt", "[breaks
         grapheme_boundaries begins;
         std::vector<bool> breaks;
         for (const char32_t c : one.text) breaks.push_back(begins(character_of(c).grapheme));
-        breaks.push_back(true);  // the end, which is not asked for
+        breaks.push_back(true);  // at the end, where begins() is not called
         CHECK(breaks == one.breaks);
     }
 }
 
-TEST_CASE("letters with marks, syllables, flags and families are one grapheme each", "[breaks]")
+TEST_CASE("a letter with marks, a syllable, a flag or a family is one grapheme", "[breaks]")
 {
     CHECK(graphemes(U"e\u0301") == 1);
     CHECK(graphemes(U"\u1100\u1161\u11A8") == 1);
@@ -44,16 +44,15 @@ TEST_CASE("letters with marks, syllables, flags and families are one grapheme ea
     CHECK(graphemes(U"a\u200D\U0001F467") == 2);
 }
 
-TEST_CASE("a conjunct or a stack is one grapheme, whatever signs stand within", "[breaks]")
+TEST_CASE("a conjunct or a stack is one grapheme, whatever signs it contains", "[breaks]")
 {
     CHECK(graphemes(U"\u0915\u094D\u0937") == 1);              // Devanagari kssa
     CHECK(graphemes(U"\u0915\u094D\u200D\u0937\u093F") == 1);  // with a joiner
-    CHECK(graphemes(U"\u0915\u094D\u200C\u0937") == 2);        // parted by a non-joiner
+    CHECK(graphemes(U"\u0915\u094D\u200C\u0937") == 2);        // split by a non-joiner
     CHECK(graphemes(U"\u0915\u0937") == 2);
     CHECK(graphemes(U"\u094D\u0937") == 2);
-    CHECK(graphemes(U"\u179F\u178F\u17B7\u179F\u1798\u17D2\u1794\u1787\u1789\u17D2\u1789\u17C8") ==
-          6);                                                        // Khmer: the coengs' stacks
+    CHECK(graphemes(U"\u179F\u178F\u17B7\u179F\u1798\u17D2\u1794\u1787\u1789\u17D2\u1789\u17C8") == 6);  // Khmer stacks
     CHECK(graphemes(U"\u1019\u1004\u103A\u1039\u1002\u101C") == 3);  // Burmese: kinzi
     CHECK(graphemes(U"\u1000\u1019\u1039\u1018\u101C") == 3);        // Burmese: a stack
-    CHECK(graphemes(U"\u0B95\u0BCD\u0BB7") == 2);                    // Tamil's virama joins none
+    CHECK(graphemes(U"\u0B95\u0BCD\u0BB7") == 2);                    // Tamil's virama does not join
 }

@@ -13,10 +13,10 @@ using namespace typemesh;
 namespace hyphenating_tests {
 namespace {
 
-/// Parts words before every n-th unit, and writes down what it is asked.
+/// Hyphenates words before every n-th unit, and records them.
 struct every_unit {
     std::size_t step = 1;
-    std::vector<std::u16string>* asked = nullptr;
+    std::vector<std::u16string>* words = nullptr;
 
     template <class Put>
     void hyphenate(text_view text, text_range word, std::string_view language, const Put& put) noexcept
@@ -24,7 +24,7 @@ struct every_unit {
         if (language == "xx") return;
         std::u16string shown;
         for (std::uint32_t i = word.first; i < word.last; ++i) shown += static_cast<char16_t>(text.unit(i));
-        if (asked != nullptr) asked->push_back(shown);
+        if (words != nullptr) words->push_back(shown);
         for (std::size_t i = 0; i < text.size() + 5; i += step) put(i);
     }
 };
@@ -32,7 +32,7 @@ static_assert(hyphenator<every_unit>);
 static_assert(!hyphenator<int>);
 static_assert(text_analyser<hyphenating<unicode_analyser, every_unit>>);
 
-/// Where a text is parted, as "ex-am-ple".
+/// A text with its hyphens, as "ex-am-ple".
 std::u16string parted(const std::u16string& text, std::size_t step, std::string_view language = {})
 {
     hyphenating analyser{unicode_analyser{}, every_unit{step}};
@@ -51,11 +51,11 @@ std::u16string parted(const std::u16string& text, std::size_t step, std::string_
 
 std::vector<std::u16string> words_of(const std::u16string& text)
 {
-    std::vector<std::u16string> asked;
-    hyphenating analyser{unicode_analyser{}, every_unit{1, &asked}};
+    std::vector<std::u16string> words;
+    hyphenating analyser{unicode_analyser{}, every_unit{1, &words}};
     text_analysis found;
     REQUIRE_FALSE(analyser.analyse(text, {}, found));
-    return asked;
+    return words;
 }
 
 }  // namespace
@@ -63,7 +63,7 @@ std::vector<std::u16string> words_of(const std::u16string& text)
 
 using namespace hyphenating_tests;
 
-TEST_CASE("a hyphenator is asked for each word, which is letters and their marks", "[analysis]")
+TEST_CASE("a hyphenator gets each word, which consists of letters and their marks", "[analysis]")
 {
     using list = std::vector<std::u16string>;
     CHECK(words_of(u"One two, l'eau: x2y! end").size() == 7);
@@ -74,7 +74,7 @@ TEST_CASE("a hyphenator is asked for each word, which is letters and their marks
     CHECK(words_of(u"").empty());
 }
 
-TEST_CASE("a word is parted inside, between graphemes, where no line may end anyway", "[analysis]")
+TEST_CASE("a word is hyphenated inside, between graphemes, and nowhere else", "[analysis]")
 {
     CHECK(parted(u"abc de", 1) == u"a-b-c d-e");
     CHECK(parted(u"abcdef", 2) == u"ab-cd-ef");
@@ -83,19 +83,19 @@ TEST_CASE("a word is parted inside, between graphemes, where no line may end any
     CHECK(parted(u"abc", 1, "xx") == u"abc");
 }
 
-TEST_CASE("a word with soft hyphens is parted there alone", "[analysis]")
+TEST_CASE("a word with soft hyphens is hyphenated only there", "[analysis]")
 {
     CHECK(words_of(u"exam\u00ADple one \u00ADtwo") == std::vector<std::u16string>{u"one", u"two"});
     CHECK(parted(u"exam\u00ADple", 1) == u"exam\u00ADple");
 }
 
-TEST_CASE("hyphenating finds what the other analyser does, and reports its errors", "[analysis]")
+TEST_CASE("hyphenating keeps the results and errors of its analyser", "[analysis]")
 {
     const std::u16string text = u"ab \u05D0\u05D1.\n12 cd";
     text_analysis plain, more;
-    unicode_analyser alone;
+    unicode_analyser single;
     hyphenating both{unicode_analyser{}, every_unit{}};
-    REQUIRE_FALSE(alone.analyse(text, {}, plain));
+    REQUIRE_FALSE(single.analyse(text, {}, plain));
     REQUIRE_FALSE(both.analyse(text, {}, more));
     for (std::size_t i = 0; i < text.size(); ++i) {
         CHECK(plain.levels[i] == more.levels[i]);

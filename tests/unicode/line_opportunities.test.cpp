@@ -22,7 +22,7 @@ std::vector<line_opportunity> opportunities(const std::vector<char32_t>& text)
     return all;
 }
 
-/// A text with | where a line may end and || where it must.
+/// A text with | where a line may end and || where it must end.
 std::string shown(const std::u32string& text)
 {
     const auto found = opportunities({text.begin(), text.end()});
@@ -36,7 +36,7 @@ std::string shown(const std::u32string& text)
 
 }  // namespace
 
-TEST_CASE("line breaks are those of every case of LineBreakTest.txt", "[breaks]")
+TEST_CASE("line breaks pass every case of LineBreakTest.txt", "[breaks]")
 {
     if (!ucd::is_of_our_version()) return;
     const auto cases = ucd::break_cases("auxiliary/LineBreakTest.txt");
@@ -46,13 +46,13 @@ TEST_CASE("line breaks are those of every case of LineBreakTest.txt", "[breaks]"
         const auto found = opportunities(one.text);
         std::vector<bool> breaks;
         for (const line_opportunity o : found) breaks.push_back(o != line_opportunity::none);
-        breaks.push_back(true);  // the end, which is not asked for
+        breaks.push_back(true);  // at the end, where next() is not called
         if (breaks != one.breaks && ++wrong <= 5) WARN(one.row);
     }
     CHECK(wrong == 0);
 }
 
-TEST_CASE("lines end behind spaces and hyphens, and must end behind line feeds", "[breaks]")
+TEST_CASE("lines may end after spaces and hyphens, and must end after line feeds", "[breaks]")
 {
     CHECK(shown(U"a quick-witted fox") == "a |quick-|witted |fox");
     CHECK(shown(U"a\nb") == "a\n||b");
@@ -62,11 +62,11 @@ TEST_CASE("lines end behind spaces and hyphens, and must end behind line feeds",
     CHECK(shown(U"日本。語") == "x|xx|x");
     CHECK(shown(U"ภาษาไทย") == "xxxxxxx");
     CHECK(shown(U"a-\u00A0b") == "a-|xb");
-    CHECK(shown(U"א-\u00A0b") == "x-xb");  // LB21a holds where LB12a leaves it open
+    CHECK(shown(U"א-\u00A0b") == "x-xb");  // LB21a decides where LB12a does not
     CHECK(shown(U"").empty());
 }
 
-TEST_CASE("abbreviations, ports, versions and numbers that begin with a full stop stay whole", "[breaks]")
+TEST_CASE("abbreviations, ports, versions and numbers with a leading full stop stay whole", "[breaks]")
 {
     CHECK(shown(U"see Fig.3 at localhost:8080, not .5") == "see |Fig.3 |at |localhost:8080, |not |.5");
     CHECK(shown(U"$ .5 (.5) v1.2:0") == "$ |.5 |(.5) |v1.2:0");
@@ -74,7 +74,7 @@ TEST_CASE("abbreviations, ports, versions and numbers that begin with a full sto
     CHECK(shown(U"the \u2010able") == "the |xable");
 }
 
-TEST_CASE("quotation marks keep to what they quote, and part from ideographs", "[breaks]")
+TEST_CASE("quotation marks stay with their quotation, and separate from ideographs", "[breaks]")
 {
     CHECK(shown(U"dit \u00AB oui \u00BB fort") == "dit |x oui x |fort");
     CHECK(shown(U"a \u201Cb\u201D (c)") == "a |xbx |(c)");
@@ -82,19 +82,19 @@ TEST_CASE("quotation marks keep to what they quote, and part from ideographs", "
     CHECK(shown(U"\u65E5\u201Cb\u201D\u8A9E") == "xxbxx");
 }
 
-TEST_CASE("lines end between the syllables of Javanese and Balinese, not within", "[breaks]")
+TEST_CASE("lines end between the syllables of Javanese and Balinese, not inside", "[breaks]")
 {
     CHECK(shown(U"\uA98F\uA9C0\uA9B1\uA9B1") == "xxx|x");
     CHECK(shown(U"\u1B13\u1B44\u25CC\u1B13") == "xxx|x");
     CHECK(shown(U"\u25CCa") == "xa");
 }
 
-TEST_CASE("line breaks between any classes are those that the rules give word by word", "[breaks]")
+TEST_CASE("line breaks between any classes agree with the rules word by word", "[breaks]")
 {
     std::mt19937 random{5};
     const int count = static_cast<int>(line_class::sa_mark) + 1;
     for (int repeat = 0; repeat < 400000; ++repeat) {
-        // Few classes in a text, so that rules of several characters are met.
+        // A text has few classes, so that rules for several characters apply.
         std::vector<character> some(1 + random() % 6), text(1 + random() % 12);
         for (character& c : some) {
             c.line = static_cast<line_class>(random() % count);

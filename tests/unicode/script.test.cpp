@@ -5,7 +5,7 @@
 
 using namespace typemesh;
 
-TEST_CASE("the script of a letter is that of its alphabet", "[script]")
+TEST_CASE("a letter has the script of its alphabet", "[script]")
 {
     static_assert(script_tag("Latn") == 0x4C61746E);
     CHECK(script_set::of(U'a').tag() == script_tag("Latn"));
@@ -14,11 +14,11 @@ TEST_CASE("the script of a letter is that of its alphabet", "[script]")
     CHECK(script_set::of(0x05D0).tag() == script_tag("Hebr"));
     CHECK(script_set::of(0x4E00).tag() == script_tag("Hani"));
     CHECK(script_set::of(0x1E94B).tag() == script_tag("Adlm"));
-    CHECK(script_set::of(0x0483).tag() == script_tag("Cyrl"));  // of Old Permic, too
+    CHECK(script_set::of(0x0483).tag() == script_tag("Cyrl"));  // also in Old Permic
     CHECK(script_set::of(0x0301).tag() == script_tag("Latn"));  // shared with Cherokee, Cyrillic and others
 }
 
-TEST_CASE("what belongs to all scripts says nothing", "[script]")
+TEST_CASE("a character of all scripts has the script Zyyy", "[script]")
 {
     for (const char32_t c : {U' ', U'1', U'[', U'`', U'{', U'@', char32_t{0}, char32_t{0x034F}, char32_t{0xE000},
                              char32_t{0x0378}, char32_t{0x10FFFF}, char32_t{0xFFFFFFFF}}) {
@@ -27,7 +27,7 @@ TEST_CASE("what belongs to all scripts says nothing", "[script]")
     }
 }
 
-TEST_CASE("sets of scripts narrow down to what all have in common", "[script]")
+TEST_CASE("sets of scripts are intersected", "[script]")
 {
     const script_set kana = script_set::of(0x30FC), katakana = script_set::of(0x30A2), latin = script_set::of(U'a');
     CHECK(kana.tag() == script_tag("Hira"));
@@ -57,7 +57,7 @@ TEST_CASE("Han, the kana and Bopomofo are set as one script, and no others", "[s
     CHECK(set_as_one(script_tag("Latn"), script_tag("Latn")));
 }
 
-TEST_CASE("each script that a character has is one that it shares with a set of that character", "[script]")
+TEST_CASE("a character's script is in the character's set of scripts", "[script]")
 {
     for (char32_t c = 0; c < 0x110000; ++c) {
         script_set set = script_set::of(c);

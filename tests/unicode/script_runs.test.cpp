@@ -6,13 +6,12 @@
 
 #include <random>
 #include <string>
-#include <vector>
 
 using namespace typemesh;
 
 namespace {
 
-/// The runs of a text as "Latn3 Hebr4": script and length.
+/// The runs of a text, with script and length, as "Latn3 Hebr4".
 std::string runs_of(const std::u32string& text)
 {
     buffer<script_run> runs;
@@ -51,7 +50,7 @@ TEST_CASE("a text is cut where its script changes", "[script]")
     CHECK(runs_of(U"e\u0301") == "Latn2");
 }
 
-TEST_CASE("a closing bracket belongs to the script of its opening one", "[script]")
+TEST_CASE("a closing bracket has the script of its opening bracket", "[script]")
 {
     CHECK(runs_of(U"ab (שלום) 1") == "Latn4 Hebr4 Latn3");
     CHECK(runs_of(U"ab (שלום [мир] ש) cd") == "Latn4 Hebr6 Cyrl3 Hebr3 Latn4");
@@ -76,10 +75,9 @@ TEST_CASE("the runs of any text follow each other, and neighbours differ", "[scr
     }
 }
 
-TEST_CASE("script runs without memory are an error", "[script]")
+TEST_CASE("script runs report that memory ran out", "[script]")
 {
-    test::counting_memory heap;
-    heap.fail_at = 1;
+    test::counting_memory heap{.fail_at = 1};
     buffer<script_run> runs{heap.source()};
     script_itemiser itemiser{runs};
     CHECK_FALSE(itemiser.add(U'a', bracket_kind::none, 0));

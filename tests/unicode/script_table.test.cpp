@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "unicode/table_maker.hpp"
 
-TEST_CASE("script_table.hpp is what the Unicode Character Database gives", "[tables]")
+TEST_CASE("script_table.hpp agrees with the Unicode Character Database", "[tables]")
 {
     if (!ucd::is_of_our_version()) return;
     ucd::check_or_make("script_table.hpp", ucd::script_table());

@@ -5,13 +5,12 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <cstdint>
 #include <string>
 #include <utility>
 #include <vector>
 
-/// The bidirectional algorithm as UAX #9 words it: rule by rule, each over everything, searching where it says "find".
-/// Quadratic, and written apart from the library.
+/// The bidirectional algorithm in the words of UAX #9: rule by rule over the whole text, with a search for each "find".
+/// It is quadratic, and shares no code with the library.
 namespace slow_bidi {
 
 using typemesh::bidi_class;
@@ -25,7 +24,7 @@ inline bool is_one(bidi_class c, std::initializer_list<bidi_class> all)
 inline bool initiates(bidi_class c) { return is_one(c, {lri, rli, fsi}); }
 inline bool removed(bidi_class c) { return is_one(c, {rle, lre, rlo, lro, pdf, bn}); }
 
-/// BD9; the text's size where there is none.
+/// BD9; the text's size if there is none.
 inline std::size_t matching_pdi(const classes& text, std::size_t initiator)
 {
     std::size_t depth = 1;
@@ -194,6 +193,13 @@ inline void weak(classes& t, bidi_class sos)
 }
 
 /// N0 to N2.
+inline bidi_class first_strong(const classes& t, std::size_t from, int step, bidi_class otherwise)
+{
+    for (std::size_t i = from; i < t.size(); i += static_cast<std::size_t>(step))
+        if (strong(t[i]) != on) return strong(t[i]);
+    return otherwise;
+}
+
 inline void neutral(classes& t, bidi_class sos, bidi_class eos, bidi_class embedding, const std::u32string& text,
                     const classes& before_w1, const std::vector<std::size_t>& places)
 {
@@ -204,13 +210,7 @@ inline void neutral(classes& t, bidi_class sos, bidi_class eos, bidi_class embed
             other = other || (strong(t[k]) != on && strong(t[k]) != embedding);
         }
         if (!same && !other) continue;
-        bidi_class context = sos;
-        for (std::size_t k = opening; k-- > 0;)
-            if (strong(t[k]) != on) {
-                context = strong(t[k]);
-                break;
-            }
-        const bidi_class to = same ? embedding : context;
+        const bidi_class to = same ? embedding : first_strong(t, opening - 1, -1, sos);
         for (const std::size_t bracket : {opening, closing}) {
             t[bracket] = to;
             for (std::size_t k = bracket + 1; k < t.size() && before_w1[k] == nsm; ++k) t[k] = to;
@@ -219,22 +219,12 @@ inline void neutral(classes& t, bidi_class sos, bidi_class eos, bidi_class embed
     const classes given = t;
     for (std::size_t k = 0; k < t.size(); ++k) {
         if (strong(given[k]) != on) continue;
-        bidi_class before = sos, after = eos;
-        for (std::size_t i = k; i-- > 0;)
-            if (strong(given[i]) != on) {
-                before = strong(given[i]);
-                break;
-            }
-        for (std::size_t i = k + 1; i < given.size(); ++i)
-            if (strong(given[i]) != on) {
-                after = strong(given[i]);
-                break;
-            }
+        const bidi_class before = first_strong(given, k - 1, -1, sos), after = first_strong(given, k + 1, 1, eos);
         t[k] = before == after ? before : embedding;
     }
 }
 
-/// The levels of a paragraph; -1 for what rule X9 removes. `base`: its level, or -1 to find it.
+/// The levels of a paragraph, -1 for what rule X9 removes. `base` is its level, or -1 to find it.
 inline std::vector<int> levels(const std::u32string& text, const classes& original, int& base)
 {
     if (base < 0) base = level_by_first_letter(original, 0, original.size());

@@ -8,10 +8,10 @@
 #include <initializer_list>
 #include <vector>
 
-/// The line breaking algorithm as UAX #14 words it: each place by itself, with a look at all before and after it.
+/// The line breaking algorithm in the words of UAX #14: each place by itself, with a look at all characters around it.
 ///
-/// It has two older editions as well, for libraries of other versions of Unicode. 15 is what ICU 70 to 73 do: the rules of
-/// Unicode 15.0, with ICU's own for hyphens that begin a word and for numbers that begin with a full stop.
+/// It also has two older editions, for libraries of other versions of Unicode. 15 describes ICU 70 to 73: the rules of
+/// Unicode 15.0, with ICU's own for hyphens at the start of a word and for numbers with a leading full stop.
 namespace slow_breaks {
 
 using typemesh::line_class;
@@ -20,36 +20,34 @@ using enum typemesh::line_class;
 struct letter {
     line_class line = al;
     bool wide = false;
-    bool is_2010 = false;  ///< U+2010, the only hyphen of Unicode 16 that is none of ASCII
+    bool is_2010 = false;  ///< U+2010, the only hyphen of Unicode 16 outside ASCII
 };
 using letters = std::vector<letter>;
 
 inline bool is_one(line_class c, std::initializer_list<line_class> all)
 {
-    for (const line_class a : all)
-        if (a == c) return true;
-    return false;
+    return std::find(all.begin(), all.end(), c) != all.end();
 }
 inline bool is_quote(line_class c) { return is_one(c, {qu, qu_pi, qu_pf}); }
 inline bool is_letter(line_class c) { return is_one(c, {al, hl, circle, al_picto}); }
 inline bool is_aksara(line_class c) { return is_one(c, {ak, as, circle}); }
 
-/// LB9 and LB10: marks go with what they stand on, or are letters.
+/// LB9 and LB10: marks belong to the character before them, or are letters.
 inline letters without_marks(const letters& given)
 {
     letters kept;
     for (std::size_t i = 0; i < given.size(); ++i) {
         const bool mark = is_one(given[i].line, {cm, zwj});
-        const bool alone = i == 0 || is_one(given[i - 1].line, {bk, cr, lf, nl, sp, zw});
-        if (!mark || alone) kept.push_back(mark ? letter{} : given[i]);
+        const bool single = i == 0 || is_one(given[i - 1].line, {bk, cr, lf, nl, sp, zw});
+        if (!mark || single) kept.push_back(mark ? letter{} : given[i]);
     }
     return kept;
 }
 
-/// A place without its marks: what stands before it, the nearest last, and what follows.
+/// A place without its marks: the letters before it, the nearest last, and those after it.
 struct place {
     letters left, right;
-    [[nodiscard]] line_class before(std::size_t n = 0) const  // bk: the text begins there
+    [[nodiscard]] line_class before(std::size_t n = 0) const  // bk at the start of the text
     {
         return n < left.size() ? left[left.size() - 1 - n].line : bk;
     }
@@ -58,7 +56,7 @@ struct place {
     [[nodiscard]] bool wide_after(std::size_t n) const { return n < right.size() && right[n].wide; }
 };
 
-/// LB25: whether the place lies within a number, or beside what belongs to one.
+/// LB25: whether the place is inside a number, or beside a part of one.
 inline bool in_number(const place& at, int edition)
 {
     const line_class a = at.before(), b = at.after();
@@ -86,7 +84,7 @@ inline bool in_syllable(const place& at)
     return is_aksara(a) && is_aksara(b) && at.after(1) == vf;
 }
 
-/// LB15, LB15a and LB15b. `n`: how many spaces stand before the place.
+/// LB15, LB15a and LB15b. `n`: the number of spaces before the place.
 inline bool beside_quote(const place& at, std::size_t n, int edition)
 {
     const line_class c = at.before(n), b = at.after();

@@ -4,16 +4,14 @@
 #include "unicode/character_database.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <map>
 #include <string>
-#include <utility>
 #include <vector>
 
-// Makes the headers include/typemesh/unicode/impl/*_table.hpp. The tests "[tables]" compare them with what stands there;
-// where TYPEMESH_MAKE_TABLES is set in the environment, they write them.
+// Makes the headers include/typemesh/unicode/impl/*_table.hpp. The tests "[tables]" compare them with the headers in the
+// tree, or write them if TYPEMESH_MAKE_TABLES is set in the environment.
 namespace ucd {
 
 using numbers = std::vector<std::uint64_t>;
@@ -42,7 +40,7 @@ inline std::string array_of(const std::string& type, const std::string& name, co
     return s + "\n};\n";
 }
 
-/// Small numbers, several to a word of 64 bits: a compiler reads fewer words sooner.
+/// Small numbers, several in a word of 64 bits: fewer words compile sooner.
 inline numbers packed(const numbers& values, int bits)
 {
     const std::size_t a_word = 64 / static_cast<std::size_t>(bits);
@@ -52,10 +50,10 @@ inline numbers packed(const numbers& values, int bits)
     return words;
 }
 
-/// Cuts values into blocks; gives for each block its number, equal ones have the same.
+/// Cuts values into blocks; returns the number of each block. Equal blocks have equal numbers.
 inline numbers blocks(const numbers& values, std::size_t size, numbers& different)
 {
-    // Not a < b: libstdc++ 12's looks at too few bytes where the high byte comes first.
+    // Not a < b: in libstdc++ 12 it compares too few bytes if the high byte comes first.
     const auto less = [](const numbers& a, const numbers& b) {
         return std::lexicographical_compare(a.begin(), a.end(), b.begin(), b.end());
     };
@@ -82,7 +80,7 @@ inline std::string header(const std::string& includes, const std::string& about,
            arrays + "\n// clang-format on\n\n}  // namespace typemesh::inline TYPEMESH_ABI::detail\n";
 }
 
-/// Parts the classes "Extend" and "Other" by Indic_Conjunct_Break, where rule GB9c of UAX #29 looks at both.
+/// Splits the classes "Extend" and "Other" by Indic_Conjunct_Break, because rule GB9c of UAX #29 needs both.
 inline void refine_grapheme_class(std::string& grapheme, const std::string& conjunct)
 {
     const bool mark = grapheme == "Extend" || grapheme == "ZWJ";
@@ -93,7 +91,7 @@ inline void refine_grapheme_class(std::string& grapheme, const std::string& conj
     if (grapheme == "Extend" && conjunct != "Extend") grapheme = "NonJoiner";
 }
 
-/// What character_of() looks up.
+/// The table of character_of().
 inline std::string character_table()
 {
     const std::vector<std::string> bidi_names = {"L",   "R",   "AL",  "EN",  "ES",  "ET",  "AN",  "CS",
@@ -181,7 +179,7 @@ inline std::string character_table()
                       array_of("std::uint64_t", "character_leaves", packed(leaves, 8), 16));
 }
 
-/// What opening_bracket() looks up.
+/// The table of opening_bracket().
 inline std::string bracket_table()
 {
     numbers pairs;
@@ -197,8 +195,8 @@ inline std::string bracket_table()
                   array_of("std::uint32_t", "bracket_pairs", pairs, 8));
 }
 
-/// What script.hpp looks up. Scripts are numbered, Common first, then Inherited and Unknown; numbers beyond them are
-/// sets of scripts, the one to prefer first: a letter's own, of what several scripts share Latin.
+/// The table of script.hpp. Scripts are numbered, Common first, then Inherited and Unknown. Higher numbers are sets of
+/// scripts, with the preferred one first: a letter's own script, or Latin if several share the character.
 inline std::string script_table()
 {
     std::map<std::string, std::string> tags;  // ISO 15924, by long name
@@ -255,7 +253,7 @@ inline std::string script_table()
                       array_of("std::uint32_t", "script_ranges", ranges, 8));
 }
 
-/// Compares a header with what it should be, or writes it.
+/// Compares a header with the wanted text, or writes it.
 inline void check_or_make(const std::string& name, const std::string& wanted)
 {
     const std::string path = TYPEMESH_TEST_DATA "/../include/typemesh/unicode/impl/" + name;

@@ -8,7 +8,7 @@ using namespace typemesh;
 
 namespace {
 
-/// Every letter is a line of its own: what a caller may write over the ready analyser.
+/// Every letter is a line of its own, as a caller may write it over the ready analyser.
 struct one_letter_a_line {
     unicode_analyser unicode;
 
@@ -30,7 +30,7 @@ static_assert(!text_analyser<int>);
 
 }  // namespace
 
-TEST_CASE("an analyser over another may change what it has found", "[analysis]")
+TEST_CASE("an analyser over another may change its results", "[analysis]")
 {
     one_letter_a_line analyser;
     text_analysis found;

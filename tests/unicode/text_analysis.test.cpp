@@ -6,7 +6,7 @@
 
 using namespace typemesh;
 
-TEST_CASE("each unit is in the paragraph that holds it", "[analysis]")
+TEST_CASE("each unit belongs to the paragraph that contains it", "[analysis]")
 {
     unicode_analyser analyser;
     text_analysis found;
@@ -20,7 +20,7 @@ TEST_CASE("each unit is in the paragraph that holds it", "[analysis]")
     CHECK(found.paragraph_of(100).first == 9);
 }
 
-TEST_CASE("a line of an analysis is ordered with the level of its paragraph", "[analysis]")
+TEST_CASE("a line of an analysis is ordered by the level of its paragraph", "[analysis]")
 {
     unicode_analyser analyser;
     text_analysis found;
@@ -28,13 +28,9 @@ TEST_CASE("a line of an analysis is ordered with the level of its paragraph", "[
     REQUIRE_FALSE(analyser.analyse(u"ab\nשל ab ", {}, found));
     REQUIRE(visual_runs(found, {3, 9}, runs));
     REQUIRE(runs.size() == 3);
-    CHECK(runs[0].first == 8);  // the space at the end, as far left as the line goes
-    CHECK(runs[0].level == 1);
-    CHECK(runs[1].first == 6);
-    CHECK(runs[1].last == 8);
-    CHECK(runs[1].level == 2);
-    CHECK(runs[2].first == 3);
-    CHECK(runs[2].last == 6);
+    CHECK((runs[0].first == 8 && runs[0].level == 1));  // the space at the end moves to the left end of the line
+    CHECK((runs[1].first == 6 && runs[1].last == 8 && runs[1].level == 2));
+    CHECK((runs[2].first == 3 && runs[2].last == 6));
     found.clear();
     CHECK(found.levels.empty());
     CHECK(found.paragraphs.empty());

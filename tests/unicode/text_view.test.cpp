@@ -7,7 +7,7 @@
 
 using namespace typemesh;
 
-TEST_CASE("text in every string type is seen where it lies", "[layout][text_view]")
+TEST_CASE("a text view refers to text of every string type in place", "[layout][text_view]")
 {
     const std::string bytes = "na\xC3\xAFve";
     const std::u8string typed = u8"na\u00EFve";

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "support/counting_memory.hpp"
+#include "support/encoded.hpp"
 #include "unicode/break_test_file.hpp"
 
 #include <typemesh/unicode/unicode_analyser.hpp>
@@ -12,34 +13,10 @@ using namespace typemesh;
 
 namespace {
 
-std::string utf8_of(const std::u32string& text)
-{
-    std::string s;
-    for (const char32_t c : text) {
-        const auto add = [&](char32_t v) { s += static_cast<char>(static_cast<unsigned char>(v)); };
-        if (c < 0x80)
-            add(c);
-        else if (c < 0x800)
-            add(0xC0 | c >> 6), add(0x80 | (c & 0x3F));
-        else if (c < 0x10000)
-            add(0xE0 | c >> 12), add(0x80 | (c >> 6 & 0x3F)), add(0x80 | (c & 0x3F));
-        else
-            add(0xF0 | c >> 18), add(0x80 | (c >> 12 & 0x3F)), add(0x80 | (c >> 6 & 0x3F)), add(0x80 | (c & 0x3F));
-    }
-    return s;
-}
+using test::utf16_of;
+using test::utf8_of;
 
-std::u16string utf16_of(const std::u32string& text)
-{
-    std::u16string s;
-    for (const char32_t c : text) {
-        if (c >= 0x10000) s += static_cast<char16_t>(0xD7C0 + (c >> 10));
-        s += static_cast<char16_t>(c < 0x10000 ? c : 0xDC00 | (c & 0x3FF));
-    }
-    return s;
-}
-
-/// The marks of the first units of all characters, and their levels.
+/// The marks of the first units of all characters.
 std::vector<text_mark> marks_of(const text_analysis& found)
 {
     std::vector<text_mark> marks;
@@ -56,7 +33,7 @@ std::vector<std::uint8_t> levels_of(const text_analysis& found)
     return levels;
 }
 
-/// What holds for the analysis of whatever bytes.
+/// Laws for the analysis of any bytes.
 void check_laws(text_view text, const text_analysis& found)
 {
     REQUIRE(found.levels.size() == text.size());
@@ -93,7 +70,7 @@ void check_laws(text_view text, const text_analysis& found)
         else
             REQUIRE(!has(m, of_first));
         REQUIRE(!(has(m, text_mark::may_break) && has(m, text_mark::must_break)));
-        // A line may end inside a grapheme where only UAX #14 would have it so: between a space and a mark.
+        // A line may end inside a grapheme only where UAX #14 wants it: between a space and a mark.
         if (has(m, text_mark::must_break)) REQUIRE(has(m, text_mark::grapheme));
     }
     if (text.size() > 0) REQUIRE(found.marks[0] == (found.marks[0] | text_mark::character | text_mark::grapheme));
@@ -141,7 +118,7 @@ TEST_CASE("an analysis does not depend on the encoding", "[analysis]")
     check_laws(utf16_of(text), sixteen);
 }
 
-TEST_CASE("paragraphs end at separators, CR LF being one", "[analysis]")
+TEST_CASE("paragraphs end at separators, and CR LF is one", "[analysis]")
 {
     const auto starts = [](std::u16string_view text) {
         unicode_analyser analyser;
@@ -156,10 +133,10 @@ TEST_CASE("paragraphs end at separators, CR LF being one", "[analysis]")
     CHECK(starts(u"a\n") == std::vector<std::uint32_t>{0, 2});
     CHECK(starts(u"a\r\nb\rc\x85"
                  u"d\u2029\x1C") == std::vector<std::uint32_t>{0, 3, 5, 7, 9, 10});
-    CHECK(starts(u"a\v\f\u2028b") == std::vector<std::uint32_t>{0});  // lines end there, paragraphs do not
+    CHECK(starts(u"a\v\f\u2028b") == std::vector<std::uint32_t>{0});  // these end lines, but not paragraphs
 }
 
-TEST_CASE("the direction asked for is that of every paragraph", "[analysis]")
+TEST_CASE("a given direction applies to every paragraph", "[analysis]")
 {
     unicode_analyser analyser;
     text_analysis found;
@@ -171,31 +148,22 @@ TEST_CASE("the direction asked for is that of every paragraph", "[analysis]")
     CHECK(found.levels[0] == 1);
 }
 
-TEST_CASE("words that only a dictionary finds are named, and nothing breaks inside", "[analysis]")
+TEST_CASE("words that need a dictionary are listed by script, and nothing breaks inside", "[analysis]")
 {
+    using ranges = std::vector<std::pair<std::uint32_t, std::uint32_t>>;
     unicode_analyser analyser;
     text_analysis found;
-    const std::u16string text = u"ab ภาษาไทย cd ພາສາ";
-    REQUIRE_FALSE(analyser.analyse(text, {}, found));
-    REQUIRE(found.unbroken.size() == 2);
-    CHECK(found.unbroken[0].first == 3);
-    CHECK(found.unbroken[0].last == 10);
-    CHECK(found.unbroken[1].first == 14);
-    CHECK(found.unbroken[1].last == 18);
-    check_laws(text, found);
-
-    // Each range is of one script, whose dictionary an analyser may have or not.
-    const std::u16string both = u"ภาພາສາ\u1A20\u1A21";
-    REQUIRE_FALSE(analyser.analyse(both, {}, found));
-    REQUIRE(found.unbroken.size() == 3);
-    CHECK(found.unbroken[0].last == 2);
-    CHECK(found.unbroken[1].first == 2);
-    CHECK(found.unbroken[1].last == 6);
-    CHECK(found.unbroken[2].last == 8);
-    check_laws(both, found);
+    for (const auto& [text, expected] : {std::pair<std::u16string, ranges>{u"ab ภาษาไทย cd ພາສາ", {{3, 10}, {14, 18}}},
+                                         {u"ภาພາສາ\u1A20\u1A21", {{0, 2}, {2, 6}, {6, 8}}}}) {
+        REQUIRE_FALSE(analyser.analyse(text, {}, found));
+        ranges unbroken;
+        for (const text_range& r : found.unbroken) unbroken.emplace_back(r.first, r.last);
+        CHECK(unbroken == expected);
+        check_laws(text, found);
+    }
 }
 
-TEST_CASE("what is not UTF is counted", "[analysis]")
+TEST_CASE("the units of invalid UTF are counted", "[analysis]")
 {
     unicode_analyser analyser;
     text_analysis found;
@@ -209,7 +177,7 @@ TEST_CASE("what is not UTF is counted", "[analysis]")
     CHECK(found.invalid_units == 0);
 }
 
-TEST_CASE("the analyser's breaks are those of all test files in both encodings", "[analysis]")
+TEST_CASE("the analyser's breaks pass all test files in both encodings", "[analysis]")
 {
     if (!ucd::is_of_our_version()) return;
     unicode_analyser analyser;
@@ -258,15 +226,13 @@ TEST_CASE("the analysis of any bytes obeys its laws", "[analysis]")
     }
 }
 
-TEST_CASE("each request for memory may fail, and once warm there are none", "[analysis]")
+TEST_CASE("each request for memory may fail, and a warm analyser has none", "[analysis]")
 {
     const std::string text = utf8_of(U"Hello (שלום 12)\nมาก 漢字, \u2067ok\u2069\n");
     for (std::size_t fail = 1;; ++fail) {
-        test::counting_memory heap;
+        test::counting_memory heap{.fail_at = fail, .fail_once = true};
         unicode_analyser analyser{heap.source()};
         text_analysis found{heap.source()};
-        heap.fail_at = fail;
-        heap.fail_once = true;
         const error e = analyser.analyse(text, {}, found);
         if (heap.requests < fail) {
             CHECK(fail > 8);
@@ -284,7 +250,7 @@ TEST_CASE("each request for memory may fail, and once warm there are none", "[an
     }
 }
 
-// A million pieces each: a step that is not linear would not end within the time that a test may take.
+// Each text has a million pieces: a step that is not linear would exceed the time limit of a test.
 TEST_CASE("long texts of all kinds are analysed", "[analysis]")
 {
     unicode_analyser analyser;
@@ -301,8 +267,8 @@ TEST_CASE("long texts of all kinds are analysed", "[analysis]")
         U"(\u05D0",              //
         U"[)",                   // never matched
         U"\u2067",               // deep isolates
-        U"\u2068\u05D0",         // isolates that ask for their first letter
-        U"\u2068",               // and find none
+        U"\u2068\u05D0",         // isolates that search for their first letter
+        U"\u2068",               // isolates that find none
         U"\u202B\u05D0",         // deep embeddings
         U"\u202B\u05D0\u2067",   // both
         U"\u05D0\u2067a\u2069",  // one sequence of many runs
@@ -311,7 +277,7 @@ TEST_CASE("long texts of all kinds are analysed", "[analysis]")
         U"$(\u0301",             // rule LB25 looks ahead
         U"\U0001F1E9",           // flags
         U"\U0001F468\u200D",     // a family
-        U"\u0E01",               // without a dictionary
+        U"\u0E01",               // words that need a dictionary
         U"\n",                   // paragraphs
         U"漢か",                 // scripts
     };

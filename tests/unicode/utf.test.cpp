@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "support/catch.hpp"
+#include "support/encoded.hpp"
 
 #include <typemesh/unicode/utf.hpp>
 
@@ -10,22 +11,10 @@ using namespace typemesh;
 
 namespace {
 
-std::string utf8_of(char32_t c)
-{
-    const auto byte = [](char32_t v) { return static_cast<char>(static_cast<unsigned char>(v)); };
-    if (c < 0x80) return {byte(c)};
-    if (c < 0x800) return {byte(0xC0 | c >> 6), byte(0x80 | (c & 0x3F))};
-    if (c < 0x10000) return {byte(0xE0 | c >> 12), byte(0x80 | (c >> 6 & 0x3F)), byte(0x80 | (c & 0x3F))};
-    return {byte(0xF0 | c >> 18), byte(0x80 | (c >> 12 & 0x3F)), byte(0x80 | (c >> 6 & 0x3F)), byte(0x80 | (c & 0x3F))};
-}
+using test::utf16_of;
+using test::utf8_of;
 
-std::u16string utf16_of(char32_t c)
-{
-    if (c < 0x10000) return {static_cast<char16_t>(c)};
-    return {static_cast<char16_t>(0xD7C0 + (c >> 10)), static_cast<char16_t>(0xDC00 | (c & 0x3FF))};
-}
-
-/// All code points of a text; what is invalid reads as U+FFFD.
+/// All code points of a text, with U+FFFD for what is invalid.
 std::u32string read(text_view text)
 {
     std::u32string all;
@@ -49,8 +38,8 @@ TEST_CASE("every code point survives UTF-8 and UTF-16", "[layout][utf]")
     std::size_t wrong = 0;
     for (char32_t c = 0; c <= 0x10FFFF; ++c) {
         if (c >= 0xD800 && c <= 0xDFFF) continue;
-        const std::string eight = utf8_of(c);
-        const std::u16string sixteen = utf16_of(c);
+        const std::string eight = utf8_of({c});
+        const std::u16string sixteen = utf16_of({c});
         const code_point a = decode(eight, 0), b = decode(sixteen, 0);
         wrong +=
             !(a.valid && a.value == c && a.next == eight.size() && b.valid && b.value == c && b.next == sixteen.size());
@@ -58,8 +47,7 @@ TEST_CASE("every code point survives UTF-8 and UTF-16", "[layout][utf]")
     CHECK(wrong == 0);
 }
 
-TEST_CASE("invalid UTF-8 is replaced by maximal subparts, as in tables 3-8 to 3-11 of the Unicode Standard",
-          "[layout][utf]")
+TEST_CASE("invalid UTF-8 becomes U+FFFD for each maximal subpart, as the standard shows", "[layout][utf]")
 {
     CHECK(read("\xC0\xAF\xE0\x80\xBF\xF0\x81\x82\x41") == std::u32string{bad, bad, bad, bad, bad, bad, bad, bad, U'A'});
     CHECK(read("\xED\xA0\x80\xED\xBF\xBF\xED\xAF\x41") == std::u32string{bad, bad, bad, bad, bad, bad, bad, bad, U'A'});
@@ -68,23 +56,23 @@ TEST_CASE("invalid UTF-8 is replaced by maximal subparts, as in tables 3-8 to 3-
     CHECK(read("\xE1\x80\xE2\xF0\x91\x92\xF1\xBF\x41") == std::u32string{bad, bad, bad, bad, U'A'});
 }
 
-TEST_CASE("a code point cut off by the end is one U+FFFD", "[layout][utf]")
+TEST_CASE("a code point cut off at the end is one U+FFFD", "[layout][utf]")
 {
     for (const char32_t c : {U'\u00E9', U'\u4E16', U'\U0001F600'}) {
-        const std::string whole = utf8_of(c);
+        const std::string whole = utf8_of({c});
         for (std::size_t n = 1; n < whole.size(); ++n) CHECK(read(whole.substr(0, n)) == std::u32string{bad});
         CHECK(decode(whole, 0, 1).next == 1);
     }
     CHECK(read(std::u16string{0xD83D}) == std::u32string{bad});
 }
 
-TEST_CASE("each surrogate without its partner is one U+FFFD", "[layout][utf]")
+TEST_CASE("each surrogate without a partner is one U+FFFD", "[layout][utf]")
 {
     CHECK(read(std::u16string{0xDC00, 0xD800, u'a', 0xD83D, 0xDE00, 0xD800, 0xD800}) ==
           std::u32string{bad, bad, U'a', U'\U0001F600', bad, bad});
 }
 
-TEST_CASE("decoding moves on and stays inside for every sequence of three bytes of interest", "[layout][utf]")
+TEST_CASE("decode() moves on and stays inside for all sequences of three critical bytes", "[layout][utf]")
 {
     const std::vector<unsigned> bytes{0x00, 0x41, 0x7F, 0x80, 0x8F, 0x90, 0x9F, 0xA0, 0xBF,
                                       0xC0, 0xC1, 0xC2, 0xDF, 0xE0, 0xE1, 0xEC, 0xED, 0xEE,
@@ -98,7 +86,8 @@ TEST_CASE("decoding moves on and stays inside for every sequence of three bytes 
                 for (std::size_t i = 0; i < 3;) {
                     const code_point p = decode(text, i);
                     wrong += !(p.next > i && p.next <= 3);
-                    if (p.valid) wrong += utf8_of(p.value) != std::string(units + i, p.next - i);  // one spelling only
+                    if (p.valid)
+                        wrong += utf8_of({p.value}) != std::string(units + i, p.next - i);  // only one spelling
                     i = p.next;
                 }
             }

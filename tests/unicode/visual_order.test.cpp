@@ -15,7 +15,7 @@ using namespace typemesh;
 
 namespace {
 
-/// The order of the characters of a line as rule L2 describes it: reversed again and again.
+/// The order of a line's characters by rule L2: reversed again and again.
 std::vector<std::uint32_t> reversed_by_rule(const std::vector<std::uint8_t>& levels)
 {
     std::vector<std::uint32_t> order(levels.size());
@@ -46,7 +46,7 @@ result<void> order(const std::vector<std::uint8_t>& levels, const std::vector<te
 
 }  // namespace
 
-TEST_CASE("visual_runs() orders a line as reversing it level by level does", "[bidi]")
+TEST_CASE("visual_runs() orders a line like reversals level by level", "[bidi]")
 {
     std::mt19937 random{1};
     buffer<visual_run> runs;
@@ -64,22 +64,14 @@ TEST_CASE("white space at a line's end and before a tab has the paragraph's leve
 {
     constexpr auto o = text_mark::none, w = text_mark::trailing, t = text_mark::separator;
     buffer<visual_run> runs;
-    const std::vector<std::uint8_t> levels{1, 1, 1, 1, 1, 1, 1};
-    const std::vector<text_mark> marks{o, w, t, o, w, o, w};
-    REQUIRE(order(levels, marks, 0, runs));
-    REQUIRE(runs.size() == 4);
-    CHECK(runs[0].first == 0);
-    CHECK(runs[0].last == 1);
-    CHECK(runs[0].level == 1);
-    CHECK(runs[1].last == 3);
-    CHECK(runs[1].level == 0);
-    CHECK(runs[2].last == 6);
-    CHECK(runs[2].level == 1);
-    CHECK(runs[3].last == 7);
-    CHECK(runs[3].level == 0);
+    REQUIRE(order(std::vector<std::uint8_t>(7, 1), {o, w, t, o, w, o, w}, 0, runs));
+    const visual_run expected[] = {{0, 1, 1}, {1, 3, 0}, {3, 6, 1}, {6, 7, 0}};
+    CHECK(std::ranges::equal(runs, expected, [](const visual_run& a, const visual_run& b) {
+        return a.first == b.first && a.last == b.last && a.level == b.level;
+    }));
 }
 
-TEST_CASE("visual_runs() of an empty line is empty, and without memory it says so", "[bidi]")
+TEST_CASE("visual_runs() of an empty line is empty, and reports that memory ran out", "[bidi]")
 {
     test::counting_memory heap;
     buffer<visual_run> runs{heap.source()};
@@ -97,7 +89,7 @@ TEST_CASE("visual_runs() of an empty line is empty, and without memory it says s
     CHECK(heap.requests == warm);
 }
 
-TEST_CASE("runs are reversed level by level, from the highest down", "[bidi]")
+TEST_CASE("order_visually() reverses runs level by level, from the highest down", "[bidi]")
 {
     using runs = std::vector<std::uint32_t>;
     for (const auto& [levels, expected] : {std::pair<std::vector<unsigned>, runs>{{}, {}},
