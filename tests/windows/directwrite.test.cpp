@@ -430,7 +430,7 @@ TEST_CASE("spaced letters have no ligatures unless they are asked for by name, a
     auto font = opened(dejavu);
     REQUIRE(font);
     glyph_run run;
-    REQUIRE(layout(*font, "office", {}, {.letter_spacing = 0.125}, run));
+    REQUIRE(layout(*font, "office", {.letter_spacing = 0.125}, {}, run));
     REQUIRE(run.glyphs.size() == 6);
     const glyph_run single = shaped(*font, "office", {.ligatures = false});
     REQUIRE(single.glyphs.size() == 6);
@@ -451,6 +451,9 @@ TEST_CASE("right-to-left text comes out from left to right, letters joined", "[w
         CHECK(run.glyphs[i].origin.x >= run.glyphs[i - 1].origin.x - 1.0);
     }
     CHECK(run.glyphs.back().cluster == 0);
+    // The line extends to the left.
+    CHECK(std::fabs(run.lines[0].origin.x + run.lines[0].advance) < 1e-6);
+    CHECK(run.glyphs[0].origin.x < 0.0);
     // A letter inside a word has another form than alone.
     CHECK(shaped(*font, u"ح").glyphs[0].id != run.glyphs[run.glyphs.size() - 3].id);
 }
@@ -474,7 +477,7 @@ TEST_CASE("a tab leads to the next tab stop, and letters on its two sides keep t
 {
     auto font = opened(dejavu);
     REQUIRE(font);
-    const double stop = 4.0 * shaped(*font, " ").lines[0].advance;
+    const double stop = 4.0 * (shaped(*font, "x x").lines[0].advance - shaped(*font, "xx").lines[0].advance);
     const glyph_run right = shaped(*font, u"ab\tc"), left = shaped(*font, u"\u05D0\u05D1\t12");
     for (const glyph_run* run : {&right, &left}) {
         CHECK(run->missing == 0);
@@ -483,14 +486,14 @@ TEST_CASE("a tab leads to the next tab stop, and letters on its two sides keep t
     CHECK(clusters(right) == std::vector<cluster_id>{0, 1, 3});
     CHECK(right.glyphs[2].origin.x == 2.0 * stop);  // the first stop is nearer than half a digit
     CHECK(clusters(left) == std::vector<cluster_id>{3, 4, 1, 0});
-    CHECK(left.glyphs[0].origin.x == 0.0);
+    CHECK(std::fabs(left.glyphs[0].origin.x + left.lines[0].advance) < 1e-6);
     CHECK(std::fabs(left.lines[0].advance - (2.0 * stop + shaped(*font, "12").lines[0].advance)) < 1e-6);
     CHECK(clusters(shaped(*font, u"ab\t\u05D0\u05D1")) == std::vector<cluster_id>{0, 1, 4, 3});
     CHECK(clusters(shaped(*font, u"ab\t\u05D0\u05D1", {.direction = direction::right_to_left})) ==
           std::vector<cluster_id>{4, 3, 0, 1});
 }
 
-TEST_CASE("columns go down, glyph below glyph", "[windows]")
+TEST_CASE("columns go down, glyph below glyph, Latin letters on their side", "[windows]")
 {
     auto font = opened(micro_hei);
     REQUIRE(font);
@@ -499,6 +502,10 @@ TEST_CASE("columns go down, glyph below glyph", "[windows]")
     for (std::size_t i = 1; i < 4; ++i) CHECK(run.glyphs[i].origin.y < run.glyphs[i - 1].origin.y);
     CHECK(run.lines[0].advance > 3.0 * font->units_per_em());
     for (const placed_glyph& g : run.glyphs) CHECK(std::fabs(g.origin.x + font->units_per_em() / 2) < 200.0);
+    CHECK(run.looks.empty());
+    const shape_options upright{.direction = direction::top_to_bottom, .columns = {.latin = column_latin::upright}};
+    CHECK_FALSE(shaped(*font, u"世A", {.direction = direction::top_to_bottom}).looks.empty());
+    CHECK(shaped(*font, u"世A", upright).looks.empty());
 }
 
 TEST_CASE("a text longer than DirectWrite takes at once is cut and joined", "[windows]")

@@ -26,8 +26,8 @@ struct directwrite_style {
     DWRITE_FONT_STYLE style = DWRITE_FONT_STYLE_NORMAL;
 };
 
-/// A font through DirectWrite (Windows 7 or later): shapes text of every script, even with both directions in one line,
-/// and draws its outlines. Needs only Windows; link dwrite.lib.
+/// A font through DirectWrite (Windows 7 or later): shapes text of every script, and draws its outlines. Needs only
+/// Windows; link dwrite.lib.
 ///
 ///     auto font = directwrite_font::open(L"C:\\Windows\\Fonts\\segoeui.ttf");      // a file
 ///     auto font = directwrite_font::open_family(L"Segoe UI");                      // an installed font
@@ -192,22 +192,28 @@ public:
         return {ascent, -descent, static_cast<double>(m.lineGap)};
     }
 
-    /// See shaper. Scripts and bidirectional levels are DirectWrite's own (UAX #9), so a line may hold text of both
-    /// directions: its pieces come in visual order. `direction` is the line's base direction, which orders its pieces;
-    /// letters keep their own direction for any request. direction::automatic uses the first letter's direction.
+    /// See shaper. No text around the item is context, because DirectWrite shapes a text without what surrounds it. So
+    /// Arabic letters do not join across the ends of an item: where a style changes, or where a line ends inside a
+    /// word. DirectWrite finds the scripts in the item by itself, unless options.script names one.
     ///
-    /// In columns, glyphs stand upright, in the font's vertical forms ("vert"), one below the other by their vertical
-    /// metrics.
+    /// Upright items have the font's vertical forms ("vert") and vertical metrics.
     ///
     /// Fails besides  error::bad_option: options.script is unknown to DirectWrite, or options.language is longer than
     ///                Windows allows
     ///                error::bad_feature: a tag is not four printable ASCII characters
-    ///                error::too_large: more than 2^28 units in a line; error::font_library_failed (count = HRESULT)
-    result<point> shape(text_view text, std::size_t first, std::size_t last, const shape_options& options,
-                        glyph_run& run) noexcept
+    ///                error::too_large: 2^28 or more units in an item; error::font_library_failed (count = HRESULT)
+    error shape(text_view text, const text_item& item, const shape_options& options,
+                buffer<shaped_glyph>& glyphs) noexcept
     {
-        TYPEMESH_ASSERT(first <= last && last <= text.size(), "a shaper was given a range outside its text");
-        return shaping_.shape(face_.get(), units_per_em_, text, first, last, options, run);
+        TYPEMESH_ASSERT(item.first <= item.last && item.last <= text.size(),
+                        "a shaper was given a range outside its text");
+        return shaping_.shape(face_.get(), units_per_em_, text, item, options, glyphs);
+    }
+
+    /// See shaper. Cost: the shaping of the character
+    [[nodiscard]] bool has_vertical_form(char32_t c) noexcept
+    {
+        return shaping_.has_vertical_form(face_.get(), units_per_em_, c);
     }
 
 private:
