@@ -3,8 +3,8 @@
 
 // A font with glyphs for some characters only, for tests of several fonts together.
 
-#include <typemesh/layout/shaper.hpp>
 #include <typemesh/layout/plain_text.hpp>
+#include <typemesh/layout/shaper.hpp>
 #include <typemesh/outline/outline_source.hpp>
 #include <typemesh/unicode/impl/grapheme_boundaries.hpp>
 #include <typemesh/unicode/utf.hpp>

@@ -6,7 +6,6 @@
 #include <typemesh/core/buffer.hpp>
 #include <typemesh/core/finite.hpp>
 #include <typemesh/core/result.hpp>
-#include <typemesh/layout/shaper.hpp>
 #include <typemesh/layout/ligature_carets.hpp>
 #include <typemesh/layout/shaper.hpp>
 #include <typemesh/outline/font_options.hpp>

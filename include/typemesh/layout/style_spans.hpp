@@ -5,10 +5,10 @@
 #include <typemesh/core/error.hpp>
 #include <typemesh/core/finite.hpp>
 #include <typemesh/core/impl/first_where.hpp>
+#include <typemesh/core/impl/heap_sort.hpp>
 #include <typemesh/layout/text_style.hpp>
 #include <typemesh/unicode/text_analysis.hpp>
 
-#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -114,7 +114,9 @@ private:
             if (s.first != s.last && !spans_.push_back(s)) return error::out_of_memory;
         }
         const auto before = [](const style_span& a, const style_span& b) noexcept { return a.first < b.first; };
-        if (!std::is_sorted(spans_.begin(), spans_.end(), before)) std::sort(spans_.begin(), spans_.end(), before);
+        bool sorted = true;
+        for (std::size_t i = 1; i < spans_.size(); ++i) sorted = sorted && !before(spans_[i], spans_[i - 1]);
+        if (!sorted) detail::heap_sort(spans_.data(), spans_.size(), before);
         for (std::size_t i = 1; i < spans_.size(); ++i)
             if (spans_[i].first < spans_[i - 1].last)
                 return error{error::overlapping_spans}.at(no_glyph, spans_[i].first);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <typemesh/paragraph/impl/text_pieces.hpp>
 #include <typemesh/layout/line_room.hpp>
+#include <typemesh/paragraph/impl/text_pieces.hpp>
 
 #include <cstddef>
 #include <span>

@@ -3,8 +3,8 @@
 
 #include <typemesh/core/finite.hpp>
 #include <typemesh/core/result.hpp>
-#include <typemesh/layout/line_room.hpp>
 #include <typemesh/layout/layout_options.hpp>
+#include <typemesh/layout/line_room.hpp>
 
 namespace typemesh::inline TYPEMESH_ABI {
 

@@ -3,8 +3,8 @@
 
 #include <typemesh/core/buffer.hpp>
 #include <typemesh/core/error.hpp>
-#include <typemesh/paragraph/break_piece.hpp>
 #include <typemesh/layout/line_room.hpp>
+#include <typemesh/paragraph/break_piece.hpp>
 
 #include <concepts>
 #include <cstdint>

@@ -5,13 +5,13 @@
 #include <typemesh/core/finite.hpp>
 #include <typemesh/core/result.hpp>
 #include <typemesh/layout/impl/text_lines.hpp>
+#include <typemesh/layout/layout_options.hpp>
 #include <typemesh/paragraph/first_fit.hpp>
 #include <typemesh/paragraph/impl/elision.hpp>
 #include <typemesh/paragraph/impl/line_justifier.hpp>
 #include <typemesh/paragraph/impl/line_pieces.hpp>
 #include <typemesh/paragraph/impl/text_pieces.hpp>
 #include <typemesh/paragraph/laid_text.hpp>
-#include <typemesh/layout/layout_options.hpp>
 #include <typemesh/unicode/unicode_analyser.hpp>
 
 #include <concepts>

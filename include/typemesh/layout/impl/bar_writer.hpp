@@ -4,9 +4,9 @@
 #include <typemesh/core/array_view.hpp>
 #include <typemesh/layout/face_metrics.hpp>
 #include <typemesh/layout/glyph_run.hpp>
-#include <typemesh/outline/bar_face.hpp>
 #include <typemesh/layout/impl/line_slices.hpp>
 #include <typemesh/layout/laid_line.hpp>
+#include <typemesh/outline/bar_face.hpp>
 
 #include <cstdint>
 #include <string_view>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <typemesh/layout/impl/item_settings.hpp>
 #include <typemesh/layout/look.hpp>
 #include <typemesh/layout/shaped_glyph.hpp>
-#include <typemesh/layout/impl/item_settings.hpp>
 
 namespace typemesh::inline TYPEMESH_ABI {
 

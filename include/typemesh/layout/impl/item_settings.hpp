@@ -6,8 +6,8 @@
 #include <typemesh/core/impl/same.hpp>
 #include <typemesh/core/result.hpp>
 #include <typemesh/layout/face_metrics.hpp>
-#include <typemesh/layout/shaper.hpp>
 #include <typemesh/layout/impl/itemise.hpp>
+#include <typemesh/layout/shaper.hpp>
 #include <typemesh/layout/style_spans.hpp>
 
 #include <cstddef>

@@ -6,16 +6,16 @@
 #include <typemesh/core/buffer.hpp>
 #include <typemesh/core/impl/first_where.hpp>
 #include <typemesh/core/impl/same.hpp>
-#include <typemesh/layout/impl/column_glyphs.hpp>
-#include <typemesh/layout/shaper.hpp>
-#include <typemesh/layout/plain_text.hpp>
 #include <typemesh/layout/impl/cluster_carets.hpp>
+#include <typemesh/layout/impl/column_glyphs.hpp>
 #include <typemesh/layout/impl/item_settings.hpp>
 #include <typemesh/layout/impl/itemise.hpp>
 #include <typemesh/layout/impl/text_cluster.hpp>
+#include <typemesh/layout/impl/text_columns.hpp>
 #include <typemesh/layout/impl/white_space.hpp>
 #include <typemesh/layout/impl/whole_syllables.hpp>
-#include <typemesh/layout/impl/text_columns.hpp>
+#include <typemesh/layout/plain_text.hpp>
+#include <typemesh/layout/shaper.hpp>
 #include <typemesh/unicode/text_analysis.hpp>
 
 #include <cstddef>

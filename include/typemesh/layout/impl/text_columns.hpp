@@ -4,9 +4,9 @@
 #include <typemesh/core/buffer.hpp>
 #include <typemesh/layout/impl/column_glyphs.hpp>
 #include <typemesh/layout/impl/column_runs.hpp>
-#include <typemesh/layout/shaper.hpp>
-#include <typemesh/layout/shape_options.hpp>
 #include <typemesh/layout/impl/itemise.hpp>
+#include <typemesh/layout/shape_options.hpp>
+#include <typemesh/layout/shaper.hpp>
 #include <typemesh/layout/style_spans.hpp>
 #include <typemesh/unicode/text_analysis.hpp>
 

@@ -2,8 +2,8 @@
 #pragma once
 
 #include <typemesh/core/array_view.hpp>
-#include <typemesh/layout/plain_text.hpp>
 #include <typemesh/layout/impl/text_cluster.hpp>
+#include <typemesh/layout/plain_text.hpp>
 #include <typemesh/unicode/text_mark.hpp>
 #include <typemesh/unicode/utf.hpp>
 

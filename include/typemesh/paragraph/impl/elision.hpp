@@ -5,15 +5,15 @@
 #include <typemesh/core/buffer.hpp>
 #include <typemesh/core/result.hpp>
 #include <typemesh/layout/impl/itemise.hpp>
-#include <typemesh/layout/impl/text_columns.hpp>
-#include <typemesh/paragraph/broken_line.hpp>
 #include <typemesh/layout/impl/line_slices.hpp>
+#include <typemesh/layout/impl/text_columns.hpp>
+#include <typemesh/layout/layout_options.hpp>
+#include <typemesh/layout/line_room.hpp>
+#include <typemesh/paragraph/broken_line.hpp>
 #include <typemesh/paragraph/impl/line_pieces.hpp>
 #include <typemesh/paragraph/impl/text_pieces.hpp>
 #include <typemesh/unicode/bidi_analyser.hpp>
 #include <typemesh/unicode/visual_order.hpp>
-#include <typemesh/layout/line_room.hpp>
-#include <typemesh/layout/layout_options.hpp>
 
 #include <cmath>
 #include <cstddef>

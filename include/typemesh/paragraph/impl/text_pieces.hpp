@@ -4,10 +4,10 @@
 #include <typemesh/core/array_view.hpp>
 #include <typemesh/core/buffer.hpp>
 #include <typemesh/core/impl/first_where.hpp>
-#include <typemesh/paragraph/break_piece.hpp>
-#include <typemesh/paragraph/impl/line_cut.hpp>
 #include <typemesh/layout/impl/shaped_text.hpp>
 #include <typemesh/layout/layout_options.hpp>
+#include <typemesh/paragraph/break_piece.hpp>
+#include <typemesh/paragraph/impl/line_cut.hpp>
 
 #include <cstddef>
 #include <cstdint>

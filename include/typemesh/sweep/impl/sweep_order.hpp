@@ -3,6 +3,7 @@
 
 #include <typemesh/core/array_view.hpp>
 #include <typemesh/core/contours.hpp>
+#include <typemesh/core/impl/heap_sort.hpp>
 #include <typemesh/core/orientation.hpp>
 #include <typemesh/core/workspace.hpp>
 
@@ -51,28 +52,6 @@ void insertion_sort(Key* keys, std::size_t n) noexcept
         do keys[j] = keys[j - 1];
         while (--j != 0 && k.before(keys[j - 1]));
         keys[j] = k;
-    }
-}
-
-template <class Key>
-void heap_sort(Key* keys, std::size_t n) noexcept
-{
-    const auto sink = [keys](std::size_t root, std::size_t size) noexcept {
-        const Key k = keys[root];
-        for (std::size_t child = 2 * root + 1; child < size; child = 2 * root + 1) {
-            if (child + 1 < size && keys[child].before(keys[child + 1])) ++child;
-            if (!k.before(keys[child])) break;
-            keys[root] = keys[child];
-            root = child;
-        }
-        keys[root] = k;
-    };
-    for (std::size_t i = n / 2; i-- != 0;) sink(i, n);
-    for (std::size_t size = n; size-- > 1;) {
-        const Key last = keys[size];
-        keys[size] = keys[0];
-        keys[0] = last;
-        sink(0, size);
     }
 }
 

@@ -71,7 +71,7 @@ private:
         while (end < size && ((text.unit(end) >= 0x20 && text.unit(end) < 0x7F) || text.unit(end) == 0x09)) ++end;
         more = end < size;
         if (more && text.unit(end) != 0x0A && text.unit(end) != 0x0D) return false;
-        if (more) end += text.unit(end) == 0x0D && end + 1 < size && text.unit(end + 1) == 0x0A ? 2 : 1;
+        if (more) end += text.unit(end) == 0x0D && end + 1 < size && text.unit(end + 1) == 0x0A ? 2u : 1u;
         at = end;
         return true;
     }
