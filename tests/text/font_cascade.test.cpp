@@ -22,7 +22,6 @@ namespace font_cascade_test {
 using cascade = font_cascade<toy_covering_font, toy_covering_font>;
 static_assert(face_source<cascade> && shaper<cascade>);
 static_assert(shaper<font_faces<toy_covering_font, toy_covering_font>>);
-static_assert(!shaper<font_faces<toy_covering_font, recorded_outlines>>);
 
 /// Draws under the same numbers, but larger.
 struct large_font : toy_covering_font {
