@@ -159,14 +159,14 @@ void add_text_options(CLI::App& app, options& out, raw_values& raw)
         [&out](double n) { out.columns.combined_digits = static_cast<std::uint8_t>(n); })
         ->type_name("N");
     add_named<alignment>(app, "--align", out.lines.align, "lines against each other, or in --width (default start)",
-                              {{"left", alignment::left},
-                               {"center", alignment::centre},
-                               {"centre", alignment::centre},
-                               {"right", alignment::right},
-                               {"start", alignment::start},
-                               {"end", alignment::end},
-                               {"justify", alignment::justify}},
-                              {"centre"});
+                         {{"left", alignment::left},
+                          {"center", alignment::centre},
+                          {"centre", alignment::centre},
+                          {"right", alignment::right},
+                          {"start", alignment::start},
+                          {"end", alignment::end},
+                          {"justify", alignment::justify}},
+                         {"centre"});
     add_number(
         app, "--letter-spacing",
         "added between letters, in em; negative: closer (default: as much as they have become wider)",
@@ -243,8 +243,7 @@ void add_line_options(CLI::App& app, options& out, raw_values& raw)
         ->check(CLI::Validator{complaint, ""})
         ->take_all()
         ->expected(1);
-    raw.of_lines = {"--width",  "--fit",       "--wrap",     "--breaker", "--justify",
-                     "--indent", "--max-lines", "--ellipsis", "--elide",   "--style"};
+    raw.of_lines = {"--width", "--fit", "--wrap", "--breaker", "--justify", "--max-lines", "--ellipsis", "--elide"};
 }
 
 void add_mesh_options(CLI::App& app, options& out, raw_values& raw)
@@ -693,8 +692,8 @@ std::optional<int> parse(int argc, char** argv, options& out)
         if (app.count(option) > 0 && value->empty())
             return complain(std::string{option} + ": must be a file's name, or -");
     raw.of_lines.erase(std::remove_if(raw.of_lines.begin(), raw.of_lines.end(),
-                                       [&app](const std::string& option) { return app.count(option) == 0; }),
-                        raw.of_lines.end());
+                                      [&app](const std::string& option) { return app.count(option) == 0; }),
+                       raw.of_lines.end());
     raw.tolerance_given = app.count("--tolerance") > 0;
     raw.bevel_given = app.count("--bevel") > 0;
     raw.normals_given = app.count("--normals") > 0;
