@@ -182,6 +182,40 @@ TEST_CASE("metrics do not depend on the styles of letters", "[compat]")
     CHECK(std::memcmp(found.data(), expected.data(), text.size() * sizeof(d3dx_glyph_metrics)) == 0);
 }
 
+TEST_CASE("metrics do not depend on underlines", "[compat]")
+{
+    test::toy_font font;
+    d3dx_text plain_maker{font}, underlined_maker{font};
+    constexpr std::string_view text = "oE x\nix";
+    const style_span spans[] = {{0, 7, {.decorations = decoration::underline}}};
+    const auto a = plain_maker.plan(text);
+    const auto b = underlined_maker.plan(text, {.shape = {.styles = spans}});
+    REQUIRE(a);
+    REQUIRE(b);
+    std::vector<d3dx_glyph_metrics> expected(text.size()), found(text.size());
+    REQUIRE(a->metrics(expected));
+    REQUIRE(b->metrics(found));
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        INFO("character " << i);
+        CHECK(found[i].advance_x == Approx(expected[i].advance_x).margin(1e-6));
+        CHECK(found[i].box_width == Approx(expected[i].box_width));
+    }
+}
+
+TEST_CASE("spaces at a line's end keep their advance", "[compat]")
+{
+    test::toy_font font;
+    d3dx_text maker{font};
+    const auto plan = maker.plan(u"E  \no ");
+    REQUIRE(plan);
+    std::vector<d3dx_glyph_metrics> m(6);
+    REQUIRE(plan->metrics(m));
+    for (const std::size_t i : {0u, 1u, 2u, 4u, 5u}) {
+        INFO("character " << i);
+        CHECK(m[i].advance_x == Approx(0.6f));
+    }
+}
+
 TEST_CASE("each character has its metrics", "[compat]")
 {
     test::toy_font font;
