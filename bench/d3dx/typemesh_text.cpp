@@ -63,13 +63,12 @@ struct timed_font {
     [[nodiscard]] double units_per_em() noexcept { return font->units_per_em(); }
     [[nodiscard]] fill_rule fill() noexcept { return font->fill(); }
     [[nodiscard]] line_metrics metrics(direction d) noexcept { return font->metrics(d); }
-    result<point> shape(text_view text, std::size_t first, std::size_t last, const shape_options& o,
-                        glyph_run& run) noexcept
+    error shape(text_view text, const text_item& item, const shape_options& o, buffer<shaped_glyph>& glyphs) noexcept
     {
         const auto start = clock::now();
-        auto shaped = font->shape(text, first, last, o, run);
+        const error e = font->shape(text, item, o, glyphs);
         layout += std::chrono::duration<double, std::micro>(clock::now() - start).count();
-        return shaped;
+        return e;
     }
     template <outline_sink Sink>
     error outline(glyph_id id, Sink& sink) noexcept

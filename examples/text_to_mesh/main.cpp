@@ -49,9 +49,6 @@ constexpr const char* part_names[typemesh::part_count_of<chosen_solid>] = {
 typemesh::text_options text_options_of(const options& o)
 {
     typemesh::text_options how;
-    how.shape = {.direction = o.direction, .language = o.language, .script = o.script, .features = o.features};
-    how.shape.columns = o.columns;
-    how.layout = {.align = o.align, .line_spacing = o.line_spacing, .letter_spacing = o.letter_spacing};
     how.tolerance = o.tolerance;
     how.fill = o.fill;
     how.size = o.size;

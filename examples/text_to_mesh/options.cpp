@@ -99,10 +99,10 @@ struct raw_values {
     std::optional<typemesh::touching> corners;
     std::optional<double> size, bevel_depth, bevel_steps, letter_spacing;
     bool text_given = false, no_merge = false, tolerance_given = false, shading_given = false, normals_given = false,
-         bevel_given = false, align_given = false;
+         bevel_given = false;
     std::string of_a_bevel, of_an_outline;  // the first option that only a bevel, an outline has
     std::string of_columns;                 // likewise
-    std::vector<std::string> of_a_page;     // options that only a paragraph has; those that are given
+    std::vector<std::string> of_lines;      // options for lines that depend on each other; those that are given
 };
 
 void add_text_options(CLI::App& app, options& out, raw_values& raw)
@@ -159,16 +159,15 @@ void add_text_options(CLI::App& app, options& out, raw_values& raw)
         "a whole number from 0 to 255", [](double n) { return n >= 0.0 && n <= 255.0 && n == std::floor(n); },
         [&out](double n) { out.columns.combined_digits = static_cast<std::uint8_t>(n); })
         ->type_name("N");
-    add_named<alignment>(app, "--align", out.lines.align,
-                              "align lines with each other, or within --width (default left)",
-                              {{"left", alignment::left},
-                               {"center", alignment::centre},
-                               {"centre", alignment::centre},
-                               {"right", alignment::right},
-                               {"start", alignment::start},
-                               {"end", alignment::end},
-                               {"justify", alignment::justify}},
-                              {"centre"});
+    add_named<alignment>(app, "--align", out.lines.align, "align lines with each other, or within --width (default start)",
+                         {{"left", alignment::left},
+                          {"center", alignment::centre},
+                          {"centre", alignment::centre},
+                          {"right", alignment::right},
+                          {"start", alignment::start},
+                          {"end", alignment::end},
+                          {"justify", alignment::justify}},
+                         {"centre"});
     add_number(
         app, "--letter-spacing",
         "add space between letters, or remove it if negative (default: the growth of the letters)",
@@ -178,7 +177,7 @@ void add_text_options(CLI::App& app, options& out, raw_values& raw)
     add_number(
         app, "--line-spacing", "multiply the font's own distance between lines by N (default 1)",
         "a number from -1000 to 1000", [](double n) { return n >= -1000.0 && n <= 1000.0; },
-        [&out](double n) { out.line_spacing = n; })
+        [&out](double n) { out.lines.line_spacing = n; })
         ->type_name("N");
 }
 
@@ -247,8 +246,7 @@ void add_line_options(CLI::App& app, options& out, raw_values& raw)
         ->check(CLI::Validator{complaint, ""})
         ->take_all()
         ->expected(1);
-    raw.of_a_page = {"--width",  "--fit",       "--wrap",     "--breaker", "--justify",
-                     "--indent", "--max-lines", "--ellipsis", "--elide",   "--style"};
+    raw.of_lines = {"--width", "--fit", "--wrap", "--breaker", "--justify", "--max-lines", "--ellipsis", "--elide"};
 }
 
 void add_mesh_options(CLI::App& app, options& out, raw_values& raw)
@@ -469,12 +467,12 @@ std::string settle_weight(options& out, const raw_values& raw)
     return {};
 }
 
-/// Decides whether the text is a paragraph. Gives an empty string, or what is wrong.
+/// Finishes the options for lines. Gives an empty string, or what is wrong.
 std::string settle_lines(options& out, const raw_values& raw)
 {
     using typemesh::alignment;
     const auto given = [&raw](const char* option) {
-        return std::find(raw.of_a_page.begin(), raw.of_a_page.end(), option) != raw.of_a_page.end();
+        return std::find(raw.of_lines.begin(), raw.of_lines.end(), option) != raw.of_lines.end();
     };
     const alignment align = out.lines.align;
     if (given("--fit") && !read_box(raw.fit, out.fit_width, out.fit_height))
@@ -495,13 +493,6 @@ std::string settle_lines(options& out, const raw_values& raw)
     out.ellipsis = with_line_breaks(out.ellipsis);
     if (out.ellipsis.find('\n') != std::string::npos) return "--ellipsis must be one line";
     if (!given("--ellipsis") && given("--elide")) return "--elide needs --ellipsis";
-    const bool plain =
-        align == alignment::left || align == alignment::centre || align == alignment::right;
-    out.page = !raw.of_a_page.empty() || (raw.align_given && !plain);
-    out.lines.line_spacing = out.line_spacing;
-    out.align = align == alignment::centre  ? typemesh::alignment::centre
-                : align == alignment::right ? typemesh::alignment::right
-                                                 : typemesh::alignment::left;
     return {};
 }
 
@@ -713,10 +704,9 @@ std::optional<int> parse(int argc, char** argv, options& out)
     for (const auto& [option, value] : {std::pair{"--text-file", &out.text_file}, std::pair{"--batch", &out.batch}})
         if (app.count(option) > 0 && value->empty())
             return complain(std::string{option} + " must be a file's name or -");
-    raw.align_given = app.count("--align") > 0;
-    raw.of_a_page.erase(std::remove_if(raw.of_a_page.begin(), raw.of_a_page.end(),
-                                       [&app](const std::string& option) { return app.count(option) == 0; }),
-                        raw.of_a_page.end());
+    raw.of_lines.erase(std::remove_if(raw.of_lines.begin(), raw.of_lines.end(),
+                                      [&app](const std::string& option) { return app.count(option) == 0; }),
+                       raw.of_lines.end());
     raw.tolerance_given = app.count("--tolerance") > 0;
     raw.bevel_given = app.count("--bevel") > 0;
     raw.normals_given = app.count("--normals") > 0;

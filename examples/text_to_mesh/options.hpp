@@ -57,11 +57,8 @@ struct options {
     std::string language, script;
     typemesh::direction direction = typemesh::direction::automatic;
     typemesh::column_options columns;
-    typemesh::alignment align = typemesh::alignment::left;
     double growth = 0.0;          ///< em; how far letters reach beyond their own edges, not negative
     double letter_spacing = 0.0;  ///< em; by default as much as letters have become wider
-    double line_spacing = 1.0;    ///< times the font's own
-    bool page = false;            ///< the text is laid out as a paragraph, by `lines` and `ellipsis`
     typemesh::layout_options lines;
     std::string ellipsis;
     std::vector<styled_range> styles;

@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <vector>
 
 namespace text_to_mesh {
 namespace {
@@ -24,6 +25,7 @@ typemesh::shape_options shape_options_of(const options& o)
             .language = o.language,
             .script = o.script,
             .features = o.features,
+            .letter_spacing = o.letter_spacing,
             .columns = o.columns};
 }
 
@@ -125,7 +127,10 @@ std::string lay_out_lines(const options& o, const Breaker& breaker, font_set& fo
     typemesh::paragraph words{font, typemesh::heap(), analyser{}, breaker};
     typemesh::layout_options lines = o.lines;
     lines.ellipsis = o.ellipsis;
-    auto set = words.set(o.text, shape_options_of(o), spans_of(o.styles, o.text), o.letter_spacing);
+    const std::vector<typemesh::style_span> spans = spans_of(o.styles, o.text);
+    typemesh::shape_options how = shape_options_of(o);
+    how.styles = spans;
+    auto set = words.set(o.text, how);
     if (set && o.fit_width > 0.0) {
         if (std::string trouble = box_filling{o, font, words, lines}.fill(page, size); !trouble.empty()) return trouble;
     } else if (set) {
@@ -146,12 +151,6 @@ std::string lay_out_lines(const options& o, const Breaker& breaker, font_set& fo
 
 std::string lay_out(const options& o, font_set& font, typemesh::glyph_run& page, double& size)
 {
-    if (!o.page) {
-        const typemesh::layout_options lines{
-            .align = o.align, .line_spacing = o.line_spacing, .letter_spacing = o.letter_spacing};
-        const auto laid = typemesh::layout(font, o.text, shape_options_of(o), lines, page);
-        return laid ? std::string{} : in_words(laid.error());
-    }
     if (!o.even_lines) return lay_out_lines(o, typemesh::first_fit{}, font, page, size);
     const typemesh::total_fit even{.emergency_stretch = 0.5};  // lines of few words have few spaces to stretch
     return lay_out_lines(o, even, font, page, size);

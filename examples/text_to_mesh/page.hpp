@@ -10,8 +10,8 @@
 
 namespace text_to_mesh {
 
-/// Lays the text out, as a paragraph if the options request one: `page` gets its lines, `size`, if a box is to be filled,
-/// the size of an em, nearly. Gives an empty string, or one sentence of what is wrong.
+/// Lays the text out: `page` gets its lines. If a box is to be filled, `size` gets the size of an em, nearly. Returns an
+/// empty string, or one sentence of what is wrong.
 [[nodiscard]] std::string lay_out(const options& o, font_set& font, typemesh::glyph_run& page, double& size);
 
 }  // namespace text_to_mesh

@@ -64,10 +64,10 @@ std::uint64_t hash_of(const mesh_arrays& mesh)
     const auto add = [&hash](std::span<const std::byte> bytes) {
         for (const std::byte b : bytes) hash = (hash ^ static_cast<std::uint64_t>(b)) * 0x100'0000'01B3u;
     };
-    add(std::as_bytes(mesh.position.view()));
-    add(std::as_bytes(mesh.normal.view()));
-    add(std::as_bytes(mesh.uv.view()));
-    add(std::as_bytes(mesh.index.view()));
+    add(std::as_bytes(std::span{mesh.position.view()}));
+    add(std::as_bytes(std::span{mesh.normal.view()}));
+    add(std::as_bytes(std::span{mesh.uv.view()}));
+    add(std::as_bytes(std::span{mesh.index.view()}));
     return hash;
 }
 

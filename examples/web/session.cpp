@@ -19,18 +19,10 @@ void session::set(const settings& how)
     maker_.take(options_);
 }
 
-typemesh::result<void> session::lay_out(std::u16string_view text)
+typemesh::result<void> session::lay_out(std::u16string_view text, const typemesh::layout_options& lines)
 {
-    const text_to_mesh::options& o = options_;
-    const typemesh::shape_options how{.direction = o.direction,
-                                      .language = o.language,
-                                      .script = o.script,
-                                      .features = o.features,
-                                      .columns = o.columns};
-    typemesh::layout_options lines = o.lines;
-    lines.ellipsis = how_.ellipsis;
-    words_.breaker().is_even = o.even_lines;
-    if (const auto done = words_.set(text, how, o.letter_spacing); !done) return done.error();
+    words_.breaker().is_even = options_.even_lines;
+    if (const auto done = words_.set(text, shape_options_of(options_)); !done) return done.error();
     return words_.lay_out(lines, page_);
 }
 
@@ -40,8 +32,10 @@ typemesh::result<void> session::make(std::u16string_view text, bool instances)
     arrays_.clear();
     if (!how_.cached) cache_.clear();
     text_job job{.text = text, .page = nullptr, .instances = instances, .begun = begun};
-    if (options_.page) {
-        if (const auto done = lay_out(text); !done) return done.error();
+    typemesh::layout_options lines = options_.lines;
+    lines.ellipsis = how_.ellipsis;
+    if (typemesh::refused_in_plain_text(lines) == typemesh::error::needs_paragraph) {
+        if (const auto done = lay_out(text, lines); !done) return done.error();
         job.page = &page_;
     }
     const auto made = maker_.make(job, arrays_);

@@ -48,7 +48,7 @@ public:
 private:
     using page_words = typemesh::paragraph<font_set, typemesh::unicode_analyser, chosen_breaker>;
 
-    [[nodiscard]] typemesh::result<void> lay_out(std::u16string_view text);
+    [[nodiscard]] typemesh::result<void> lay_out(std::u16string_view text, const typemesh::layout_options& lines);
 
     std::vector<shared_font> fonts_;
     font_set set_;

@@ -126,7 +126,7 @@ constexpr option table[] = {
      set_inner_choice<&options::lines, &paragraph::anchor>},
     {"direction", kind::choice, "automatic|ltr|rtl|ttb", "", set_choice<&options::direction>},
     {"letterSpacing", kind::number, "", "", [](settings& to, double n) { to.letter_spacing = n; }},
-    {"lineSpacing", kind::number, "", "1", set_number<&options::line_spacing>},
+    {"lineSpacing", kind::number, "", "1", set_inner_number<&options::lines, &paragraph::line_spacing>},
     {"indent", kind::number, "", "0", set_inner_number<&options::lines, &paragraph::indent>},
     {"maxLines", kind::number, "", "", set_inner_number<&options::lines, &paragraph::max_lines>},
     {"ellipsis", kind::string, "", "", nullptr, [](settings& to, std::u16string_view s) { to.ellipsis = s; }},
@@ -220,16 +220,6 @@ options settings::settled() const
     o.letter_spacing = letter_spacing.value_or(wider);
     o.columns.combined_gap = wider;
     o.merge = merge.value_or(o.bevel.width > 0.0f || o.outline.width > 0.0f || o.embolden != 0.0f);
-
-    using typemesh::alignment;
-    const auto& lines = o.lines;
-    o.page = std::isfinite(lines.width) || lines.align == alignment::justify || !ellipsis.empty() ||
-             lines.max_lines != typemesh::layout_options{}.max_lines || lines.indent != 0.0 ||
-             lines.anchor != typemesh::vertical_anchor::first_baseline;
-    o.align = lines.align == alignment::centre                                        ? typemesh::alignment::centre
-              : lines.align == alignment::right || lines.align == alignment::end ? typemesh::alignment::right
-                                                                                           : typemesh::alignment::left;
-    o.lines.line_spacing = o.line_spacing;
     return o;
 }
 

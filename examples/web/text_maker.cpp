@@ -11,9 +11,8 @@ using namespace typemesh;
 text_options text_options_of(const text_to_mesh::options& o)
 {
     text_options how;
-    how.shape = {.direction = o.direction, .language = o.language, .script = o.script, .features = o.features};
-    how.shape.columns = o.columns;
-    how.layout = {.align = o.align, .line_spacing = o.line_spacing, .letter_spacing = o.letter_spacing};
+    how.shape = shape_options_of(o);
+    how.layout = o.lines;
     how.tolerance = o.tolerance;
     how.fill = o.fill;
     how.size = o.size;
@@ -23,6 +22,16 @@ text_options text_options_of(const text_to_mesh::options& o)
 }
 
 }  // namespace
+
+shape_options shape_options_of(const text_to_mesh::options& o)
+{
+    return {.direction = o.direction,
+            .language = o.language,
+            .script = o.script,
+            .features = o.features,
+            .letter_spacing = o.letter_spacing,
+            .columns = o.columns};
+}
 
 text_maker::text_maker(font_set& fonts, glyph_cache<>& cache) : fonts_{&fonts}, mesher_{fonts, cached_in{cache, 1}} {}
 

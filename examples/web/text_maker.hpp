@@ -22,6 +22,9 @@ struct text_job {
     std::chrono::steady_clock::time_point begun = {};
 };
 
+/// The options for shaping. They refer to the strings in `o`.
+[[nodiscard]] typemesh::shape_options shape_options_of(const text_to_mesh::options& o);
+
 /// The mesher of a session. Fonts and cache must outlive it.
 class text_maker {
 public:

@@ -17,8 +17,8 @@ struct float3 {
 /// Into the arrays, whose room was made.
 auto sink_into(mesh_arrays& out)
 {
-    const auto bytes = [](buffer<float>& b) { return std::as_writable_bytes(b.view()); };
-    return stream_sink{out.index.view(), stream<attribute::position, float3>::in(bytes(out.position), 0),
+    const auto bytes = [](buffer<float>& b) { return std::as_writable_bytes(std::span{b.view()}); };
+    return stream_sink{std::span{out.index.view()}, stream<attribute::position, float3>::in(bytes(out.position), 0),
                        stream<attribute::normal, float3>::in(bytes(out.normal), 0),
                        stream<attribute::uv, float2>::in(bytes(out.uv), 0)};
 }

@@ -125,16 +125,15 @@ struct numbers_from_nought : stranger::tapering_twist {
     }
 };
 
-/// Numbers the characters of each line from 0 on.
-struct counts_by_line : stranger::monospace_shaper {
+/// Numbers the characters of each item from 0 on.
+struct counts_by_item : stranger::monospace_shaper {
     using monospace_shaper::monospace_shaper;
-    result<point> shape(text_view text, std::size_t first, std::size_t last, const shape_options& how,
-                        glyph_run& run) noexcept
+    error shape(text_view text, const text_item& item, const shape_options& how, buffer<shaped_glyph>& glyphs) noexcept
     {
-        const std::size_t before = run.glyphs.size();
-        const auto way = monospace_shaper::shape(text, first, last, how, run);
-        for (placed_glyph& g : run.glyphs.view().subspan(before)) g.cluster -= static_cast<cluster_id>(first);
-        return way;
+        const std::size_t before = glyphs.size();
+        const error e = monospace_shaper::shape(text, item, how, glyphs);
+        for (shaped_glyph& g : glyphs.view().subspan(before)) g.cluster -= item.first;
+        return e;
     }
 };
 
@@ -171,10 +170,10 @@ TEST_CASE("a wrong shaper gets its sentence, wrong drawings and full disks their
 {
     stranger::svg_paths paths{100.0, {"", "M10 100 V20 H60 V100 Z", "L10 100 V20 H60 Z", "M10 nowhere"}};
     const std::string characters{"\0ILN", 4};
-    counts_by_line wrong{100.0, 60.0, characters};
-    shaped_by by_line{wrong, paths};
-    CHECK(told_by(text_mesher{by_line}, "II") == "");
-    CHECK(told_by(text_mesher{by_line}, "II\nII") ==
+    counts_by_item wrong{100.0, 60.0, characters};
+    shaped_by by_item{wrong, paths};
+    CHECK(told_by(text_mesher{by_item}, "II") == "");
+    CHECK(told_by(text_mesher{by_item}, "II\nII") ==
           "a shaper gave a glyph a cluster outside the range of text that it had to shape");
 
     // Errors, not asserts: the file may be what is wrong, not the program.

@@ -26,25 +26,11 @@ struct tall_font : test::toy_font {
     std::vector<std::string> features;
 
     [[nodiscard]] line_metrics metrics(direction) const noexcept { return {900.0, -350.0, 77.0}; }
-    result<point> shape(text_view text, std::size_t first, std::size_t last, const shape_options& o,
-                        glyph_run& run) noexcept
+    error shape(text_view text, const text_item& item, const shape_options& o, buffer<shaped_glyph>& glyphs) noexcept
     {
         features.clear();
         for (const feature& f : o.features) features.push_back(f.tag + std::string{"="} + std::to_string(f.value));
-        return toy_font::shape(text, first, last, o, run);
-    }
-};
-
-/// The toy font, every other letter of it in a style of its own, a descending one.
-struct styled_font : test::toy_font {
-    result<point> shape(text_view text, std::size_t first, std::size_t last, const shape_options& o,
-                        glyph_run& run) noexcept
-    {
-        const std::size_t before = run.glyphs.size();
-        const auto advance = toy_font::shape(text, first, last, o, run);
-        for (std::size_t i = before; i < run.glyphs.size(); i += 2)
-            run.glyphs[i].look = *run.number_of({.style = style_id{static_cast<std::uint32_t>(900 - i)}});
-        return advance;
+        return toy_font::shape(text, item, o, glyphs);
     }
 };
 
@@ -178,15 +164,15 @@ TEST_CASE("the size is that of the cell, as in Direct3D, or of the em", "[compat
     }
 }
 
-TEST_CASE("metrics do not depend on the styles of a font of one's own", "[compat]")
+TEST_CASE("metrics do not depend on the styles of letters", "[compat]")
 {
-    test::toy_font plain;
-    styled_font styled;
-    d3dx_text plain_maker{plain};
-    d3dx_text styled_maker{styled};
+    test::toy_font font;
+    d3dx_text plain_maker{font}, styled_maker{font};
     constexpr std::string_view text = "oE x\nixoE o";
+    std::vector<style_span> spans;  // every other letter in a style of its own, a descending one
+    for (std::uint32_t i = 0; i < text.size(); i += 2) spans.push_back({i, i + 1, {.style = style_id{900 - i}}});
     const auto a = plain_maker.plan(text);
-    const auto b = styled_maker.plan(text);
+    const auto b = styled_maker.plan(text, {.shape = {.styles = spans}});
     REQUIRE(a);
     REQUIRE(b);
     REQUIRE(b->text().styles().size() > 2);
@@ -194,6 +180,40 @@ TEST_CASE("metrics do not depend on the styles of a font of one's own", "[compat
     REQUIRE(a->metrics(expected));
     REQUIRE(b->metrics(found));
     CHECK(std::memcmp(found.data(), expected.data(), text.size() * sizeof(d3dx_glyph_metrics)) == 0);
+}
+
+TEST_CASE("metrics do not depend on underlines", "[compat]")
+{
+    test::toy_font font;
+    d3dx_text plain_maker{font}, underlined_maker{font};
+    constexpr std::string_view text = "oE x\nix";
+    const style_span spans[] = {{0, 7, {.decorations = decoration::underline}}};
+    const auto a = plain_maker.plan(text);
+    const auto b = underlined_maker.plan(text, {.shape = {.styles = spans}});
+    REQUIRE(a);
+    REQUIRE(b);
+    std::vector<d3dx_glyph_metrics> expected(text.size()), found(text.size());
+    REQUIRE(a->metrics(expected));
+    REQUIRE(b->metrics(found));
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        INFO("character " << i);
+        CHECK(found[i].advance_x == Approx(expected[i].advance_x).margin(1e-6));
+        CHECK(found[i].box_width == Approx(expected[i].box_width));
+    }
+}
+
+TEST_CASE("spaces at a line's end keep their advance", "[compat]")
+{
+    test::toy_font font;
+    d3dx_text maker{font};
+    const auto plan = maker.plan(u"E  \no ");
+    REQUIRE(plan);
+    std::vector<d3dx_glyph_metrics> m(6);
+    REQUIRE(plan->metrics(m));
+    for (const std::size_t i : {0u, 1u, 2u, 4u, 5u}) {
+        INFO("character " << i);
+        CHECK(m[i].advance_x == Approx(0.6f));
+    }
 }
 
 TEST_CASE("each character has its metrics", "[compat]")

@@ -103,7 +103,7 @@ auto bolder = typemesh::text_mesher{*font, typemesh::embolden{.by = 0.015f}, typ
 auto hollow = typemesh::text_mesher{*font, typemesh::outlined<>{.width = 0.02f}};
 auto framed = typemesh::text_mesher{*font, typemesh::outlined<typemesh::extruded<>, typemesh::extruded<>>{
     .place = typemesh::outline_place::outer, .letter = {.depth = 0.1f}}};
-auto spaced = bolder.plan("Hamburg", {.layout = {.letter_spacing = 2 * 0.015}});
+auto spaced = bolder.plan("Hamburg", {.shape = {.letter_spacing = 2 * 0.015}});
     use(bolder, hollow, framed, spaced);
 typemesh::text_mesher over_the_text{*font, typemesh::extruded<>{.texture = typemesh::texture_mapping::box}};
     use(over_the_text);
@@ -131,7 +131,7 @@ const typemesh::style_span spans[] = {
     {6, 11, {.decorations = typemesh::decoration::underline, .style = typemesh::style_id{1}}},
     {11, 12, {.size = 1.5, .style = typemesh::style_id{2}}},
 };
-if (auto set = words.set("Hello world!", {}, spans); !set) return std::puts(set.error().message()), 1;
+if (auto set = words.set("Hello world!", {.styles = spans}); !set) return std::puts(set.error().message()), 1;
 if (auto laid = words.lay_out({.width = 9.0}, page); !laid) return std::puts(laid.error().message()), 1;
 auto styled = mesher.plan(page);
 if (!styled) return std::puts(styled.error().message()), 1;
@@ -145,6 +145,8 @@ typemesh::mesh_hit what = styled->hit(typemesh::part::front, triangle);         
 typemesh::picked_character letter = character_at(*styled, what, point, words.laid());   // point: where the ray met it
 if (!letter.where.empty()) draw(letter.where);                                  // letter.text is its place in the text
 use(column, here, there);
+auto coloured = mesher.plan("Hello world!", {.shape = {.styles = spans}});
+    use(coloured);
     }
     {
 auto plan = mesher.plan("Hello", {.merge = true, .corners = typemesh::touching::part});

@@ -131,9 +131,13 @@ for side in left right auto; do
 done
 that "columns go to the left" cmp -s columns_left.glb columns_auto.glb
 that "columns go to the right" differ columns_left.glb columns_right.glb
-expect 0 "" "قال 2024 hello" --font $arabic --output mixed.glb
-expect 0 "" "قال 2024 hello" --font $arabic --align start --output start.glb
-that "without a width, what is read to the left ends at x = 0" differ mixed.glb start.glb
+for align in "" " left" " start" " right"; do
+    # shellcheck disable=SC2086  # words or none
+    expect 0 "" "قال 2024 hello" --font $arabic ${align:+--align$align} --output "mixed${align# }.glb"
+done
+that "without a width, what is read to the left ends at x = 0" cmp -s mixed.glb mixedright.glb
+that "lines are aligned to their start" cmp -s mixed.glb mixedstart.glb
+that "what is read to the left may begin at x = 0, too" differ mixed.glb mixedleft.glb
 if [ -n "$icu" ]; then  # lines end between words, as where U+200B separates these
     thai=/usr/share/fonts/opentype/tlwg/Purisa.otf
     expect 0 "" "กินข้าวกินปลากินข้าว" --font $thai --width 3 --output thai.obj

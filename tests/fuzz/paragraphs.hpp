@@ -29,8 +29,7 @@ using namespace typemesh;
 
 struct settings {
     shape_options how;
-    std::vector<style_span> spans;
-    double letter_spacing = 0.0;
+    std::vector<style_span> spans, reversed;
 
     settings(values& in, std::size_t size)
     {
@@ -45,7 +44,7 @@ struct settings {
             how.columns.combined_digits = upright >> 1 & 7;
             how.columns.combined_gap = (upright >> 4) / 30.0;
         }
-        if ((bits & 8) != 0) letter_spacing = in.between(0.0, 1.5);
+        if ((bits & 8) != 0) how.letter_spacing = in.between(0.0, 1.5);
         const std::uint32_t most = (bits & 16) != 0 ? in.below(6) : 0;
         for (std::uint32_t k = 0, at = 0; k < most && at < size; ++k) {
             style_span s;
@@ -55,6 +54,14 @@ struct settings {
             read(in, s.style);
             spans.push_back(s);
         }
+        reversed.assign(spans.rbegin(), spans.rend());
+    }
+
+    [[nodiscard]] shape_options with(const std::vector<style_span>& styles) const
+    {
+        shape_options styled = how;
+        styled.styles = styles;
+        return styled;
     }
 
 private:
@@ -305,16 +312,15 @@ broken_law of_paragraph(values& in, Font& font, const Breaker& breaker)
 {
     const any_hyphens hyphens{in.below(5)};
     const read_text text{in, 300};
-    settings how{in, text.view().size()};
+    const settings how{in, text.view().size()};
     using words_type = paragraph<Font, analyser, Breaker>;
     const auto make = [&] { return words_type{font, heap(), analyser{unicode_analyser{}, hyphens}, breaker}; };
     words_type words = make();
-    const error e = words.set(text.view(), how.how, how.spans, how.letter_spacing).error();
-    std::reverse(how.spans.begin(), how.spans.end());
+    const error e = words.set(text.view(), how.with(how.spans)).error();
     for (int k = 0; k < 3; ++k) {
         const layout_settings layout{in};
         words_type fresh = make();
-        if (fresh.set(text.view(), how.how, how.spans, how.letter_spacing).error().code != e.code)
+        if (fresh.set(text.view(), how.with(how.reversed)).error().code != e.code)
             return "an error depends on the order of the spans";
         if (e) return e == error::overlapping_spans || e == error::font_library_failed ? "" : e.message();
         if (broken_law broken = of_layout(words, fresh, font, layout, in); !broken.empty()) return broken;

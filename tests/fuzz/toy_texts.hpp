@@ -38,7 +38,7 @@ inline typemesh::text_options read_options(values& in)
     how.reuse = (bits & 8) == 0;
     how.draw_missing = (bits & 16) != 0;
     if ((bits & 32) != 0) how.fill = fill_rule::even_odd;
-    if ((bits & 64) != 0) how.layout.letter_spacing = in.between(-0.6, 0.3);
+    if ((bits & 64) != 0) how.shape.letter_spacing = in.between(-0.6, 0.3);
     if ((bits & 128) != 0) how.size = in.between(0.01, 100.0);
     return how;
 }

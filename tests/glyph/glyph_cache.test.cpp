@@ -370,8 +370,7 @@ TEST_CASE("a run whose glyphs are all cached is planned without memory and witho
     glyph_cache cache{std::size_t{1} << 20, kept.source()};
     auto mesher = text_mesher{font, used.source()}.with(cached_in{cache, 1});
     glyph_run run;
-    const text_view text{"oEi x~oo"};
-    REQUIRE(font.shape(text, 0, text.size(), {}, run));
+    REQUIRE(layout(font, "oEi x~oo", {}, {}, run));
     REQUIRE(mesher.plan(run));
     const std::size_t requests = used.requests + kept.requests, drawn = font.drawn;
     for (int i = 0; i < 3; ++i) {

@@ -71,7 +71,7 @@ std::size_t try_glyph(Font& font, glyph_id id, outline& out, tally& seen)
 }
 
 template <class Font>
-std::size_t try_text(Font& font, const char* text, direction d, glyph_run& run)
+std::size_t try_text(Font& font, const char* text, direction d, plain_layout& layout, glyph_run& run)
 {
     shape_options how;
     how.direction = d;
@@ -92,6 +92,7 @@ std::size_t try_font(std::span<const std::byte> bytes, std::uint32_t max_glyphs,
 {
     ++seen.fonts;
     std::size_t wrong = 0;
+    plain_layout layout;
     for (std::uint32_t face = 0; face < 3; ++face) {
         auto font = Font::open(bytes, {face, variations});
         if (!font) {
@@ -110,7 +111,7 @@ std::size_t try_font(std::span<const std::byte> bytes, std::uint32_t max_glyphs,
             const line_metrics m = font->metrics(d);
             wrong += !is_finite(m.ascender) || !is_finite(m.descender) || !is_finite(m.gap);
             glyph_run run;
-            for (const char* text : texts) wrong += try_text(*font, text, d, run);
+            for (const char* text : texts) wrong += try_text(*font, text, d, layout, run);
         }
     }
     return wrong;

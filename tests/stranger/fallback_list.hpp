@@ -36,37 +36,45 @@ public:
         return fonts_[face]->outline(id, sink);
     }
 
-    typemesh::result<typemesh::point> shape(typemesh::text_view text, std::size_t first, std::size_t last,
-                                            const typemesh::shape_options& options, typemesh::glyph_run& run) noexcept
+    typemesh::error shape(typemesh::text_view text, const typemesh::text_item& item,
+                          const typemesh::shape_options& options,
+                          typemesh::buffer<typemesh::shaped_glyph>& glyphs) noexcept
     {
-        typemesh::point pen;
-        for (std::size_t i = first; i < last; ++i) {
-            std::uint32_t face = 0;
-            typemesh::point way;
-            for (;; ++face) {
-                one_.clear();
-                const auto shaped = fonts_[face]->shape(text, i, i + 1, options, one_);
-                if (!shaped) return shaped;
-                way = *shaped;
-                if (one_.missing == 0) break;
-                if (face + 1 == face_count()) return typemesh::error::needs_shaping;
-            }
-            const auto look = run.number_of({.face = face});
-            if (!look) return look.error();
-            const double scale = units_per_em() / units_per_em(face);
-            for (typemesh::placed_glyph g : one_.glyphs) {
-                g.origin = pen + scale * g.origin;
-                g.look = *look;
-                if (!run.glyphs.push_back(g)) return typemesh::error::out_of_memory;
-            }
-            pen = pen + scale * way;
-        }
-        return pen;
+        for (std::uint32_t i = item.first; i < item.last; ++i)
+            if (const auto e = shape(text, part_of(item, i), options, glyphs, 0)) return e;
+        return {};
     }
 
 private:
+    static typemesh::text_item part_of(typemesh::text_item item, std::uint32_t unit)
+    {
+        item.first = unit;
+        item.last = unit + 1;
+        return item;
+    }
+
+    /// One character, by the first of these fonts, from `face` on, that has it.
+    typemesh::error shape(typemesh::text_view text, const typemesh::text_item& one,
+                          const typemesh::shape_options& options, typemesh::buffer<typemesh::shaped_glyph>& glyphs,
+                          std::uint32_t face) noexcept
+    {
+        if (face == face_count()) return typemesh::error::needs_shaping;
+        const std::size_t before = glyphs.size();
+        if (const auto e = fonts_[face]->shape(text, one, options, glyphs)) return e;
+        const double scale = units_per_em() / units_per_em(face);
+        for (typemesh::shaped_glyph& g : glyphs.view().subspan(before)) {
+            if (has(g.flags, typemesh::glyph_flags::missing)) {
+                glyphs.truncate(before);
+                return shape(text, one, options, glyphs, face + 1);
+            }
+            g.face = static_cast<std::uint16_t>(face);
+            g.advance *= scale;
+            g.offset = scale * g.offset;
+        }
+        return {};
+    }
+
     std::vector<Font*> fonts_;
-    typemesh::glyph_run one_;
 };
 
 }  // namespace stranger

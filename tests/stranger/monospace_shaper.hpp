@@ -24,24 +24,23 @@ public:
         return {0.8 * units_per_em_, -0.2 * units_per_em_, 0.0};
     }
 
-    typemesh::result<typemesh::point> shape(typemesh::text_view text, std::size_t first, std::size_t last,
-                                            const typemesh::shape_options& options, typemesh::glyph_run& run) noexcept
+    typemesh::error shape(typemesh::text_view text, const typemesh::text_item& item, const typemesh::shape_options&,
+                          typemesh::buffer<typemesh::shaped_glyph>& glyphs) noexcept
     {
-        const bool down = options.direction == typemesh::direction::top_to_bottom;
-        typemesh::point pen;
-        for (std::size_t i = first; i < last; ++i) {
+        const bool upright = item.orientation == typemesh::glyph_orientation::upright;
+        for (std::uint32_t i = item.first; i < item.last; ++i) {
             const std::size_t found =
                 text.unit(i) < 0x80 ? characters_.find(static_cast<char>(text.unit(i))) : std::string::npos;
-            typemesh::placed_glyph g;
-            g.cluster = static_cast<typemesh::cluster_id>(i);
-            g.origin = pen;
-            g.missing = found == std::string::npos;
-            g.id = g.missing ? 0 : static_cast<typemesh::glyph_id>(found);
-            if (g.missing) run.note_missing(g.cluster);
-            if (!run.glyphs.push_back(g)) return typemesh::error::out_of_memory;
-            pen = pen + (down ? typemesh::point{0.0, -units_per_em_} : typemesh::point{cell_, 0.0});
+            typemesh::shaped_glyph g;
+            g.cluster = i;
+            g.advance = upright ? units_per_em_ : cell_;
+            if (found != std::string::npos)
+                g.id = static_cast<typemesh::glyph_id>(found);
+            else
+                g.flags = typemesh::glyph_flags::missing;
+            if (!glyphs.push_back(g)) return typemesh::error::out_of_memory;
         }
-        return pen;
+        return {};
     }
 
 private:

@@ -191,21 +191,19 @@ public:
     fill_rule fill() noexcept { return fill_rule::even_odd; }
     line_metrics metrics(direction) noexcept { return {80.0, -20.0, 10.0}; }
 
-    result<point> shape(text_view text, std::size_t first, std::size_t last, const shape_options&,
-                        glyph_run& run) noexcept
+    typemesh::error shape(typemesh::text_view text, const typemesh::text_item& item, const typemesh::shape_options&,
+                          typemesh::buffer<typemesh::shaped_glyph>& glyphs) noexcept
     {
-        double pen = 0.0;
-        for (std::size_t i = first; i < last; ++i, pen += 100.0) {
+        for (std::uint32_t i = item.first; i < item.last; ++i) {
             const std::uint32_t c = text.unit(i);
-            placed_glyph g;
+            typemesh::shaped_glyph g;
             g.id = c == '[' ? 1 : c == 'o' ? 2 : c == '~' ? 3 : c == ' ' ? 4 : 0;
-            g.cluster = static_cast<cluster_id>(i);
-            g.origin = {pen, 0.0};
-            g.missing = g.id == 0;
-            if (g.missing) run.note_missing(g.cluster);
-            if (!run.glyphs.push_back(g)) return error::out_of_memory;
+            g.cluster = i;
+            g.advance = 100.0;
+            if (g.id == 0) g.flags = typemesh::glyph_flags::missing;
+            if (!glyphs.push_back(g)) return typemesh::error::out_of_memory;
         }
-        return point{pen, 0.0};
+        return {};
     }
 
     template <outline_sink Sink>

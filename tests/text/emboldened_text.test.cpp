@@ -317,7 +317,7 @@ TEST_CASE("letter spacing of twice the distance keeps bold letters as far apart 
     auto plain = text_mesher{font}.with(extruded<>{});
     auto bolder = text_mesher{font}.with(embolden{.by = 0.03f});
     const auto thin = plain.plan("EEE");
-    const auto wide = bolder.plan("EEE", {.layout = {.letter_spacing = 2 * 0.03}});
+    const auto wide = bolder.plan("EEE", {.shape = {.letter_spacing = 2 * 0.03}});
     REQUIRE(thin);
     REQUIRE(wide);
     const double ink = thin->bounds().high.x - thin->bounds().low.x,

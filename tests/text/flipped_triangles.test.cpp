@@ -56,7 +56,7 @@ TEST_CASE("flipped triangles are counted as the written floats have them, near t
     for (const char* text : {"o", "Eo", "oooooooooooooooooooooooooooooooooooooooo"}) {
         for (const double away : {0.0, 1e3, 1e5, 1e6}) {
             text_options options{.tolerance = 1.0 / 16000};
-            options.layout.letter_spacing = away;
+            options.shape.letter_spacing = away;
             const auto plan = mesher.plan(text, options);
             REQUIRE(plan);
             INFO(text << " spaced by " << away);

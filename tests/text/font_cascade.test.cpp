@@ -20,9 +20,8 @@ using test::toy_covering_font;
 namespace font_cascade_test {
 
 using cascade = font_cascade<toy_covering_font, toy_covering_font>;
-static_assert(face_source<cascade> && shaper<cascade> && shaper<cascade>);
+static_assert(face_source<cascade> && shaper<cascade>);
 static_assert(shaper<font_faces<toy_covering_font, toy_covering_font>>);
-static_assert(!shaper<font_faces<toy_covering_font, recorded_outlines>>);
 
 /// Draws under the same numbers, but larger.
 struct large_font : toy_covering_font {
@@ -50,13 +49,13 @@ TEST_CASE("a cascade draws what its first font has as that font alone, and shape
     REQUIRE(expected);
     CHECK(test::same_bits(test::written<full_mesh>(*found), test::written<full_mesh>(*expected)));
     CHECK(found->run().looks.empty());
-    CHECK(first.shaped == alone.shaped);
-    CHECK(first.items == 0);
-    CHECK(second.shaped + second.items == 0);
+    CHECK(first.items == alone.items);
+    CHECK(second.items == 0);
 
+    const std::size_t before = first.items;
     paragraph words{fonts};
     REQUIRE(words.set("ab ba"));
-    CHECK(first.items == words.shaped().items().size());
+    CHECK(first.items - before == words.shaped().items().size());
     CHECK(second.items == 0);
 }
 
@@ -120,7 +119,7 @@ TEST_CASE("glyphs of one number and two fonts are not taken for each other", "[t
         CHECK(plan->bounds().high.y == Catch::Approx(0.4f));
     }
     // Letters of two fonts that meet are merged.
-    const auto merged = mesher.plan("ab", {.layout = {.letter_spacing = -0.45}, .merge = true});
+    const auto merged = mesher.plan("ab", {.shape = {.letter_spacing = -0.45}, .merge = true});
     REQUIRE(merged);
     CHECK(merged->glyphs().size() == 1);
 }

@@ -95,3 +95,19 @@ TEST_CASE("a ligature ends with its line, and one letter is all of its cluster",
     CHECK(character_at(*plan, hit, {}, "", font).text.last == 0);  // another text
     CHECK(character_at(*plan, {.cluster = no_cluster}, {}, "abo", font).text.last == 0);
 }
+
+TEST_CASE("an underline does not change the box of the last letter of a plain line", "[text]")
+{
+    test::toy_font font;
+    text_mesher mesher{font};
+    const style_span spans[] = {{0, 2, {.decorations = decoration::underline}}};
+    for (const std::size_t count : {0u, 1u}) {
+        auto plan = mesher.plan("oE", {.shape = {.styles = std::span{spans}.first(count)}});
+        REQUIRE(plan);
+        const picked_character c =
+            character_at(*plan, {.glyph = 1, .of_run = 1, .cluster = 1}, {0.7f, 0.3f, 0.0f}, "oE", font);
+        CHECK(c.text.first == 1);
+        CHECK(c.where.low.x == Approx(0.6));
+        CHECK(c.where.high.x == Approx(1.2));
+    }
+}

@@ -3,7 +3,9 @@
 #include "support/counting_memory.hpp"
 #include "support/mesh_laws.hpp"
 #include "support/toy_font.hpp"
+#include "support/written_mesh.hpp"
 
+#include <typemesh/paragraph/paragraph.hpp>
 #include <typemesh/typemesh.hpp>
 
 #include <cmath>
@@ -528,4 +530,40 @@ TEST_CASE("texture coordinates of walls are em deep, whatever the unit of depths
         CHECK(plain.vertices[i].position == deep.vertices[i].position);
         CHECK(plain.vertices[i].uv == deep.vertices[i].uv);
     }
+}
+
+TEST_CASE("plain text refuses what only a paragraph can do, and names it", "[text]")
+{
+    test::toy_font font;
+    text_mesher mesher{font};
+    const error width = mesher.plan("EE EE", {.layout = {.width = 2.0}}).error();
+    CHECK(width == error::needs_paragraph);
+    CHECK(std::string{width.option} == "width");
+    const error ellipsis = mesher.plan("EE", {.layout = {.ellipsis = "..."}}).error();
+    CHECK(ellipsis == error::needs_paragraph);
+    CHECK(std::string{ellipsis.option} == "ellipsis");
+
+    const auto centred =
+        build(mesher, "E", {.layout = {.width = 2.0, .wrap = wrap_mode::none, .align = alignment::centre}});
+    CHECK(extent(centred, &vec3::x).low == Catch::Approx(1.0 - 0.3 + 0.05));
+}
+
+TEST_CASE("plain text with styles is the mesh of a paragraph with them", "[text]")
+{
+    test::toy_font font;
+    const style_span spans[] = {{1, 3, {.size = 1.5, .decorations = decoration::underline, .style = style_id{1}}},
+                                {3, 4, {.rise = 0.25, .style = style_id{2}}}};
+    const shape_options how{.letter_spacing = 0.1, .styles = spans};
+    const layout_options lines{.align = alignment::right, .anchor = vertical_anchor::top};
+    paragraph words{font};
+    glyph_run run;
+    REQUIRE(words.set("oEix\nEo", how));
+    REQUIRE(words.lay_out(lines, run));
+    text_mesher mesher{font}, other{font};
+    const auto plain = mesher.plan("oEix\nEo", {.shape = how, .layout = lines});
+    const auto page = other.plan(run);
+    REQUIRE(plain);
+    REQUIRE(page);
+    CHECK(plain->styles().size() == 3);
+    CHECK(test::same_bits(test::written<full_mesh>(*plain), test::written<full_mesh>(*page)));
 }

@@ -28,7 +28,7 @@ TEST_CASE("styles only sort lines of both directions, merged, in chunks and by w
     REQUIRE(pool);
     glyph_run run;
     const char* text = "الخط العربي\nHello world, WAVE\nمرحبا بالعالم";
-    REQUIRE(layout(*font, text, {}, {.align = alignment::centre, .letter_spacing = -0.03}, run));
+    REQUIRE(layout(*font, text, {.letter_spacing = -0.03}, {.align = alignment::centre}, run));
     for (std::uint32_t seed = 1; seed <= 2; ++seed)
         test::check_styles(mesher, other, *pool, run, {.tolerance = quality::normal}, seed);
 }

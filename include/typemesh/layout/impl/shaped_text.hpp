@@ -323,7 +323,7 @@ private:
         if (first < last)
             if (error e = shape_item(part, options_of(item))) return e;
         TYPEMESH_ASSERT(come_from(glyphs_.view().subspan(before), part),
-                        "a shaper gave a glyph a cluster outside the range of text that it was to shape");
+                        "a shaper gave a glyph a cluster outside the range of text that it had to shape");
         if (glyphs_.size() > 0xFFFF'FFFFu) return error::too_large;
         if (part.orientation != glyph_orientation::horizontal)
             if (const affine map = place_in_column(glyphs_.view().subspan(before), part, columns_.metrics());
