@@ -29,7 +29,7 @@ const char* const lohit = "truetype/lohit-devanagari/Lohit-Devanagari.ttf";
 glyph_run shaped(harfbuzz_font& font, text_view text, const shape_options& how = {})
 {
     glyph_run run;
-    const error e = layout(font, text, how, {}, run).error();
+    const error e = layout(font, text, how, {.align = alignment::left}, run).error();
     INFO(e.message());
     REQUIRE(!e);
     return run;

@@ -108,7 +108,7 @@ public:
 
         const glyph_run& run = plan_.run();
         for (const text_line& line : run.lines) {
-            const auto glyphs = run.glyphs.view().subspan(line.first_glyph, line.glyph_count);
+            const auto glyphs = run.letters_of(line);
             for (std::size_t i = 0, next = 0; i < glyphs.size(); i = next) {
                 const cluster_id cluster = glyphs[i].cluster;
                 const point pen = glyphs[i].origin;
@@ -146,10 +146,11 @@ private:
         return ink;
     }
 
-    /// The step from the last pen position of a line to the line's end. `gone` is the step from its first pen position.
+    /// The step from the last pen position of a line to the end of its white space. `gone` is the step from its first pen position.
     [[nodiscard]] point rest_of(const text_line& line, point gone) const noexcept
     {
-        return vertical_ ? point{0.0, -line.advance - gone.y} : point{line.advance - gone.x, 0.0};
+        const double all = line.advance + line.hanging;
+        return vertical_ ? point{0.0, 0.0 - all - gone.y} : point{all - gone.x, 0.0};
     }
 
     text_plan<Extruder> plan_;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <typemesh/core/array_view.hpp>
 #include <typemesh/core/buffer.hpp>
 #include <typemesh/core/glyph_id.hpp>
 #include <typemesh/core/point.hpp>
@@ -28,6 +29,7 @@ struct text_line {
     std::uint32_t glyph_count = 0;
     point origin = {};     ///< the pen position at the line's start, alignment included
     double advance = 0.0;  ///< the distance that the pen moved, in font units, never negative
+    double hanging = 0.0;  ///< the advance of white space at its end, which does not count for `advance`
 };
 
 /// Shaped text: the input of every stage after shaping. If you make one by hand, you need no shaper.
@@ -109,6 +111,14 @@ struct glyph_run {
         units_per_em = 0.0;
         missing = parted = invalid_units = unbroken = 0;
         first_missing = first_parted = first_invalid_unit = first_unbroken = no_cluster;
+    }
+
+    /// The glyphs of a line without its bars (underlines and the like), which come after its letters.
+    [[nodiscard]] array_view<const placed_glyph> letters_of(const text_line& line) const noexcept
+    {
+        std::size_t count = line.glyph_count;
+        while (count > 0 && glyphs[line.first_glyph + count - 1].cluster == no_cluster) --count;
+        return glyphs.view().subspan(line.first_glyph, count);
     }
 
 private:

@@ -57,7 +57,7 @@ struct picked_cluster {
     const auto size = static_cast<std::uint32_t>(run.glyphs.size());
     text_line line{.glyph_count = size};
     if (!run.lines.empty()) line = run.lines[found.line = line_of(run, glyph)];
-    const auto all = run.glyphs.view().subspan(line.first_glyph, line.glyph_count);
+    const array_view<const placed_glyph> all = run.letters_of(line);
     std::uint32_t first = glyph - line.first_glyph, last = first;
     const cluster_id cluster = all[first].cluster;
     while (first > 0 && all[first - 1].cluster == cluster) --first;

@@ -167,13 +167,18 @@ public:
         bar_writer<Font> bars{font, shaped, run};
         for (const laid_line& line : lines_) {
             const auto first = static_cast<std::uint32_t>(run.glyphs.size());
-            for (const line_slice& s : slices_of(line))
+            double length = 0.0;
+            for (const line_slice& s : slices_of(line)) {
                 if (error e = writer.write(s, line.origin, s.at)) return e;
+                length += s.width;
+            }
             if (error e = bars.write(line, slices_of(line))) return e;
             if (run.glyphs.size() > 0xFFFF'FFFFu) return error::too_large;
             const point along = shaped.in_columns() ? point{0.0, 0.0 - line.left} : point{line.left, 0.0};
             const auto count = static_cast<std::uint32_t>(run.glyphs.size()) - first;
-            if (!run.lines.push_back({first, count, line.origin + along, line.width})) return error::out_of_memory;
+            const double hanging = length > line.width ? length - line.width : 0.0;
+            if (!run.lines.push_back({first, count, line.origin + along, line.width, hanging}))
+                return error::out_of_memory;
         }
         return {};
     }
