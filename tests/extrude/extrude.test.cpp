@@ -73,12 +73,7 @@ TEST_CASE("scratch from an earlier shape does not leak into the next", "[extrude
     REQUIRE(extrude(e.made(), e.cap, extruded<>{}, in_em(), sides, used));
     extruded<>::plan_data clean;
     REQUIRE(extrude(e.made(), e.cap, extruded<>{}, in_em(), clean, fresh));
-    REQUIRE(used.vertices.size() == fresh.vertices.size());
-    for (std::size_t i = 0; i < used.vertices.size(); ++i) {
-        CHECK(used.vertices[i].position == fresh.vertices[i].position);
-        CHECK(used.vertices[i].normal == fresh.vertices[i].normal);
-    }
-    CHECK(used.triangles == fresh.triangles);
+    check_same(used, fresh);
 }
 
 TEST_CASE("parts lie one behind the other, vertices and triangles alike", "[extrude]")

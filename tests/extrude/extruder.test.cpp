@@ -120,8 +120,5 @@ TEST_CASE("extrude() without data of the caller's writes the same", "[extrude]")
     extruded<>::plan_data data;
     REQUIRE(extrude(s.made(), s.cap, extruded<>{}, meshes::in_em(), data, with_scratch));
     REQUIRE(extrude(s.made(), s.cap, extruded<>{}, meshes::in_em(), alone_there));
-    REQUIRE(alone_there.vertices.size() == with_scratch.vertices.size());
-    for (std::size_t i = 0; i < alone_there.vertices.size(); ++i)
-        CHECK(alone_there.vertices[i].position == with_scratch.vertices[i].position);
-    CHECK(alone_there.triangles == with_scratch.triangles);
+    meshes::check_same(alone_there, with_scratch);
 }

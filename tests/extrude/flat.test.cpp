@@ -36,15 +36,8 @@ TEST_CASE("flat is the front of extruded, bit by bit", "[extrude]")
 {
     for (const auto texture : texture_mappings) {
         for (const auto& s : shapes::all()) {
-            const built f = build(s, flat{.texture = texture});
-            const built e = build(s, extruded<>{.back = false, .side = false, .texture = texture});
-            REQUIRE(f.vertices.size() == e.vertices.size());
-            CHECK(f.triangles == e.triangles);
-            for (std::size_t i = 0; i < f.vertices.size(); ++i) {
-                CHECK(f.vertices[i].position == e.vertices[i].position);
-                CHECK(f.vertices[i].normal == e.vertices[i].normal);
-                CHECK(f.vertices[i].uv == e.vertices[i].uv);
-            }
+            const built front = build(s, extruded<>{.back = false, .side = false, .texture = texture});
+            check_same(build(s, flat{.texture = texture}), front);
         }
     }
 }

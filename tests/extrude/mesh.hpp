@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "shapes.hpp"
+#include "support/catch.hpp"
 #include "support/mesh_laws.hpp"
 
 namespace meshes {
@@ -67,22 +68,8 @@ struct built : mesh<everything> {
     part_sizes sizes;
     std::vector<side_point> sides;
 
-    std::uint32_t first_vertex(part p) const
-    {
-        std::uint32_t first = 0;
-        for (const part q : all_parts) {
-            if (q < p) first += sizes.vertices[q];
-        }
-        return first;
-    }
-    std::uint32_t first_triangle(part p) const
-    {
-        std::uint32_t first = 0;
-        for (const part q : all_parts) {
-            if (q < p) first += sizes.triangles[q];
-        }
-        return first;
-    }
+    std::uint32_t first_vertex(part p) const { return sum_before(p, sizes.vertices); }
+    std::uint32_t first_triangle(part p) const { return sum_before(p, sizes.triangles); }
     /// The last triangle of one part, and one more.
     std::uint32_t end_triangle(part p) const { return first_triangle(p) + sizes.triangles[p]; }
     std::uint32_t doubled() const
@@ -90,6 +77,15 @@ struct built : mesh<everything> {
         std::uint32_t n = 0;
         for (const side_point& s : sides) n += s.doubled;
         return n;
+    }
+
+private:
+    template <class Counts>
+    static std::uint32_t sum_before(part p, const Counts& counts)
+    {
+        std::uint32_t sum = 0;
+        for (const part q : all_parts) sum += q < p ? counts[q] : 0;
+        return sum;
     }
 };
 
@@ -110,6 +106,34 @@ built build(const shapes::shape& s, const E& how, const placement& at = in_em())
         b.sides.assign(sides.begin(), sides.end());
     }
     return b;
+}
+
+inline placement with_box_texture(placement at)
+{
+    at.texture_per_cell = {1.0 / 512000.0, 1.0 / 512000.0};
+    return at;
+}
+
+/// Two meshes have equal vertices, to the bit, and equally many triangles.
+template <class A, class B>
+void check_same_vertices(const A& a, const B& b)
+{
+    REQUIRE(a.vertices.size() == b.vertices.size());
+    CHECK(a.triangles.size() == b.triangles.size());
+    for (std::size_t i = 0; i < a.vertices.size(); ++i) {
+        CHECK(a.vertices[i].position == b.vertices[i].position);
+        CHECK(a.vertices[i].normal == b.vertices[i].normal);
+        CHECK(a.vertices[i].uv == b.vertices[i].uv);
+        CHECK(a.vertices[i].tangent == b.vertices[i].tangent);
+    }
+}
+
+/// Two meshes are equal to the bit.
+template <class A, class B>
+void check_same(const A& a, const B& b)
+{
+    check_same_vertices(a, b);
+    CHECK(a.triangles == b.triangles);
 }
 
 inline std::array<double, 3> wide(vec3 v) { return {v.x, v.y, v.z}; }

@@ -218,6 +218,34 @@ inline std::vector<curve> quadratic_circle(point m, double r)
     return c;
 }
 
+/// Four tips, and four corners turned inwards between them.
+inline shape star()
+{
+    return {"star",
+            {polygon({{0, 0}, {250, 100}, {500, 0}, {400, 250}, {500, 500}, {250, 400}, {0, 500}, {100, 250}})}};
+}
+
+/// A corner of 7 degrees.
+inline shape spike() { return {"spike", {polygon({{0, 0}, {800, 0}, {800, 100}})}}; }
+
+/// A notch with its tip inside the letter.
+inline shape notch()
+{
+    return {"notch", {polygon({{0, 0}, {600, 0}, {600, 600}, {330, 600}, {300, 200}, {270, 600}, {0, 600}})}};
+}
+
+/// The area that contours enclose, in cells.
+inline double area_of(const contours& loops)
+{
+    double twice = 0.0;
+    for (std::uint32_t k = 0; k < loops.contour_count(); ++k)
+        for (std::uint32_t i = loops.starts[k], end = loops.starts[k + 1]; i < end; ++i) {
+            const grid_point a = loops.points[i], b = loops.points[i + 1 == end ? loops.starts[k] : i + 1];
+            twice += double(a.x) * b.y - double(a.y) * b.x;
+        }
+    return twice / 2.0;
+}
+
 inline shape rectangle() { return {"rectangle", {polygon({{100, 0}, {500, 0}, {500, 700}, {100, 700}})}}; }
 
 inline shape letter_e()

@@ -12,21 +12,6 @@
 
 using namespace typemesh;
 
-namespace {
-
-double area_of(const contours& loops)
-{
-    double twice = 0.0;
-    for (std::uint32_t k = 0; k < loops.contour_count(); ++k)
-        for (std::uint32_t i = loops.starts[k], end = loops.starts[k + 1]; i < end; ++i) {
-            const grid_point a = loops.points[i], b = loops.points[i + 1 == end ? loops.starts[k] : i + 1];
-            twice += double(a.x) * b.y - double(a.y) * b.x;
-        }
-    return twice / 2.0;
-}
-
-}  // namespace
-
 TEST_CASE("around a region lies a frame with the region as its hole, each edge on its curve in reverse",
           "[surroundings]")
 {
@@ -38,7 +23,7 @@ TEST_CASE("around a region lies a frame with the region as its hole, each edge o
         REQUIRE(around.contour_count() == s.contour_count() + 1);
         const double frame =
             double(around.points[2].x - around.points[0].x) * (around.points[2].y - around.points[0].y);
-        CHECK(area_of(around) == Catch::Approx(frame - area_of(s.loops)));
+        CHECK(shapes::area_of(around) == Catch::Approx(frame - shapes::area_of(s.loops)));
         for (std::uint32_t i = 4; i < around.points.size(); ++i) {
             const contour_edge& e = around.edges[i];
             const double off = length(around.curves[e.curve].at(double(e.t0)) - around.grid.place(around.points[i]));
@@ -54,13 +39,13 @@ TEST_CASE("around a region lies a frame with the region as its hole, each edge o
         for (std::uint32_t i = 0; i < 4; ++i) lowest.y = (std::min)(lowest.y, filled->points()[first + i].y);
         for (const grid_point p : filled->points()) CHECK(p.y >= lowest.y);
 
-        const double whole = area_of(around);
+        const double whole = shapes::area_of(around);
         leave_frame(around);
         CHECK(around.contour_count() == s.contour_count());
         CHECK(around.points.size() == s.points());
         CHECK(around.edges.size() == s.points());
-        CHECK(area_of(around) == Catch::Approx(frame - whole));
-        CHECK(area_of(around) == Catch::Approx(area_of(s.loops)));
+        CHECK(shapes::area_of(around) == Catch::Approx(frame - whole));
+        CHECK(shapes::area_of(around) == Catch::Approx(shapes::area_of(s.loops)));
         for (std::uint32_t i = 0; i < around.points.size(); ++i) {
             const contour_edge& e = around.edges[i];
             CHECK(length(around.curves[e.curve].at(double(e.t0)) - around.grid.place(around.points[i])) < 0.01);
