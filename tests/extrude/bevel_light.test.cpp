@@ -78,10 +78,7 @@ TEST_CASE("between and beyond its corners an edge's light runs evenly and then s
 
 TEST_CASE("joins turn from the wall before them to the wall after", "[bevel_light]")
 {
-    const lit_shape s{
-        {"notch", {shapes::polygon({{0, 0}, {600, 0}, {600, 600}, {330, 600}, {300, 200}, {270, 600}, {0, 600}})}},
-        10000.0,
-        2.0};
+    const lit_shape s{shapes::notch(), 10000.0, 2.0};
     REQUIRE(s.swept.joins.size() == 7);
     const std::uint32_t n = s.of.points(), tip = s.swept.joins[0].point;
     point last{s.sides[tip].before.x, s.sides[tip].before.y};

@@ -46,15 +46,8 @@ shapes::shape regular(int corners, double r)
 /// Shapes that a bevel of 20 units can be carved into before two edges meet.
 std::vector<shapes::shape> wide_shapes()
 {
-    std::vector<shapes::shape> s;
-    s.push_back(regular(4, 300));
-    s.push_back(regular(6, 300));
-    s.push_back(regular(64, 300));
-    s.push_back(shapes::rectangle());
-    s.push_back(shapes::letter_e());
-    s.push_back(shapes::ring(8));
-    s.push_back(shapes::letter_d(8));
-    return s;
+    return shapes::several(regular(4, 300), regular(6, 300), regular(64, 300), shapes::rectangle(), shapes::letter_e(),
+                           shapes::ring(8), shapes::letter_d(8));
 }
 
 /// Area of a shape moved inwards by a distance, by Steiner's formula for polygons: exact as long as nothing meets.
@@ -163,14 +156,13 @@ TEST_CASE("bevelled meshes have exactly the vertices and triangles that their fa
     const bevelled_mesh circle = capped(regular(64, 300), bevelled{});
     CHECK(circle.sizes().vertices[part::side] == 2 * 65);
     CHECK(circle.sizes().vertices[part::front_bevel] == 2 * 65);
-    CHECK(capped(regular(64, 300), bevelled{.texture = texture_mapping::box}).sizes().vertices[part::front_bevel] ==
-          2 * 64);
+    const auto bevel_vertices = [](const bevelled& how) {
+        return capped(regular(64, 300), how).sizes().vertices[part::front_bevel];
+    };
+    CHECK(bevel_vertices({.texture = texture_mapping::box}) == 2 * 64);
     // Smooth strips share their levels, hard ones do not; risers are pairs of their own.
-    CHECK(capped(regular(64, 300), bevelled{.profile = round_profile(4)}).sizes().vertices[part::front_bevel] ==
-          5 * 65);
-    CHECK(capped(regular(64, 300), bevelled{.profile_crease_degrees = 10.0f, .profile = round_profile(4)})
-              .sizes()
-              .vertices[part::front_bevel] == 8 * 65);
+    CHECK(bevel_vertices({.profile = round_profile(4)}) == 5 * 65);
+    CHECK(bevel_vertices({.profile_crease_degrees = 10.0f, .profile = round_profile(4)}) == 8 * 65);
     const bevelled_mesh steps = capped(regular(64, 300), bevelled{.profile = stepped_profile()});
     CHECK(steps.sizes().vertices[part::front_bevel] == 8 * 65);
     CHECK(steps.sizes().triangles[part::front_bevel] == 8 * 64);
@@ -205,24 +197,18 @@ namespace {
 
 /// By how much u and v grow along a triangle, as vectors in space; `known` unless they lie on a line.
 struct uv_growth {
-    std::array<double, 3> u, v;
+    wide_vec u, v;
     bool known;
 };
 uv_growth growth_on(const bevelled_mesh& m, const std::array<std::uint32_t, 3>& t)
 {
     const auto &p = m.vertices[t[0]], &q = m.vertices[t[1]], &r = m.vertices[t[2]];
     const auto n = face_normal(m, t);
-    const auto minus = [](vec3 a, vec3 b) {
-        return std::array{double(a.x) - b.x, double(a.y) - b.y, double(a.z) - b.z};
-    };
-    const auto cross = [](auto a, auto b) {
-        return std::array{a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-    };
-    const auto e = minus(q.position, p.position), f = minus(r.position, p.position);
-    const double area = meshes::dot(cross(e, f), n);
+    const auto e = minus(wide(q.position), wide(p.position)), f = minus(wide(r.position), wide(p.position));
+    const double area = meshes::dot(meshes::cross(e, f), n);
     const auto eu = double(q.uv.x) - p.uv.x, ev = double(q.uv.y) - p.uv.y, fu = double(r.uv.x) - p.uv.x,
                fv = double(r.uv.y) - p.uv.y;
-    const auto across_e = cross(n, e), across_f = cross(n, f);
+    const auto across_e = meshes::cross(n, e), across_f = meshes::cross(n, f);
     uv_growth g{{}, {}, std::abs(eu * fv - ev * fu) > 1e-9};
     for (std::size_t k = 0; k < 3; ++k) {
         g.u[k] = (fu * across_e[k] - eu * across_f[k]) / area;
@@ -246,8 +232,7 @@ TEST_CASE("v goes on from the wall at one tile an em, u along the contour, and t
     const std::pair<uv_origin, bool> ways[] = {
         {uv_origin::bottom_left, false}, {uv_origin::top_left, false}, {uv_origin::top_left, true}};
     for (const auto& [origin, outward] : ways) {
-        frame f = right_handed_y_up;
-        f.uv = origin;
+        const frame f = with_origin(right_handed_y_up, origin);
         const float turn = origin == uv_origin::top_left ? -1.0f : 1.0f;
         const shapes::shape all[] = {regular(4, 300), regular(64, 300), shapes::letter_e(), shapes::letter_d(8)};
         for (const auto& s : all) {
@@ -261,20 +246,14 @@ TEST_CASE("v goes on from the wall at one tile an em, u along the contour, and t
                 CHECK(turn * g.v[2] > 0.0);  // upwards on both bevels, like on the walls
                 for (const std::uint32_t corner : t) {
                     const auto& v = m.vertices[corner];
-                    const auto tangent = std::array{double(v.tangent.x), double(v.tangent.y), double(v.tangent.z)};
-                    const auto n = wide(v.normal);
-                    const std::array bitangent{v.tangent.w * (n[1] * tangent[2] - n[2] * tangent[1]),
-                                               v.tangent.w * (n[2] * tangent[0] - n[0] * tangent[2]),
-                                               v.tangent.w * (n[0] * tangent[1] - n[1] * tangent[0])};
-                    CHECK(meshes::dot(tangent, g.u) > 0.6 * std::sqrt(meshes::dot(g.u, g.u)));
-                    CHECK(meshes::dot(bitangent, g.v) > 0.8);
+                    CHECK(meshes::dot(wide(v.tangent), g.u) > 0.6 * std::sqrt(meshes::dot(g.u, g.u)));
+                    CHECK(meshes::dot(bitangent(v), g.v) > 0.8);
                 }
             });
         }
     }
     // Where the wall ends: the same v on both sides, and the lengths of the profile from there.
-    frame upwards = right_handed_y_up;
-    upwards.uv = uv_origin::bottom_left;
+    const frame upwards = with_origin(right_handed_y_up, uv_origin::bottom_left);
     const auto m = capped(shapes::rectangle(), bevelled{.width = 0.03f, .bevel_depth = 0.04f}, in_em(upwards));
     for (const auto& v : vertices_of(m, part::front_bevel))
         CHECK(v.uv.y == Approx(v.position.z < -0.02f ? 0.96 : 1.01).margin(1e-5));
@@ -286,8 +265,7 @@ TEST_CASE("v goes on from the wall at one tile an em, u along the contour, and t
 
 TEST_CASE("in box mapping a bevel shows what lies before it", "[bevelled]")
 {
-    frame f = right_handed_y_up;
-    f.uv = uv_origin::bottom_left;
+    const frame f = with_origin(right_handed_y_up, uv_origin::bottom_left);
     const auto m = capped(shapes::letter_d(8), bevelled{.texture = texture_mapping::box}, with_box_texture(in_em(f)));
     for (const auto& v : m.vertices) {
         CHECK(v.uv.x == Approx(v.position.x).margin(1e-6));

@@ -73,7 +73,7 @@ TEST_CASE("less than four cells move nothing", "[boundary_mover]")
 
 TEST_CASE("moved edges run in the direction of the curves that they name, joins too", "[boundary_mover]")
 {
-    shapes::shape sharp{"spike", {shapes::polygon({{0, 0}, {800, 0}, {800, 100}})}};
+    shapes::shape sharp = shapes::spike();
     sharp.loops.tolerance = 50.0;
     const shapes::shape all[] = {shapes::ring(16), shapes::letter_d(16), shapes::ribbon(16), std::move(sharp)};
     for (const auto& s : all)

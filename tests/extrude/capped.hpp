@@ -147,12 +147,7 @@ void check_laws(const Mesh& m, const frame& f = right_handed_y_up)
         check_normals(inspect::mesh_view{m.vertices, indices}, [](const auto& v) { return v.normal; }, f.winding, 2e-6);
     CHECK(normals.is_right());
     CHECK(normals.triangles == m.triangles.size());
-    for (const auto& v : m.vertices) {
-        const vec3 t{v.tangent.x, v.tangent.y, v.tangent.z};
-        REQUIRE(meshes::length(t) == Catch::Approx(1.0).margin(2e-6));
-        REQUIRE(std::abs(meshes::dot(wide(t), wide(v.normal))) < 2e-6);
-        REQUIRE(std::abs(v.tangent.w) == 1.0f);  // NOLINT
-    }
+    for (const auto& v : m.vertices) check_tangent(v, 2e-6);
 }
 
 /// These options are refused by the name of one of them, with and without a region.
@@ -185,17 +180,6 @@ void check_unknown_em()
     unknown.loops.grid.units_per_em = 0.0;
     capped_mesh<E> m;
     CHECK(std::string{build_capped(unknown, E{}, m).option} == "units_per_em");
-}
-
-/// These extruders all have different keys.
-template <class E>
-void check_different_keys(const E& plain, const std::vector<E>& others)
-{
-    for (std::size_t i = 0; i < others.size(); ++i) {
-        INFO(i);
-        CHECK_FALSE(others[i].cache_key() == plain.cache_key());
-        for (std::size_t k = 0; k < i; ++k) CHECK_FALSE(others[i].cache_key() == others[k].cache_key());
-    }
 }
 
 template <class E>

@@ -14,9 +14,10 @@ using Catch::Approx;
 
 namespace {
 
-std::vector<side_point> sides_of(const shapes::shape& s, const curve_normals& how = {})
+template <class Shape>
+std::vector<side_point> sides_of(const Shape& s, const curve_normals& how = {})
 {
-    std::vector<side_point> sides(s.points());
+    std::vector<side_point> sides(s.loops.points.size());
     REQUIRE_FALSE(how(s.made(), sides));
     return sides;
 }
@@ -58,6 +59,9 @@ double max_aside(const region& r, const std::vector<side_point>& sides)
     return most;
 }
 
+/// A contour of these curves, each of them one edge.
+shapes::shape whole_curves(std::vector<curve> c) { return {"whole curves", {std::move(c)}, {}, 1}; }
+
 /// A closed polygon with its edges' curves given one by one, whatever they are.
 struct loose_shape {
     std::vector<curve> curves;
@@ -79,11 +83,8 @@ struct loose_shape {
 TEST_CASE("normals inside curves are the curve's own within 0.01 degrees, however coarse the polygon", "[extrude]")
 {
     for (const int pieces : {2, 3, 8}) {
-        std::vector<shapes::shape> round;
-        round.push_back(shapes::ring(pieces));
-        round.push_back(shapes::letter_d(pieces));
-        round.push_back(shapes::ribbon(pieces + 2));
-        round.push_back(shapes::drop(pieces + 2));
+        const shapes::shape round[] = {shapes::ring(pieces), shapes::letter_d(pieces), shapes::ribbon(pieces + 2),
+                                       shapes::drop(pieces + 2)};
         for (const auto& s : round) {
             INFO(s.name << " in " << pieces << " pieces");
             const auto sides = sides_of(s);
@@ -238,8 +239,7 @@ TEST_CASE("handles of no length and curves that are a point still give unit norm
 
     const curve nothing = curve::from(cubic{a, a, a, a});
     const loose_shape odd{{{0, 0}, {100, 0}, {0, 100}}, {{0, 0.0f, 1.0f}, {0, 0.0f, 0.5f}, {0, 0.5f, 1.0f}}, {nothing}};
-    std::vector<side_point> found(3);
-    REQUIRE_FALSE(curve_normals{}(odd.made(), found));
+    const auto found = sides_of(odd);
     CHECK(found[0].after == vec2{0.0f, -1.0f});
     CHECK(found[1].before == vec2{0.0f, -1.0f});
 }
@@ -252,8 +252,7 @@ TEST_CASE("a point inside a curve is soft even where the polygon leaves the curv
     const loose_shape s{{{0, 0}, {100, 0}, {100, 100}, {0, 100}},
                         {{0, 0.0f, 0.5f}, {0, 0.5f, 1.0f}, {1, 0.0f, 0.5f}, {1, 0.5f, 1.0f}},
                         {hook, rest}};
-    std::vector<side_point> sides(4);
-    REQUIRE_FALSE(curve_normals{}(s.made(), sides));
+    const auto sides = sides_of(s);
     CHECK_FALSE(hard(sides[1]));
     CHECK(sides[1].before == sides[1].after);
     CHECK(sides[1].after.x > 0.0f);
@@ -295,9 +294,8 @@ TEST_CASE("normals are of unit length and point out of their walls, whatever the
             i += pieces;
         }
         const loose_shape s{points, edges, curves};
-        std::vector<side_point> sides(n);
         const float crease = round % 3 == 0 ? 0.0f : round % 3 == 1 ? 15.0f : 180.0f;
-        REQUIRE_FALSE(curve_normals{crease}(s.made(), sides));
+        const auto sides = sides_of(s, {crease});
         for (std::size_t i = 0; i < n; ++i) {
             INFO("round " << round << ", point " << i);
             const point in = delta(points[(i + n - 1) % n], points[i]), out = delta(points[i], points[(i + 1) % n]);
@@ -336,13 +334,6 @@ loose_shape needle(double tolerance, bool forth, const std::vector<float>& inner
     return s;
 }
 
-std::vector<side_point> sides_of(const loose_shape& s, const curve_normals& how = {})
-{
-    std::vector<side_point> sides(s.loops.points.size());
-    REQUIRE_FALSE(how(s.made(), sides));
-    return sides;
-}
-
 }  // namespace
 
 TEST_CASE("the tip of a hairpin inside a curve is hard where it would light a long wall from the side", "[extrude]")
@@ -376,10 +367,8 @@ TEST_CASE("a soft joint is hard where its sum would light a long wall from the s
 {
     // The same needle of two curves. Their tangents break by 0 or about 6 degrees in the tip.
     for (const double aside : {0.0, 0.05}) {
-        loose_shape s{{grid{}.snap({1000, 2}), grid{}.snap({0, 1}), grid{}.snap({1000, 0})},
-                      {{0, 0.0f, 1.0f}, {1, 0.0f, 1.0f}, {2, 0.0f, 1.0f}},
-                      {curve::from(quadratic{{1000, 2}, {0, 1.5}, {0, 1}}),
-                       curve::from(quadratic{{0, 1}, {aside, 0.5}, {1000, 0}}), curve::from({1000, 0}, {1000, 2})}};
+        auto s = whole_curves({shapes::quad({1000, 2}, {0, 1.5}, {0, 1}), shapes::quad({0, 1}, {aside, 0.5}, {1000, 0}),
+                               shapes::line({1000, 0}, {1000, 2})});
         CHECK_FALSE(hard(sides_of(s)[1]));
         s.loops.tolerance = 512.0;
         const auto sides = sides_of(s);
@@ -391,11 +380,9 @@ TEST_CASE("a soft joint is hard where its sum would light a long wall from the s
 TEST_CASE("a corner that is hard already does not light a long wall from the side", "[extrude]")
 {
     // The lower wall's curve bends down in its last unit; the right wall is a line.
-    loose_shape s{{grid{}.snap({0, 0}), grid{}.snap({1000, -1}), grid{}.snap({1000, 500}), grid{}.snap({0, 500})},
-                  {{0, 0.0f, 1.0f}, {1, 0.0f, 1.0f}, {2, 0.0f, 1.0f}, {3, 0.0f, 1.0f}},
-                  {curve::from(quadratic{{0, 0}, {1000, 0}, {1000, -1}}), curve::from({1000, -1}, {1000, 500}),
-                   curve::from({1000, 500}, {0, 500}), curve::from({0, 500}, {0, 0})}};
-    CHECK(sides_of(s)[1].before == vec2{-1.0f, 0.0f});  // as long as nobody says the tolerance
+    auto s = whole_curves({shapes::quad({0, 0}, {1000, 0}, {1000, -1}), shapes::line({1000, -1}, {1000, 500}),
+                           shapes::line({1000, 500}, {0, 500}), shapes::line({0, 500}, {0, 0})});
+    CHECK(sides_of(s)[1].before == vec2{-1.0f, 0.0f});  // as long as the tolerance is not known
     s.loops.tolerance = 512.0;
     const auto sides = sides_of(s);
     CHECK(hard(sides[1]));
@@ -406,10 +393,8 @@ TEST_CASE("a corner that is hard already does not light a long wall from the sid
 TEST_CASE("a normal 45 degrees off a long wall stays the curve's, one farther off does not", "[extrude]")
 {
     for (const double more : {0.0, 0.001}) {  // the curve starts upwards, the chord runs to the upper right
-        loose_shape s{{grid{}.snap({0, 0}), grid{}.snap({1000, 1000}), grid{}.snap({-1000, 1000})},
-                      {{0, 0.0f, 1.0f}, {1, 0.0f, 1.0f}, {2, 0.0f, 1.0f}},
-                      {curve::from(quadratic{{0, 0}, {-more, 1000}, {1000, 1000}}),
-                       curve::from({1000, 1000}, {-1000, 1000}), curve::from({-1000, 1000}, {0, 0})}};
+        auto s = whole_curves({shapes::quad({0, 0}, {-more, 1000}, {1000, 1000}),
+                               shapes::line({1000, 1000}, {-1000, 1000}), shapes::line({-1000, 1000}, {0, 0})});
         s.loops.tolerance = 512.0;
         const auto sides = sides_of(s);
         const double off = degrees_between(wide(sides[0].after), outward({1000, 1000}));
@@ -421,10 +406,8 @@ TEST_CASE("a normal 45 degrees off a long wall stays the curve's, one farther of
 TEST_CASE("a wall of exactly 16 tolerances is not long yet, a hair below that it is", "[extrude]")
 {
     // The curve starts 73 degrees off its chord, which is 512,000 cells long.
-    loose_shape s{{grid{}.snap({0, 0}), grid{}.snap({1000, 0}), grid{}.snap({0, 1000})},
-                  {{0, 0.0f, 1.0f}, {1, 0.0f, 1.0f}, {2, 0.0f, 1.0f}},
-                  {curve::from(quadratic{{0, 0}, {300, -1000}, {1000, 0}}), curve::from({1000, 0}, {0, 1000}),
-                   curve::from({0, 1000}, {0, 0})}};
+    auto s = whole_curves({shapes::quad({0, 0}, {300, -1000}, {1000, 0}), shapes::line({1000, 0}, {0, 1000}),
+                           shapes::line({0, 1000}, {0, 0})});
     const vec2 own{0.0f, -1.0f};
     s.loops.tolerance = 32'000.0;
     CHECK(degrees_between(wide(sides_of(s)[0].after), wide(own)) > 70.0);
@@ -441,8 +424,8 @@ TEST_CASE("an edge whose t does not tell which way it runs follows its curve the
                         {{0, 1.0f, 0.5f}, {0, 0.5f, 0.5f}, {0, 0.5f, 0.0f}, {1, 0.0f, 1.0f}},
                         {curve::from(bowl), curve::from(bowl.p0, bowl.p2)}};
     const auto sides = sides_of(s);
-    for (const int i : {1, 2}) {
-        CHECK_FALSE(hard(sides[static_cast<std::size_t>(i)]));
-        CHECK(sides[static_cast<std::size_t>(i)].before == vec2{0.0f, -1.0f});
+    for (const std::size_t i : {1u, 2u}) {
+        CHECK_FALSE(hard(sides[i]));
+        CHECK(sides[i].before == vec2{0.0f, -1.0f});
     }
 }

@@ -3,7 +3,6 @@
 #include <typemesh/extrude/extruded.hpp>
 #include <typemesh/inspect/normal_check.hpp>
 
-#include <iterator>
 #include <limits>
 
 #include "mesh.hpp"
@@ -176,17 +175,19 @@ TEST_CASE("each wall runs between the pairs that belong to it", "[extrude]")
 
 TEST_CASE("heights follow the parts that are switched on", "[extrude]")
 {
-    const auto heights = [](bool front, bool back, bool side) {
-        return extruded<>{.depth = 0.5f, .front = front, .back = back, .side = side}.heights();
-    };
-    CHECK(heights(true, false, false).low == 0.0);
-    CHECK(heights(true, false, false).high == 0.0);
-    CHECK(heights(false, true, false).low == -0.5);
-    CHECK(heights(false, true, false).high == -0.5);
-    CHECK(heights(false, false, true).low == -0.5);
-    CHECK(heights(false, false, true).high == 0.0);
-    CHECK(heights(true, true, false).low == -0.5);
-    CHECK(heights(true, true, false).high == 0.0);
+    const struct {
+        bool front, back, side;
+        double low, high;
+    } cases[] = {{true, false, false, 0.0, 0.0},
+                 {false, true, false, -0.5, -0.5},
+                 {false, false, true, -0.5, 0.0},
+                 {true, true, false, -0.5, 0.0}};
+    for (const auto& [front, back, side, low, high] : cases) {
+        CAPTURE(front, back, side);
+        const auto heights = extruded<>{.depth = 0.5f, .front = front, .back = back, .side = side}.heights();
+        CHECK(heights.low == low);
+        CHECK(heights.high == high);
+    }
 }
 
 TEST_CASE("a depth that is not positive and finite is a bad option", "[extrude]")
@@ -253,17 +254,12 @@ TEST_CASE("fewer attributes give the same positions", "[extrude]")
 TEST_CASE("the key of extruded{} tells apart what is planned apart, and nothing else", "[extrude]")
 {
     const extruded<> plain;
-    const extruded<> others[] = {{.depth = 0.0f},
-                                 {.front = false},
-                                 {.back = false},
-                                 {.side = false},
-                                 {.texture = texture_mapping::box},
-                                 {.normals = {.crease_degrees = 20.0f}}};
-    for (std::size_t i = 0; i < std::size(others); ++i) {
-        INFO(i);
-        CHECK_FALSE(others[i].cache_key() == plain.cache_key());
-        for (std::size_t k = 0; k < i; ++k) CHECK_FALSE(others[i].cache_key() == others[k].cache_key());
-    }
+    check_different_keys<extruded<>>(plain, {{.depth = 0.0f},
+                                             {.front = false},
+                                             {.back = false},
+                                             {.side = false},
+                                             {.texture = texture_mapping::box},
+                                             {.normals = {.crease_degrees = 20.0f}}});
     CHECK(extruded<>{.depth = 0.7f}.cache_key() == plain.cache_key());
     CHECK(extruded<>{.centred = true}.cache_key() == plain.cache_key());
 }

@@ -33,6 +33,17 @@ inline placement in_em(const frame& f = right_handed_y_up)
     return at;
 }
 
+/// Box mapping over the shape's own box, which holds this many tiles.
+inline placement over_box(const shapes::shape& s, const frame& f, point tiles = {1.0, 1.0})
+{
+    box b;
+    for (const grid_point g : s.loops.points) b.add(point{static_cast<double>(g.x), static_cast<double>(g.y)});
+    placement at = in_em(f);
+    at.texture_pen = -1.0 * b.low;
+    at.texture_per_cell = {tiles.x / b.width(), tiles.y / b.height()};
+    return at;
+}
+
 /// A mesh as a sink gets it.
 template <attribute Wants = everything>
 struct mesh {
@@ -136,25 +147,40 @@ void check_same(const A& a, const B& b)
     CHECK(a.triangles == b.triangles);
 }
 
-inline std::array<double, 3> wide(vec3 v) { return {v.x, v.y, v.z}; }
-inline double dot(std::array<double, 3> a, std::array<double, 3> b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+/// A vector in double precision.
+using wide_vec = std::array<double, 3>;
+
+inline wide_vec wide(vec3 v) { return {v.x, v.y, v.z}; }
+inline wide_vec wide(vec4 v) { return {v.x, v.y, v.z}; }
+inline wide_vec minus(wide_vec a, wide_vec b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
+inline wide_vec scaled(double s, wide_vec a) { return {s * a[0], s * a[1], s * a[2]}; }
+inline wide_vec cross(wide_vec a, wide_vec b)
+{
+    return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+inline double dot(wide_vec a, wide_vec b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+inline wide_vec unit(wide_vec a) { return scaled(1.0 / std::sqrt(dot(a, a)), a); }
 inline double length(vec3 v) { return std::sqrt(dot(wide(v), wide(v))); }
+inline wide_vec bitangent(const surface_point<everything>& v)
+{
+    return scaled(v.tangent.w, cross(wide(v.normal), wide(v.tangent)));
+}
+
+/// The tangent has unit length and a sign, and is at right angles to the normal.
+inline void check_tangent(const surface_point<everything>& v, double margin)
+{
+    REQUIRE(length(vec3{v.tangent.x, v.tangent.y, v.tangent.z}) == Catch::Approx(1.0).margin(margin));
+    REQUIRE(std::abs(dot(wide(v.tangent), wide(v.normal))) < margin);
+    REQUIRE(std::abs(v.tangent.w) == 1.0f);  // NOLINT
+}
 
 /// The triangle's own normal by its winding, of unit length.
 template <class Mesh>
-std::array<double, 3> face_normal(const Mesh& m, const std::array<std::uint32_t, 3>& t)
+wide_vec face_normal(const Mesh& m, const std::array<std::uint32_t, 3>& t)
 {
-    std::array<double, 3> p[3];
+    wide_vec p[3];
     for (std::size_t k = 0; k < 3; ++k) p[k] = wide(m.vertices[t[k]].position);
-    std::array<double, 3> u, v;
-    for (std::size_t k = 0; k < 3; ++k) {
-        u[k] = p[1][k] - p[0][k];
-        v[k] = p[2][k] - p[0][k];
-    }
-    std::array<double, 3> n = {u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]};
-    const double l = std::sqrt(dot(n, n));
-    for (double& x : n) x /= l;
-    return n;
+    return unit(cross(minus(p[1], p[0]), minus(p[2], p[0])));
 }
 
 /// The mesh's triangles as one array of indices.
@@ -171,6 +197,23 @@ template <class Mesh>
 std::size_t open_edges(const Mesh& m)
 {
     return check_closedness(inspect::mesh_view{m.vertices, indices_of(m)}).unmatched_edges;
+}
+
+/// These keys all differ.
+template <class E>
+void check_different_keys(const E& plain, const std::vector<E>& others)
+{
+    for (std::size_t i = 0; i < others.size(); ++i) {
+        INFO(i);
+        CHECK_FALSE(others[i].cache_key() == plain.cache_key());
+        for (std::size_t k = 0; k < i; ++k) CHECK_FALSE(others[i].cache_key() == others[k].cache_key());
+    }
+}
+
+inline frame with_origin(frame f, uv_origin origin)
+{
+    f.uv = origin;
+    return f;
 }
 
 inline std::vector<frame> frames()

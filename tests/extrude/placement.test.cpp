@@ -10,15 +10,25 @@
 using namespace typemesh;
 using Catch::Approx;
 
+namespace {
+
+placement any_placement(const frame& f, test::dice& d)
+{
+    placement at;
+    at.frame = f;
+    at.pen = {1e6 * (d.fraction() - 0.5), 1e6 * (d.fraction() - 0.5)};
+    at.unit_per_cell = d.fraction() / 512.0;
+    return at;
+}
+
+}  // namespace
+
 TEST_CASE("a place is the frame's sum of what the unit makes of the cell", "[extrude][placement]")
 {
     test::dice d{17};
     for (const frame& f : meshes::frames()) {
         for (int round = 0; round < 500; ++round) {
-            placement at;
-            at.frame = f;
-            at.pen = {1e6 * (d.fraction() - 0.5), 1e6 * (d.fraction() - 0.5)};
-            at.unit_per_cell = d.fraction() / 512.0;
+            const placement at = any_placement(f, d);
             const grid_point p{d.roll(1 << 20) - (1 << 19), d.roll(1 << 20) - (1 << 19)};
             const float z = static_cast<float>(d.fraction());
             const double x = (p.x + at.pen.x) * at.unit_per_cell, y = (p.y + at.pen.y) * at.unit_per_cell;
@@ -91,10 +101,7 @@ TEST_CASE("any point goes where a grid point goes, to the bit", "[extrude][place
     test::dice d{23};
     for (const frame& f : meshes::frames()) {
         for (int round = 0; round < 500; ++round) {
-            placement at;
-            at.frame = f;
-            at.pen = {1e6 * (d.fraction() - 0.5), 1e6 * (d.fraction() - 0.5)};
-            at.unit_per_cell = d.fraction() / 512.0;
+            placement at = any_placement(f, d);
             at.unit_per_depth = 10.0 * d.fraction();
             const grid_point p{d.roll(1 << 28) - (1 << 27), d.roll(1 << 28) - (1 << 27)};
             const double x = p.x, y = p.y, z = d.fraction() - 0.5;

@@ -309,18 +309,18 @@ inline shape pair(int pieces = 3)
             pieces};
 }
 
+/// Shapes, moved into a vector: they cannot be copied.
+template <class... Shapes>
+std::vector<shape> several(Shapes... s)
+{
+    std::vector<shape> all;
+    (all.push_back(std::move(s)), ...);
+    return all;
+}
+
 inline std::vector<shape> all()
 {
-    std::vector<shape> s;
-    s.push_back(rectangle());
-    s.push_back(letter_e());
-    s.push_back(ring());
-    s.push_back(letter_d());
-    s.push_back(ribbon());
-    s.push_back(cusp());
-    s.push_back(drop());
-    s.push_back(pair());
-    return s;
+    return several(rectangle(), letter_e(), ring(), letter_d(), ribbon(), cusp(), drop(), pair());
 }
 
 }  // namespace shapes

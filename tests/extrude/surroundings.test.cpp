@@ -12,6 +12,19 @@
 
 using namespace typemesh;
 
+namespace {
+
+/// The points, from the first one that is given, lie on the curves of their edges.
+void check_on_curves(const contours& loops, std::uint32_t first)
+{
+    for (std::uint32_t i = first; i < loops.points.size(); ++i) {
+        const contour_edge& e = loops.edges[i];
+        CHECK(length(loops.curves[e.curve].at(double(e.t0)) - loops.grid.place(loops.points[i])) < 0.01);
+    }
+}
+
+}  // namespace
+
 TEST_CASE("around a region lies a frame with the region as its hole, each edge on its curve in reverse",
           "[surroundings]")
 {
@@ -24,11 +37,7 @@ TEST_CASE("around a region lies a frame with the region as its hole, each edge o
         const double frame =
             double(around.points[2].x - around.points[0].x) * (around.points[2].y - around.points[0].y);
         CHECK(shapes::area_of(around) == Catch::Approx(frame - shapes::area_of(s.loops)));
-        for (std::uint32_t i = 4; i < around.points.size(); ++i) {
-            const contour_edge& e = around.edges[i];
-            const double off = length(around.curves[e.curve].at(double(e.t0)) - around.grid.place(around.points[i]));
-            CHECK(off < 0.01);
-        }
+        check_on_curves(around, 4);
 
         workspace space;
         const auto filled = fill(around, fill_rule::non_zero, space);
@@ -46,10 +55,7 @@ TEST_CASE("around a region lies a frame with the region as its hole, each edge o
         CHECK(around.edges.size() == s.points());
         CHECK(shapes::area_of(around) == Catch::Approx(frame - whole));
         CHECK(shapes::area_of(around) == Catch::Approx(shapes::area_of(s.loops)));
-        for (std::uint32_t i = 0; i < around.points.size(); ++i) {
-            const contour_edge& e = around.edges[i];
-            CHECK(length(around.curves[e.curve].at(double(e.t0)) - around.grid.place(around.points[i])) < 0.01);
-        }
+        check_on_curves(around, 0);
     }
 }
 

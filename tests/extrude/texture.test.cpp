@@ -13,24 +13,20 @@ using Catch::Approx;
 
 namespace {
 
-/// Box mapping over the shape's own box.
-placement over_box(const shapes::shape& s, uv_origin origin)
+placement em_texture(uv_origin origin)
 {
-    box b;
-    for (const grid_point g : s.loops.points) b.add(point{static_cast<double>(g.x), static_cast<double>(g.y)});
-    placement at = in_em();
-    at.frame.uv = origin;
-    at.texture_pen = -1.0 * b.low;
-    at.texture_per_cell = {1.0 / b.width(), 1.0 / b.height()};
+    placement at = in_em(with_origin(right_handed_y_up, origin));
+    at.em_pen = {1000.0, -300.0};
     return at;
 }
 
-placement with_origin(uv_origin origin)
+/// The length of a contour in em.
+double length_of(const shapes::shape& s, std::uint32_t contour)
 {
-    placement at = in_em();
-    at.frame.uv = origin;
-    at.em_pen = {1000.0, -300.0};
-    return at;
+    double length = 0.0;
+    for (std::uint32_t i = s.loops.starts[contour]; i < s.loops.starts[contour + 1]; ++i)
+        length += typemesh::length(delta(s.loops.points[i], s.loops.points[s.next(i)])) / 512000.0;
+    return length;
 }
 
 }  // namespace
@@ -41,7 +37,7 @@ TEMPLATE_TEST_CASE("box mapping runs from exactly 0 to exactly 1, on walls by th
     for (const auto origin : {uv_origin::top_left, uv_origin::bottom_left}) {
         for (const auto& s : shapes::all()) {
             INFO(s.name);
-            const placement at = over_box(s, origin);
+            const placement at = over_box(s, with_origin(right_handed_y_up, origin));
             const built b = build(s, extruded<TestType>{.texture = texture_mapping::box}, at);
             vec2 low{2, 2}, high{-1, -1};
             for (const auto& v : b.vertices) {
@@ -74,7 +70,7 @@ TEMPLATE_TEST_CASE("em mapping has one tile an em on caps and walls, within 1 %"
         for (const auto& s : shapes::all()) {
             INFO(s.name);
             const built b =
-                build(s, extruded<TestType>{.depth = 0.25f, .texture = texture_mapping::em}, with_origin(origin));
+                build(s, extruded<TestType>{.depth = 0.25f, .texture = texture_mapping::em}, em_texture(origin));
             for (std::uint32_t i = 0; i < 2 * s.points(); ++i) {
                 const auto& v = b.vertices[i];
                 const double up = v.position.y - 300.0 / 512000.0;
@@ -90,8 +86,8 @@ TEMPLATE_TEST_CASE("em mapping has one tile an em on caps and walls, within 1 %"
                     CHECK(std::abs(du) == Approx(along).epsilon(0.01));
                     CHECK(dv == Approx(flip * (q.position.z - p.position.z)).epsilon(0.01));
                 }
-                const auto& upper =
-                    b.triangles[t];  // front of the first point, back of the first, ...: u grows in walking direction
+                // Front of the first point, back of the first, ...: u grows in walking direction.
+                const auto& upper = b.triangles[t];
                 if ((t - b.first_triangle(part::side)) % 2 == 0)
                     CHECK(b.vertices[upper[2]].uv.x > b.vertices[upper[0]].uv.x);
             }
@@ -121,11 +117,9 @@ TEST_CASE("the seam of em mapping lies in a hard point where there is one, and u
                     plain = build(s, extruded<>{.texture = texture_mapping::box});
         std::uint32_t v = b.first_vertex(part::side);
         for (std::uint32_t k = 0; k < s.contour_count(); ++k) {
-            double length = 0.0;
             std::uint32_t seams = 0, hard = 0;
             float least = 1e9f, most = -1.0f;
             for (std::uint32_t i = s.loops.starts[k]; i < s.loops.starts[k + 1]; ++i) {
-                length += typemesh::length(delta(s.loops.points[i], s.loops.points[s.next(i)])) / 512000.0;
                 seams += b.sides[i].seam;
                 hard += plain.sides[i].doubled;
                 if (b.sides[i].seam) CHECK(b.sides[i].doubled);
@@ -138,7 +132,7 @@ TEST_CASE("the seam of em mapping lies in a hard point where there is one, and u
             }
             CHECK(seams == 1);
             CHECK(least == 0.0f);
-            CHECK(most == Approx(length));
+            CHECK(most == Approx(length_of(s, k)));
             for (std::uint32_t i = s.loops.starts[k]; i < s.loops.starts[k + 1]; ++i) {
                 if (b.sides[i].seam && hard != 0) CHECK(plain.sides[i].doubled);
                 CHECK(b.sides[i].before == plain.sides[i].before);
@@ -166,12 +160,13 @@ TEST_CASE("any point gets the texture coordinates of a grid point, to the bit, a
     for (const auto origin : {uv_origin::top_left, uv_origin::bottom_left}) {
         for (const auto mapping : texture_mappings) {
             const auto s = shapes::letter_d();
-            const placement at = mapping == texture_mapping::box ? over_box(s, origin) : with_origin(origin);
+            const placement at = mapping == texture_mapping::box ? over_box(s, with_origin(right_handed_y_up, origin))
+                                                                 : em_texture(origin);
             const planar_texture texture{mapping, at};
             for (const grid_point g : s.loops.points)
                 CHECK(texture(point{static_cast<double>(g.x), static_cast<double>(g.y)}) == texture(g));
         }
-        placement at = with_origin(origin);
+        placement at = em_texture(origin);
         at.em_per_depth = 2.0;
         const wall_texture walls{at};
         const bool down = origin == uv_origin::top_left;
@@ -193,7 +188,7 @@ TEST_CASE("cylindrical mapping runs once from 0 to 1 along each contour, and is 
 {
     for (const auto& s : shapes::all()) {
         INFO(s.name);
-        const placement at = with_origin(uv_origin::bottom_left);
+        const placement at = em_texture(uv_origin::bottom_left);
         const built b = build(s, extruded<>{.texture = texture_mapping::cylindrical}, at),
                     em = build(s, extruded<>{.texture = texture_mapping::em}, at);
         REQUIRE(b.vertices.size() == em.vertices.size());
@@ -201,9 +196,7 @@ TEST_CASE("cylindrical mapping runs once from 0 to 1 along each contour, and is 
         for (std::uint32_t v = 0; v < 2 * s.points(); ++v) CHECK(b.vertices[v].uv == em.vertices[v].uv);
         std::uint32_t v = b.first_vertex(part::side);
         for (std::uint32_t k = 0; k < s.contour_count(); ++k) {
-            double length = 0.0;
-            for (std::uint32_t i = s.loops.starts[k]; i < s.loops.starts[k + 1]; ++i)
-                length += typemesh::length(delta(s.loops.points[i], s.loops.points[s.next(i)])) / 512000.0;
+            const double length = length_of(s, k);
             float least = 2.0f, most = -1.0f;
             for (std::uint32_t i = s.loops.starts[k]; i < s.loops.starts[k + 1]; ++i)
                 for (int twice = 0; twice < 2 * (1 + int(b.sides[i].doubled)); ++twice, ++v) {
