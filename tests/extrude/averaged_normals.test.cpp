@@ -13,7 +13,7 @@ using namespace typemesh;
 using namespace meshes;
 using Catch::Approx;
 
-TEST_CASE("averaged normals are the normalised sums of two walls, none doubled", "[extrude]")
+TEST_CASE("averaged normals are the normalised sums of two walls, and no point is doubled", "[extrude]")
 {
     for (const auto& s : shapes::all()) {
         const built b = build(s, extruded<averaged_normals>{.texture = texture_mapping::box});
@@ -25,7 +25,7 @@ TEST_CASE("averaged normals are the normalised sums of two walls, none doubled",
     }
 }
 
-TEST_CASE("at the tip of a needle the polygon's styles still give unit normals along it", "[extrude]")
+TEST_CASE("at the tip of a needle the styles still give unit normals along it", "[extrude]")
 {
     const shapes::shape needle{"needle", {shapes::polygon({{-524288, 0}, {524288, 0.001}, {-524288, 0.001}})}};
     REQUIRE(needle.loops.points[1] == grid_point{1 << 28, 1});
@@ -61,7 +61,7 @@ grid_point beside(grid_point u)
 
 }  // namespace
 
-TEST_CASE("averaged normals at the tip of a needle, and in a notch as narrow, run along it", "[extrude]")
+TEST_CASE("averaged normals run along a needle at its tip, and along a notch that is as narrow", "[extrude]")
 {
     // The walls' normals are as good as opposite: their sum is what rounding has left of them. Along a needle the two
     // edges' directions add up without loss.

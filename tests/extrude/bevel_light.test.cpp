@@ -39,7 +39,7 @@ struct lit_shape {
 
 }  // namespace
 
-TEST_CASE("along the ways of its corners an edge's light is that of the wall's ends", "[bevel_light]")
+TEST_CASE("along the paths of its corners an edge is lit like the ends of its wall", "[bevel_light]")
 {
     lit_shape all[] = {{shapes::letter_e(), 10000.0}, {shapes::ring(8), 10000.0}, {shapes::letter_d(8), 10000.0}};
     for (const lit_shape& s : all) {
@@ -58,7 +58,7 @@ TEST_CASE("along the ways of its corners an edge's light is that of the wall's e
     }
 }
 
-TEST_CASE("between and beyond its corners an edge's light runs evenly and then stays", "[bevel_light]")
+TEST_CASE("an edge's light changes evenly between its corners, and is constant beyond them", "[bevel_light]")
 {
     const lit_shape s{shapes::rectangle(), 10000.0};  // its first edge runs from (100, 0) to (500, 0)
     const auto along = [&](double x, double y) {

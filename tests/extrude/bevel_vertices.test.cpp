@@ -91,7 +91,7 @@ constexpr bevel_vertices::sharing everything_near{0.966, 512.0};
 
 }  // namespace
 
-TEST_CASE("a bevel has a triangle for each of the sweep's and two for each edge at a riser", "[bevel_vertices]")
+TEST_CASE("a bevel has one triangle for each of the sweep's, and two for each edge at a riser", "[bevel_vertices]")
 {
     const profile_points points{{0, 0}, {0.5f, 0.25f}, {0.5f, 0.75f}, {1, 1}};
     const shapes::shape all[] = {shapes::letter_e(), shapes::letter_d(8), shapes::ring(8)};
@@ -139,7 +139,7 @@ TEST_CASE("corners share a vertex where normals and texture agree, and only ther
     CHECK(count(ring, broken, everything_near) == 4 * (96 + 2));
 }
 
-TEST_CASE("where very many faces meet in a point they need vertices and time in proportion", "[bevel_vertices]")
+TEST_CASE("vertices and time are proportional to the number of faces that meet in a point", "[bevel_vertices]")
 {
     constexpr std::uint32_t n = 100000;
     roof cone{regular(n, 2e8), 2e8};
@@ -156,7 +156,7 @@ TEST_CASE("where very many faces meet in a point they need vertices and time in 
     CHECK(data.of<bevel_vertex>().size() <= 3 * n);
 }
 
-TEST_CASE("at no crease angle is a vertex's normal 90 degrees or more off a face that it stands on", "[bevel_vertices]")
+TEST_CASE("a vertex's normal is less than 90 degrees off its faces at every crease angle", "[bevel_vertices]")
 {
     // Roofs over regular polygons and a narrow triangle, moved so that all faces meet in (0, 0): the normals turn round
     // once there.

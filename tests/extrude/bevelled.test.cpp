@@ -64,7 +64,7 @@ double area_at(const shapes::shape& s, double distance)
     return area;
 }
 
-/// The volume within one bevel above the wall's end, and the area of its cap, from the profile alone: strips are
+/// The volume within one bevel above the wall's end, and the area of its cap, from the profile only: strips are
 /// prismoids, for which Simpson's rule is exact.
 struct expected_bevel {
     double volume, cap;
@@ -124,7 +124,7 @@ void check_profile(const bevel_profile& profile, float width = 0.02f, float beve
 
 }  // namespace
 
-TEST_CASE("bevelled is closed, lit from outside and as large as the profile makes it, for every profile", "[bevelled]")
+TEST_CASE("a bevelled mesh is closed, lit from outside and as large as its profile makes it", "[bevelled]")
 {
     SECTION("chamfer") { check_profile(chamfer_profile()); }
     SECTION("round") { check_profile(round_profile(4)); }
@@ -142,7 +142,7 @@ TEST_CASE("bevelled is closed, lit from outside and as large as the profile make
 
 TEST_CASE("bevelled meshes have exactly the vertices and triangles that their faces need", "[bevelled]")
 {
-    // A square: four hard corners, each chamfer's corners alone: 4 vertices and 2 triangles a face.
+    // A square: four hard corners, and only the corners of each chamfer: 4 vertices and 2 triangles a face.
     const bevelled_mesh square = capped(regular(4, 300), bevelled{});
     for (const part p : {part::front, part::back}) {
         CHECK(square.sizes().vertices[p] == 4);
@@ -227,7 +227,7 @@ void for_bevel_triangles(const shapes::shape& s, const bevelled& how, const plac
 
 }  // namespace
 
-TEST_CASE("v goes on from the wall at one tile an em, u along the contour, and tangents follow them", "[bevelled]")
+TEST_CASE("v continues from the wall at one tile per em, u follows the contour, and tangents follow both", "[bevelled]")
 {
     const std::pair<uv_origin, bool> ways[] = {
         {uv_origin::bottom_left, false}, {uv_origin::top_left, false}, {uv_origin::top_left, true}};
@@ -263,7 +263,7 @@ TEST_CASE("v goes on from the wall at one tile an em, u along the contour, and t
         CHECK(v.uv.y == Approx(v.position.z > -0.1f ? 0.96 : 0.84).margin(1e-5));
 }
 
-TEST_CASE("in box mapping a bevel shows what lies before it", "[bevelled]")
+TEST_CASE("box mapping puts the texture straight through a bevel", "[bevelled]")
 {
     const frame f = with_origin(right_handed_y_up, uv_origin::bottom_left);
     const auto m = capped(shapes::letter_d(8), bevelled{.texture = texture_mapping::box}, with_box_texture(in_em(f)));
@@ -319,7 +319,7 @@ TEST_CASE("a bevel's normals are the curve's, tilted by the profile", "[bevelled
     });
 }
 
-TEST_CASE("joins shade round from one edge to the next, a single wide one keeps its own normal", "[bevelled]")
+TEST_CASE("joins shade smoothly from one edge to the next, and a single wide join keeps its own normal", "[bevelled]")
 {
     // A notch whose tip points into the letter.
     for (const auto joins : {bevel_joins::round, bevel_joins::bevelled}) {
@@ -344,7 +344,7 @@ TEST_CASE("joins shade round from one edge to the next, a single wide one keeps 
     }
 }
 
-TEST_CASE("a bevel wider than a stroke closes in a ridge, at the height that the profile has there", "[bevelled]")
+TEST_CASE("a bevel wider than its stroke closes in a ridge, at the profile's height there", "[bevelled]")
 {
     const bevelled how{.width = 0.3f, .bevel_depth = 0.06f};
     const auto m = capped(shapes::rectangle(), how);
@@ -360,7 +360,7 @@ TEST_CASE("a bevel wider than a stroke closes in a ridge, at the height that the
     CHECK(top == Approx(-0.02));
 }
 
-TEST_CASE("a bevelled solid tells the heights that it reaches, whatever closes before the profile's end", "[bevelled]")
+TEST_CASE("a bevelled solid reports the heights that it reaches, even if it closes in a ridge", "[bevelled]")
 {
     const auto check = [](const shapes::shape& s, const auto& how) {
         const auto m = capped(s, how);
@@ -391,7 +391,7 @@ TEST_CASE("a bevelled solid tells the heights that it reaches, whatever closes b
     CHECK(check(shapes::pair(), bevelled{.width = 0.5f, .profile = round_profile(4)}) < 0.2);
 }
 
-TEST_CASE("what a bevelled solid shows to the front covers what it stands on, once", "[bevelled]")
+TEST_CASE("the front triangles of a bevelled solid cover its base once", "[bevelled]")
 {
     const auto s = shapes::letter_d(8);
     for (const bool outward : {false, true}) {
@@ -409,7 +409,7 @@ TEST_CASE("what a bevelled solid shows to the front covers what it stands on, on
     }
 }
 
-TEST_CASE("a bevel that fits is 0.9 times as wide as where a part would lose its cap", "[bevelled]")
+TEST_CASE("a fitted bevel has 0.9 times the width at which a part would lose its cap", "[bevelled]")
 {
     const auto reach = [](const shapes::shape& s, float width, bevel_mode mode) {
         const auto m = capped(s, bevelled{.width = width, .mode = mode});
@@ -475,7 +475,7 @@ TEST_CASE(
     }
 }
 
-TEST_CASE("a bevel whose cap is refused is narrower, closed, and said to be so", "[bevelled]")
+TEST_CASE("a bevel whose cap is refused becomes narrower, stays closed, and is reported", "[bevelled]")
 {
     const auto s = shapes::letter_d(8);
     for (const int refusals : {0, 1, 3}) {
@@ -513,8 +513,7 @@ TEST_CASE("a bevel whose cap is refused is narrower, closed, and said to be so",
     }
 }
 
-TEST_CASE("an outward bevel grows the letter and keeps its front, with walls that meet it in texture and light",
-          "[bevelled]")
+TEST_CASE("an outward bevel grows the letter, keeps its front, and meets its walls in texture and light", "[bevelled]")
 {
     const auto s = shapes::letter_d(8);
     const bevelled how{.outward = true, .profile = round_profile(4)};
@@ -555,7 +554,7 @@ TEST_CASE("an outward bevel grows the letter and keeps its front, with walls tha
         CHECK(volume_of(capped(s, bevelled{.width = narrow, .outward = true})) == Approx(0.2 * area_at(s, 0.0)));
 }
 
-TEST_CASE("outward bevels round sharp corners reach as far as the mitre limit, whatever that is", "[bevelled]")
+TEST_CASE("outward bevels reach no farther round sharp corners than any mitre limit", "[bevelled]")
 {
     for (const auto& [limit, reach] : {std::pair{2.0f, 0.1}, {8.0f, 0.4}, {0.0f, 0.81}}) {
         INFO("limit " << limit);
@@ -567,7 +566,7 @@ TEST_CASE("outward bevels round sharp corners reach as far as the mitre limit, w
     }
 }
 
-TEST_CASE("a bevel narrower than four cells is upright, one less deep is level", "[bevelled]")
+TEST_CASE("a bevel narrower than four cells is upright, and a bevel less deep than that is level", "[bevelled]")
 {
     const shapes::shape shape = shapes::letter_d(8);
     const double area = area_at(shape, 0.0);
@@ -592,7 +591,7 @@ TEST_CASE("a bevel narrower than four cells is upright, one less deep is level",
     check_same(capped(shape, bevelled{.width = 0.0f, .bevel_depth = 0.0f}), plain);
 }
 
-TEST_CASE("parts that are switched off are left out, the others stay what they are", "[bevelled]")
+TEST_CASE("parts that are switched off are left out, and the others stay the same", "[bevelled]")
 {
     const auto s = shapes::letter_e();
     const auto all = capped(s, bevelled{});
@@ -606,7 +605,7 @@ TEST_CASE("parts that are switched off are left out, the others stay what they a
     }
 }
 
-TEST_CASE("bevelled refuses options out of range, each by its name, with or without a region", "[bevelled]")
+TEST_CASE("bevelled refuses options out of range by their names, with and without a region", "[bevelled]")
 {
     const float endless = std::numeric_limits<float>::infinity(), nowhere = std::numeric_limits<float>::quiet_NaN();
     for (const float v : {-0.1f, endless, -endless, nowhere}) {
@@ -674,13 +673,13 @@ TEST_CASE("bevels that plan differently have different keys", "[bevelled]")
     CHECK_FALSE(a.cache_key() == b.cache_key());
 }
 
-TEST_CASE("an empty region is bevelled to nothing, and memory that runs out is reported", "[bevelled]")
+TEST_CASE("an empty region has an empty bevel, and a lack of memory is reported", "[bevelled]")
 {
     check_empty_region(bevelled{});
     check_scarce_memory(bevelled{.profile = round_profile()}, 60);
 }
 
-TEST_CASE("a bevel is planned anew into the memory of the last one", "[bevelled]")
+TEST_CASE("a bevel can be planned in the memory of the last one", "[bevelled]")
 {
     check_planned_anew(bevelled{.profile = round_profile(4)});
 }

@@ -45,7 +45,7 @@ moved moved_by(const shapes::shape& s, double distance, const corner_rule& how)
 
 }  // namespace
 
-TEST_CASE("a moved boundary encloses what Steiner's formula says, outwards and inwards", "[boundary_mover]")
+TEST_CASE("a moved boundary encloses the area of Steiner's formula, outwards and inwards", "[boundary_mover]")
 {
     const shapes::shape all[] = {shapes::rectangle(), shapes::letter_e(), shapes::ring(8), shapes::letter_d(8),
                                  shapes::ribbon()};
@@ -71,7 +71,7 @@ TEST_CASE("less than four cells move nothing", "[boundary_mover]")
     CHECK_FALSE(moved_by(s, 4.0, {}).loops.points[0] == s.loops.points[0]);
 }
 
-TEST_CASE("moved edges run in the direction of the curves that they name, joins too", "[boundary_mover]")
+TEST_CASE("moved edges and joins run in the direction of their curves", "[boundary_mover]")
 {
     shapes::shape sharp = shapes::spike();
     sharp.loops.tolerance = 50.0;

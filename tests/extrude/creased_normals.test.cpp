@@ -7,7 +7,7 @@
 using namespace typemesh;
 using namespace meshes;
 
-TEST_CASE("creased normals double the corners of the polygon, each wall with its own normal", "[extrude]")
+TEST_CASE("creased normals double the corners of the polygon, and each wall has its own normal", "[extrude]")
 {
     for (const float crease : {1.0f, 10.0f, 30.0f, 75.0f, 100.0f}) {
         for (const auto& s : shapes::all()) {

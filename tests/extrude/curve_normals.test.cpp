@@ -80,7 +80,7 @@ struct loose_shape {
 
 }  // namespace
 
-TEST_CASE("normals inside curves are the curve's own within 0.01 degrees, however coarse the polygon", "[extrude]")
+TEST_CASE("normals inside curves are within 0.01 degrees of the curve's, even on a coarse polygon", "[extrude]")
 {
     for (const int pieces : {2, 3, 8}) {
         const shapes::shape round[] = {shapes::ring(pieces), shapes::letter_d(pieces), shapes::ribbon(pieces + 2),
@@ -100,7 +100,7 @@ TEST_CASE("normals inside curves are the curve's own within 0.01 degrees, howeve
     }
 }
 
-TEST_CASE("a circle's normals point away from its centre, its hole's towards it", "[extrude]")
+TEST_CASE("the normals of a circle point away from its centre, and a hole's towards it", "[extrude]")
 {
     const auto s = shapes::ring(2);
     const auto sides = sides_of(s);
@@ -112,7 +112,7 @@ TEST_CASE("a circle's normals point away from its centre, its hole's towards it"
     }
 }
 
-TEST_CASE("corners are crisp: each wall keeps its line's normal exactly", "[extrude]")
+TEST_CASE("at a hard corner each wall has exactly its line's normal", "[extrude]")
 {
     const auto s = shapes::rectangle();
     const auto sides = sides_of(s);
@@ -125,7 +125,7 @@ TEST_CASE("corners are crisp: each wall keeps its line's normal exactly", "[extr
     }
 }
 
-TEST_CASE("a wall over a line between two hard corners has one normal, bit by bit", "[extrude]")
+TEST_CASE("a wall between two hard corners of a line has one normal, to the bit", "[extrude]")
 {
     std::mt19937 random{7};
     std::uniform_real_distribution<double> where{0.1, 1.0};
@@ -143,7 +143,7 @@ TEST_CASE("a wall over a line between two hard corners has one normal, bit by bi
     }
 }
 
-TEST_CASE("a line that runs softly into a curve keeps its normal there", "[extrude]")
+TEST_CASE("a line that runs smoothly into a curve keeps its normal there", "[extrude]")
 {
     const auto s = shapes::letter_d();
     const auto sides = sides_of(s);
@@ -181,7 +181,7 @@ TEST_CASE("the direction in which an outline is given does not matter", "[extrud
     }
 }
 
-TEST_CASE("a cusp inside a curve is hard, each side with its own normal", "[extrude]")
+TEST_CASE("a cusp inside a curve is hard, and each side has its own normal", "[extrude]")
 {
     const auto s = shapes::cusp();
     for (const float crease : {15.0f, 180.0f}) {
@@ -199,7 +199,7 @@ TEST_CASE("a cusp inside a curve is hard, each side with its own normal", "[extr
     CHECK(std::count_if(sides.begin(), sides.end(), hard) == 3);
 }
 
-TEST_CASE("a joint is hard when its tangents break by more than the crease angle", "[extrude]")
+TEST_CASE("a joint is hard when its tangents differ by more than the crease angle", "[extrude]")
 {
     for (const double degrees : {0.0, 5.0, 14.9, 15.1, 30.0, 89.9, 150.0}) {
         const double turn = degrees * 3.14159265358979323846 / 180.0;
@@ -219,7 +219,7 @@ TEST_CASE("a joint is hard when its tangents break by more than the crease angle
     }
 }
 
-TEST_CASE("a break that equals the crease angle is soft", "[extrude]")
+TEST_CASE("a joint at exactly the crease angle is soft", "[extrude]")
 {
     for (const auto& side : sides_of(shapes::rectangle(), {90.0f})) CHECK_FALSE(hard(side));
     for (const auto& side : sides_of(shapes::rectangle(), {89.99f})) CHECK(hard(side));
@@ -259,7 +259,7 @@ TEST_CASE("a point inside a curve is soft even where the polygon leaves the curv
     CHECK(sides[1].after.y < 0.0f);
 }
 
-TEST_CASE("normals are of unit length and point out of their walls, whatever the curves behind the polygon say",
+TEST_CASE("normals have unit length and point out of their walls, even if the curves do not fit the polygon",
           "[extrude]")
 {
     std::mt19937 random{11};
@@ -310,8 +310,8 @@ TEST_CASE("normals are of unit length and point out of their walls, whatever the
 
 namespace {
 
-/// A needle whose tip, at (0, 1), is that of a hairpin: the curve comes from the right, turns within no room at all,
-/// and goes back. Its walls are straight to one unit; at the tip the curve runs down. The points are those at the given t,
+/// A needle whose tip, at (0, 1), is the tip of a hairpin: the curve comes from the right, turns within no room at all,
+/// and goes back. Its walls are straight to one unit; at the tip the curve runs down. The points lie at the given t,
 /// and `forth` says whether the curve runs that way or is to be run backwards.
 loose_shape needle(double tolerance, bool forth, const std::vector<float>& inner = {0.5f})
 {
@@ -336,7 +336,7 @@ loose_shape needle(double tolerance, bool forth, const std::vector<float>& inner
 
 }  // namespace
 
-TEST_CASE("the tip of a hairpin inside a curve is hard where it would light a long wall from the side", "[extrude]")
+TEST_CASE("the tip of a hairpin is hard where its normal would light a long wall from the side", "[extrude]")
 {
     for (const bool forth : {true, false}) {
         const auto coarse = needle(1.0, forth);  // both walls are long
@@ -363,7 +363,7 @@ TEST_CASE("the tip of a hairpin inside a curve is hard where it would light a lo
     }
 }
 
-TEST_CASE("a soft joint is hard where its sum would light a long wall from the side", "[extrude]")
+TEST_CASE("a soft joint becomes hard where its normal would light a long wall from the side", "[extrude]")
 {
     // The same needle of two curves. Their tangents break by 0 or about 6 degrees in the tip.
     for (const double aside : {0.0, 0.05}) {
@@ -390,7 +390,7 @@ TEST_CASE("a corner that is hard already does not light a long wall from the sid
     CHECK(sides[1].after == vec2{1.0f, 0.0f});
 }
 
-TEST_CASE("a normal 45 degrees off a long wall stays the curve's, one farther off does not", "[extrude]")
+TEST_CASE("a normal up to 45 degrees off a long wall stays the curve's, and no normal farther off", "[extrude]")
 {
     for (const double more : {0.0, 0.001}) {  // the curve starts upwards, the chord runs to the upper right
         auto s = whole_curves({shapes::quad({0, 0}, {-more, 1000}, {1000, 1000}),
@@ -403,7 +403,7 @@ TEST_CASE("a normal 45 degrees off a long wall stays the curve's, one farther of
     }
 }
 
-TEST_CASE("a wall of exactly 16 tolerances is not long yet, a hair below that it is", "[extrude]")
+TEST_CASE("a wall is long if it is longer than 16 tolerances", "[extrude]")
 {
     // The curve starts 73 degrees off its chord, which is 512,000 cells long.
     auto s = whole_curves({shapes::quad({0, 0}, {300, -1000}, {1000, 0}), shapes::line({1000, 0}, {0, 1000}),
@@ -415,7 +415,7 @@ TEST_CASE("a wall of exactly 16 tolerances is not long yet, a hair below that it
     CHECK(sides_of(s)[0].after == own);
 }
 
-TEST_CASE("an edge whose t does not tell which way it runs follows its curve the way that it goes", "[extrude]")
+TEST_CASE("an edge with equal parameters at both ends follows its curve in the direction that it runs", "[extrude]")
 {
     // A bowl, run against its curve; beside t = 1/2 there is an edge of one cell, so short that both its ends have that t.
     const quadratic bowl{{1000, 0}, {0, -1000}, {-1000, 0}};

@@ -92,7 +92,8 @@ bolder bolder_of(const shapes::shape& s, const E& how)
 
 }  // namespace
 
-TEST_CASE("emboldened solids are closed and lit from outside, bolder and thinner, whatever makes them", "[emboldened]")
+TEST_CASE("emboldened solids of every extruder are closed and lit from outside, both bolder and thinner",
+          "[emboldened]")
 {
     for (const auto& s : all_shapes())
         for (const float by : {0.003f, 0.02f, 0.05f, 0.4f, -0.003f, -0.01f}) {
@@ -111,7 +112,7 @@ TEST_CASE("emboldened solids are closed and lit from outside, bolder and thinner
         }
 }
 
-TEST_CASE("a bolder letter holds what lies within the distance, and no more beyond the mitre limit", "[emboldened]")
+TEST_CASE("a bolder letter contains all within the distance, and nothing beyond the mitre limit", "[emboldened]")
 {
     for (const auto& s : all_shapes())
         for (const float limit : {1.0f, 2.0f, 4.0f})
@@ -159,7 +160,7 @@ TEST_CASE("a bolder ring has the area between two circles, and its walls are lit
     }
 }
 
-TEST_CASE("an edge that is cut short is lit like the part of its curve that is left", "[emboldened]")
+TEST_CASE("an edge that is cut short is lit like the rest of its curve", "[emboldened]")
 {
     const shapes::shape drop = shapes::drop(12);  // thinner, its pointed end is cut short
     const auto m = capped(drop, test::emboldened<>{.by = -0.02f, .solid = {.texture = texture_mapping::box}});
@@ -178,7 +179,7 @@ TEST_CASE("an edge that is cut short is lit like the part of its curve that is l
     }
 }
 
-TEST_CASE("a sharp corner that grows becomes round and shades round, a blunt one stays a corner", "[emboldened]")
+TEST_CASE("a sharp corner that grows becomes round and shades smoothly, and a blunt one stays a corner", "[emboldened]")
 {
     shapes::shape spike = shapes::spike();
     spike.loops.tolerance = 20.0;
@@ -197,8 +198,7 @@ TEST_CASE("a sharp corner that grows becomes round and shades round, a blunt one
     CHECK(capped(shapes::rectangle(), test::emboldened<>{.by = 0.05f}).data.loops.points.size() == 4);
 }
 
-TEST_CASE("a bolder letter's narrow counters close, and of a thinner one thin parts vanish, or all of it",
-          "[emboldened]")
+TEST_CASE("narrow counters close in a bolder letter, and thin parts vanish from a thinner one", "[emboldened]")
 {
     const auto euler = [](const auto& m) {
         const auto indices = indices_of(m);
@@ -215,14 +215,14 @@ TEST_CASE("a bolder letter's narrow counters close, and of a thinner one thin pa
     CHECK(build_capped(shapes::rectangle(), test::emboldened<>{.by = -0.21f}, none) == error::nothing_left);
 }
 
-TEST_CASE("a letter that is moved less than four cells is the letter itself", "[emboldened]")
+TEST_CASE("a letter moved by less than four cells stays the same", "[emboldened]")
 {
     const auto s = shapes::letter_d(8);
     const auto plain = build(s, extruded<>{});
     for (const float by : {0.0f, 5e-6f, -5e-6f}) check_same_vertices(capped(s, test::emboldened<>{.by = by}), plain);
 }
 
-TEST_CASE("letters whose loops touch in a point grow together there, or part", "[emboldened]")
+TEST_CASE("loops that touch in a point grow together when bolder, and part when thinner", "[emboldened]")
 {
     for (const float by : {0.0f, 0.02f, -0.02f}) {
         INFO("by " << by);
@@ -253,7 +253,7 @@ TEST_CASE("letters whose loops touch in a point grow together there, or part", "
     }
 }
 
-TEST_CASE("an emboldened solid obeys its laws in every frame, and its box holds what has grown", "[emboldened]")
+TEST_CASE("an emboldened solid obeys its laws in every frame, and its box contains the growth", "[emboldened]")
 {
     for (const frame& f : frames())
         for (const auto texture : {texture_mapping::em, texture_mapping::box}) {
@@ -266,7 +266,7 @@ TEST_CASE("an emboldened solid obeys its laws in every frame, and its box holds 
     CHECK(test::emboldened<>{.solid = {.depth = 0.5f}}.heights().low == -0.5);
 }
 
-TEST_CASE("bold letters may be made bolder again", "[emboldened]")
+TEST_CASE("a bolder letter can be made bolder again", "[emboldened]")
 {
     const auto s = shapes::ring(16);
     const auto twice = capped(s, test::emboldened<test::emboldened<>>{.by = 0.02f, .solid = {.by = 0.03f}});
@@ -275,7 +275,7 @@ TEST_CASE("bold letters may be made bolder again", "[emboldened]")
     CHECK(volume_of(twice) == Approx(volume_of(once)).epsilon(1e-4));
 }
 
-TEST_CASE("emboldened refuses options out of range by their names, its own and the other extruder's", "[emboldened]")
+TEST_CASE("emboldened refuses options out of range by name, both its own and the other extruder's", "[emboldened]")
 {
     const float infinite = std::numeric_limits<float>::infinity(), nowhere = std::numeric_limits<float>::quiet_NaN();
     for (const float v : {infinite, -infinite, nowhere}) {
@@ -310,23 +310,23 @@ TEST_CASE("emboldened letters that differ have different keys", "[emboldened]")
     CHECK(deeper.cache_key() == plain.cache_key());
 }
 
-TEST_CASE("an empty region is emboldened to nothing, and memory that runs out is reported", "[emboldened]")
+TEST_CASE("an empty region stays empty when emboldened, and a lack of memory is reported", "[emboldened]")
 {
     check_empty_region(test::emboldened<>{});
     for (const float by : {0.03f, -0.03f}) check_scarce_memory(test::emboldened<>{.by = by}, 60);
 }
 
-TEST_CASE("a bolder letter is planned anew into the memory of the last one", "[emboldened]")
+TEST_CASE("a bolder letter can be planned in the memory of the last one", "[emboldened]")
 {
     check_planned_anew(test::emboldened<bevelled>{.by = 0.01f});
 }
 
-TEST_CASE("where new edges are not proven, a letter grows by half as much, and the plan says so", "[emboldened]")
+TEST_CASE("a letter grows by half as much if its new edges are refused, and the plan reports it", "[emboldened]")
 {
     check_refused_edges(test::emboldened<>{.by = 0.01f}, test::emboldened<>{.by = 0.02f});
 }
 
-TEST_CASE("with a mitre limit of 1 nested solids have not many more triangles than with one of 2", "[emboldened]")
+TEST_CASE("nested solids with a mitre limit of 1 have less than 5 times as many triangles as with 2", "[emboldened]")
 {
     std::vector<point> spikes;
     for (int i = 0; i < 40; ++i) {
@@ -357,7 +357,7 @@ TEST_CASE("with a mitre limit of 1 nested solids have not many more triangles th
     }
 }
 
-TEST_CASE("needles whose corners have no mitre limit are moved as far as they should be", "[emboldened]")
+TEST_CASE("needles are moved by the full distance, with and without a mitre limit", "[emboldened]")
 {
     // The crescents between two circles that are nearly the same end in needles, and these grow spikes.
     const double c = 1.0 / 512.0;

@@ -54,7 +54,7 @@ TEST_CASE("a sink that refuses in begin() gets nothing else", "[extrude]")
     CHECK(sink.ended == 0);
 }
 
-TEST_CASE("more vertices than 32 bits number are too large", "[extrude]")
+TEST_CASE("more vertices than 32 bits can number are refused as too large", "[extrude]")
 {
     const auto s = shapes::rectangle();
     mesh<> sink;
@@ -76,7 +76,7 @@ TEST_CASE("scratch from an earlier shape does not leak into the next", "[extrude
     check_same(used, fresh);
 }
 
-TEST_CASE("parts lie one behind the other, vertices and triangles alike", "[extrude]")
+TEST_CASE("vertices and triangles lie part after part", "[extrude]")
 {
     const auto s = shapes::ring();
     const built b = build(s, extruded<>{});

@@ -39,8 +39,8 @@ std::uint32_t expected_side_vertices(const shapes::shape& s, const built& b, tex
 
 }  // namespace
 
-TEMPLATE_TEST_CASE("extruded has exactly the vertices and triangles of its style, for all switches", "[extrude]",
-                   shared_normals, averaged_normals, creased_normals, curve_normals)
+TEMPLATE_TEST_CASE("extruded has exactly the vertices and triangles of its style, for every choice of parts",
+                   "[extrude]", shared_normals, averaged_normals, creased_normals, curve_normals)
 {
     for (const auto& s : shapes::all()) {
         for (unsigned bits = 0; bits < 16; ++bits) {
@@ -72,7 +72,7 @@ TEMPLATE_TEST_CASE("extruded has exactly the vertices and triangles of its style
     }
 }
 
-TEST_CASE("the four styles have 2N, 4N, 4N + 2H and 4N + 2H vertices, and 2 for each seam", "[extrude]")
+TEST_CASE("the four styles have 2N, 4N, 4N + 2H and 4N + 2H vertices, and 2 more for each seam", "[extrude]")
 {
     const auto total = [](const built& b) { return b.announced.vertices; };
     // 12 corners, all hard
@@ -97,7 +97,7 @@ TEST_CASE("the four styles have 2N, 4N, 4N + 2H and 4N + 2H vertices, and 2 for 
     CHECK(total(build(d, extruded<shared_normals>{.texture = texture_mapping::box})) == 44);
 }
 
-TEMPLATE_TEST_CASE("extruded is closed, faces outward and turns as the frame asks", "[extrude]", shared_normals,
+TEMPLATE_TEST_CASE("extruded is closed, faces outward and has the frame's winding", "[extrude]", shared_normals,
                    averaged_normals, creased_normals, curve_normals)
 {
     for (const frame& f : frames()) {
@@ -117,7 +117,7 @@ TEMPLATE_TEST_CASE("extruded is closed, faces outward and turns as the frame ask
     }
 }
 
-TEMPLATE_TEST_CASE("caps are flat and at their heights, walls stand straight between them", "[extrude]",
+TEMPLATE_TEST_CASE("caps are flat and at their heights, and walls stand straight between them", "[extrude]",
                    averaged_normals, creased_normals, curve_normals)
 {
     for (const bool centred : {false, true}) {
@@ -153,7 +153,7 @@ TEMPLATE_TEST_CASE("caps are flat and at their heights, walls stand straight bet
     }
 }
 
-TEST_CASE("each wall runs between the pairs that belong to it", "[extrude]")
+TEST_CASE("each wall lies between its own pairs of vertices", "[extrude]")
 {
     for (const auto& s : shapes::all()) {
         INFO(s.name);
@@ -173,7 +173,7 @@ TEST_CASE("each wall runs between the pairs that belong to it", "[extrude]")
     }
 }
 
-TEST_CASE("heights follow the parts that are switched on", "[extrude]")
+TEST_CASE("heights cover the parts that are switched on", "[extrude]")
 {
     const struct {
         bool front, back, side;
@@ -225,7 +225,7 @@ TEST_CASE("an empty region extrudes to nothing", "[extrude]")
     CHECK(extrude(region::proven(none, 0, 0), {}, extruded<>{.texture = texture_mapping::em}, in_em(), sides, m));
 }
 
-TEST_CASE("memory that fails in plan() is reported", "[extrude]")
+TEST_CASE("plan() reports that memory has run out", "[extrude]")
 {
     const memory nothing = {nullptr, [](void*, std::size_t, std::size_t) noexcept -> void* { return nullptr; },
                             [](void*, void*, std::size_t, std::size_t) noexcept {}};
@@ -251,7 +251,7 @@ TEST_CASE("fewer attributes give the same positions", "[extrude]")
     CHECK(bare.triangles == full.triangles);
 }
 
-TEST_CASE("the key of extruded{} tells apart what is planned apart, and nothing else", "[extrude]")
+TEST_CASE("the key of extruded changes with every option that is planned, and with no other", "[extrude]")
 {
     const extruded<> plain;
     check_different_keys<extruded<>>(plain, {{.depth = 0.0f},

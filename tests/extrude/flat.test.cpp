@@ -10,7 +10,7 @@ using namespace meshes;
 
 static_assert(extruder<flat>);
 
-TEST_CASE("flat is the front alone: N vertices, n + 2h - 2c triangles, at z = 0", "[extrude]")
+TEST_CASE("flat has only the front, with N vertices and n + 2h - 2c triangles at z = 0", "[extrude]")
 {
     for (const frame& f : frames()) {
         for (const auto& s : shapes::all()) {
@@ -32,7 +32,7 @@ TEST_CASE("flat is the front alone: N vertices, n + 2h - 2c triangles, at z = 0"
     CHECK(flat{}.heights().high == 0.0);
 }
 
-TEST_CASE("flat is the front of extruded, bit by bit", "[extrude]")
+TEST_CASE("flat equals the front of extruded, to the bit", "[extrude]")
 {
     for (const auto texture : texture_mappings) {
         for (const auto& s : shapes::all()) {

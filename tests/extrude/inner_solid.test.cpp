@@ -74,7 +74,7 @@ void check_round_trip(const E& how)
 
 }  // namespace
 
-TEST_CASE("an inner solid is planned for its own region, and read alike from itself and from a copy", "[inner_solid]")
+TEST_CASE("an inner solid is planned for its own region, and a copy of its bytes is the same solid", "[inner_solid]")
 {
     SECTION("of flat, which has no plan data") { check_round_trip(flat{}); }
     SECTION("of extruded") { check_round_trip(extruded<>{}); }

@@ -71,8 +71,7 @@ std::int64_t area_moved(const shapes::shape& s, double by)
 
 }  // namespace
 
-TEST_CASE("hollow letters are closed and lit from outside, with and without the letter, whatever makes them",
-          "[outlined]")
+TEST_CASE("hollow letters of every extruder are closed and lit from outside, with and without the letter", "[outlined]")
 {
     for (const auto& s : all_shapes())
         for (const float width : {0.01f, 0.05f, 0.3f})
@@ -90,7 +89,7 @@ TEST_CASE("hollow letters are closed and lit from outside, with and without the 
             }
 }
 
-TEST_CASE("ring and letter together are the letter as far as the ring reaches, to the cell", "[outlined]")
+TEST_CASE("ring and letter together have the area of the letter grown to the ring's edge, to the cell", "[outlined]")
 {
     for (const auto& s : all_shapes())
         for (const double width : {0.015625, 0.0625})  // in halves still whole cells
@@ -113,7 +112,7 @@ TEST_CASE("ring and letter together are the letter as far as the ring reaches, t
             }
 }
 
-TEST_CASE("a ring fills strokes that are thinner than what is taken off", "[outlined]")
+TEST_CASE("a ring fills strokes that are thinner than the ring on both sides", "[outlined]")
 {
     const auto bar = shapes::rectangle();  // 0.4 em wide
     const auto m = capped(bar, filled_outline{.width = 0.25f});
@@ -167,7 +166,7 @@ TEST_CASE("hollow letters obey their laws in every frame", "[outlined]")
         }
 }
 
-TEST_CASE("outlined refuses options out of range by their names, its own and the other extruders'", "[outlined]")
+TEST_CASE("outlined refuses options out of range by name, both its own and the other extruders'", "[outlined]")
 {
     const float infinite = std::numeric_limits<float>::infinity(), nowhere = std::numeric_limits<float>::quiet_NaN();
     for (const float v : {infinite, -infinite, nowhere, -0.01f, 0.0f})
@@ -205,18 +204,18 @@ TEST_CASE("hollow letters that differ have different keys", "[outlined]")
     check_different_keys(plain, others);
 }
 
-TEST_CASE("an empty region is outlined to nothing, and memory that runs out is reported", "[outlined]")
+TEST_CASE("an empty region has an empty outline, and a lack of memory is reported", "[outlined]")
 {
     check_empty_region(filled_outline{});
     for (const outline_place place : places) check_scarce_memory(filled_outline{.place = place}, 120);
 }
 
-TEST_CASE("a hollow letter is planned anew into the memory of the last one", "[outlined]")
+TEST_CASE("a hollow letter can be planned in the memory of the last one", "[outlined]")
 {
     check_planned_anew(filled_outline{});
 }
 
-TEST_CASE("where new edges are not proven, a ring is half as wide, and the plan says so", "[outlined]")
+TEST_CASE("a ring is half as wide if its new edges are refused, and the plan reports it", "[outlined]")
 {
     check_refused_edges(filled_outline{.width = 0.01f}, filled_outline{.width = 0.02f});
 }

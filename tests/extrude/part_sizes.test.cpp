@@ -7,7 +7,7 @@
 
 using namespace typemesh;
 
-TEST_CASE("parts lie behind one another, without a gap, from the place that is given", "[extrude]")
+TEST_CASE("parts follow each other without a gap, beginning at the given place", "[extrude]")
 {
     const part_sizes all[] = {{{{4, 5, 6}}, {{1, 2, 3}}}, {{{0, 5, 0}}, {{0, 7, 0}}}, {{{3, 0, 0}}, {{1, 0, 0}}}, {}};
     for (const part_sizes& s : all) {
@@ -29,14 +29,14 @@ TEST_CASE("parts lie behind one another, without a gap, from the place that is g
     }
 }
 
-TEST_CASE("what is added to sizes can be taken away again, and totals go along", "[extrude]")
+TEST_CASE("sizes can be added and subtracted again, and totals follow", "[extrude]")
 {
     const part_sizes a{{{4, 5, 6}}, {{1, 2, 3}}}, b{{{10, 0, 7}}, {{8, 9, 0}}};
     CHECK((a + b) - b == a);
     CHECK((a + b).total() == a.total() + b.total());
 }
 
-TEST_CASE("totals count beyond 32 bits, and say whether these suffice", "[extrude]")
+TEST_CASE("totals count beyond 32 bits, and report whether 32 bits suffice", "[extrude]")
 {
     const part_sizes most{{{0xFFFF'FFFFu, 0xFFFF'FFFFu, 0xFFFF'FFFFu}}, {{0xFFFF'FFFFu, 0xFFFF'FFFFu, 0xFFFF'FFFFu}}};
     CHECK(most.total().vertices == 0x2'FFFF'FFFDu);

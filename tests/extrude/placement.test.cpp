@@ -23,7 +23,7 @@ placement any_placement(const frame& f, test::dice& d)
 
 }  // namespace
 
-TEST_CASE("a place is the frame's sum of what the unit makes of the cell", "[extrude][placement]")
+TEST_CASE("a position is the frame's sum of the cell in output units", "[extrude][placement]")
 {
     test::dice d{17};
     for (const frame& f : meshes::frames()) {
@@ -45,8 +45,7 @@ TEST_CASE("a place is the frame's sum of what the unit makes of the cell", "[ext
     }
 }
 
-TEST_CASE("places that are equal in exact numbers are equal floats, whichever pen and cell they come from",
-          "[extrude][placement]")
+TEST_CASE("positions that are equal in exact numbers are equal floats, from any pen and cell", "[extrude][placement]")
 {
     test::dice d{18};
     placement a, b;
@@ -58,7 +57,7 @@ TEST_CASE("places that are equal in exact numbers are equal floats, whichever pe
     }
 }
 
-TEST_CASE("a flat place is rounded once, to the nearest float", "[extrude][placement]")
+TEST_CASE("a position with height 0 is rounded once, to the nearest float", "[extrude][placement]")
 {
     test::dice d{19};
     placement at;
@@ -72,7 +71,7 @@ TEST_CASE("a flat place is rounded once, to the nearest float", "[extrude][place
     }
 }
 
-TEST_CASE("a flat place half-way between two floats is rounded to the even one", "[extrude][placement]")
+TEST_CASE("a position half-way between two floats is rounded to the even one", "[extrude][placement]")
 {
     placement at;
     for (std::int32_t i = -200; i < 200; ++i) {
@@ -83,7 +82,7 @@ TEST_CASE("a flat place half-way between two floats is rounded to the even one",
     }
 }
 
-TEST_CASE("heights follow the unit of depths, and a wall's normal the frame", "[extrude][placement]")
+TEST_CASE("heights follow the unit of depths, and wall normals follow the frame", "[extrude][placement]")
 {
     placement at;
     at.unit_per_depth = 2.5;
@@ -96,7 +95,7 @@ TEST_CASE("heights follow the unit of depths, and a wall's normal the frame", "[
     }
 }
 
-TEST_CASE("any point goes where a grid point goes, to the bit", "[extrude][placement]")
+TEST_CASE("a point is placed like the grid point with its coordinates, to the bit", "[extrude][placement]")
 {
     test::dice d{23};
     for (const frame& f : meshes::frames()) {

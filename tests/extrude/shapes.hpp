@@ -29,7 +29,7 @@ public:
     contours loops;
     std::vector<triangle> cap;
 
-    /// Outer contours first told by their area: a contour that runs the wrong way round is turned.
+    /// Outer contours first. A contour whose area has the wrong sign is turned.
     shape(std::string n, std::vector<std::vector<curve>> outers, std::vector<std::vector<curve>> holes = {},
           int pieces = 4)
         : name{std::move(n)},

@@ -7,7 +7,7 @@
 using namespace typemesh;
 using namespace meshes;
 
-TEST_CASE("shared normals sum a cap and two walls, of the parts that are there", "[extrude]")
+TEST_CASE("shared normals are the sum of a cap and two walls, as far as these parts are on", "[extrude]")
 {
     for (const auto& s : shapes::all()) {
         for (unsigned bits = 0; bits < 8; ++bits) {

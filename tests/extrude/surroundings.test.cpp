@@ -25,7 +25,7 @@ void check_on_curves(const contours& loops, std::uint32_t first)
 
 }  // namespace
 
-TEST_CASE("around a region lies a frame with the region as its hole, each edge on its curve in reverse",
+TEST_CASE("the surroundings are a frame with the region as its hole, and each edge runs along its curve in reverse",
           "[surroundings]")
 {
     for (const auto& s : shapes::all()) {
@@ -59,7 +59,7 @@ TEST_CASE("around a region lies a frame with the region as its hole, each edge o
     }
 }
 
-TEST_CASE("a loop that is turned twice is what it was", "[surroundings]")
+TEST_CASE("a loop that is turned twice is unchanged", "[surroundings]")
 {
     for (const auto& s : shapes::all()) {
         contours loops;
@@ -74,7 +74,7 @@ TEST_CASE("a loop that is turned twice is what it was", "[surroundings]")
     }
 }
 
-TEST_CASE("corners move as far as their mitres, or to the limit, rounded up to whole distances", "[surroundings]")
+TEST_CASE("corners move as far as their mitres or the limit, rounded up to whole distances", "[surroundings]")
 {
     const auto with_tip = [](double half_width) {  // at the height of 100
         return shapes::shape{"tip", {shapes::polygon({{-half_width, 0}, {half_width, 0}, {0, 100}})}};
@@ -89,7 +89,7 @@ TEST_CASE("corners move as far as their mitres, or to the limit, rounded up to w
     CHECK(farthest_way(region{}, 7.0, 0.0) == 7.0 * 2.0);                    // NOLINT
 }
 
-TEST_CASE("surroundings beyond the grid are refused, those of an empty region are empty", "[surroundings]")
+TEST_CASE("surroundings beyond the grid are refused, and an empty region has empty surroundings", "[surroundings]")
 {
     contours around;
     CHECK(surround(shapes::rectangle().made(), grid::reach / 2.0, around) == error::outline_beyond_grid);

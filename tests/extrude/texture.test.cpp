@@ -31,8 +31,8 @@ double length_of(const shapes::shape& s, std::uint32_t contour)
 
 }  // namespace
 
-TEMPLATE_TEST_CASE("box mapping runs from exactly 0 to exactly 1, on walls by the place of their edge", "[extrude]",
-                   shared_normals, averaged_normals, curve_normals)
+TEMPLATE_TEST_CASE("box mapping runs from exactly 0 to exactly 1, and walls take the coordinates of their edge",
+                   "[extrude]", shared_normals, averaged_normals, curve_normals)
 {
     for (const auto origin : {uv_origin::top_left, uv_origin::bottom_left}) {
         for (const auto& s : shapes::all()) {
@@ -62,7 +62,7 @@ TEST_CASE("a box without extent gives one coordinate, not NaN", "[extrude]")
         CHECK(v.uv == vec2{0.0f, 1.0f});
 }
 
-TEMPLATE_TEST_CASE("em mapping has one tile an em on caps and walls, within 1 %", "[extrude]", averaged_normals,
+TEMPLATE_TEST_CASE("em mapping has one tile per em on caps and walls, within 1 %", "[extrude]", averaged_normals,
                    creased_normals, curve_normals)
 {
     for (const auto origin : {uv_origin::top_left, uv_origin::bottom_left}) {
@@ -95,7 +95,7 @@ TEMPLATE_TEST_CASE("em mapping has one tile an em on caps and walls, within 1 %"
     }
 }
 
-TEMPLATE_TEST_CASE("by default no triangle's texture is drawn out into a line", "[extrude]", flat,
+TEMPLATE_TEST_CASE("no triangle's texture is stretched into a line by default", "[extrude]", flat,
                    extruded<averaged_normals>, extruded<creased_normals>, extruded<curve_normals>)
 {
     for (const auto& s : shapes::all()) {
@@ -108,7 +108,7 @@ TEMPLATE_TEST_CASE("by default no triangle's texture is drawn out into a line", 
     }
 }
 
-TEST_CASE("the seam of em mapping lies in a hard point where there is one, and u runs once along each contour",
+TEST_CASE("the seam of em mapping lies in a hard point if there is one, and u runs once along each contour",
           "[extrude]")
 {
     for (const auto& s : shapes::all()) {
@@ -142,7 +142,7 @@ TEST_CASE("the seam of em mapping lies in a hard point where there is one, and u
     }
 }
 
-TEST_CASE("shared normals keep planar coordinates on their walls in em mapping too", "[extrude]")
+TEST_CASE("shared normals keep planar coordinates on their walls in em mapping", "[extrude]")
 {
     const auto s = shapes::letter_d();
     const built b = build(s, extruded<shared_normals>{.texture = texture_mapping::em});
@@ -154,7 +154,7 @@ TEST_CASE("shared normals keep planar coordinates on their walls in em mapping t
     }
 }
 
-TEST_CASE("any point gets the texture coordinates of a grid point, to the bit, and walls theirs by length and depth",
+TEST_CASE("points get the texture coordinates of grid points, to the bit, and walls get theirs by length and depth",
           "[extrude]")
 {
     for (const auto origin : {uv_origin::top_left, uv_origin::bottom_left}) {
@@ -184,7 +184,7 @@ TEST_CASE("any point gets the texture coordinates of a grid point, to the bit, a
     }
 }
 
-TEST_CASE("cylindrical mapping runs once from 0 to 1 along each contour, and is em mapping otherwise", "[extrude]")
+TEST_CASE("cylindrical mapping runs once from 0 to 1 along each contour, and equals em mapping otherwise", "[extrude]")
 {
     for (const auto& s : shapes::all()) {
         INFO(s.name);

@@ -13,7 +13,7 @@ using Catch::Approx;
 
 namespace {
 
-/// Where u and v grow on a triangle, from its places and texture coordinates alone; `known` unless these lie on a line.
+/// Where u and v grow on a triangle, from its positions and texture coordinates; `known` unless these lie on a line.
 struct gradient {
     wide_vec u, v;
     bool known;
@@ -43,9 +43,8 @@ std::vector<placement> placements(const shapes::shape& s)
 
 }  // namespace
 
-TEMPLATE_TEST_CASE(
-    "tangents lie where u grows and bitangents where v grows, on every triangle that tells, in every frame",
-    "[extrude]", shared_normals, averaged_normals, creased_normals, curve_normals)
+TEMPLATE_TEST_CASE("tangents point where u grows and bitangents where v grows, on every triangle in every frame",
+                   "[extrude]", shared_normals, averaged_normals, creased_normals, curve_normals)
 {
     for (const auto& s : shapes::all()) {
         INFO(s.name);
@@ -95,7 +94,7 @@ TEST_CASE("box mapping gives walls the tangents of em mapping, since u and v do 
     }
 }
 
-TEST_CASE("flat text has one tangent: along the text", "[extrude]")
+TEST_CASE("flat text has one tangent, along the text", "[extrude]")
 {
     for (const frame& f : frames()) {
         const built b = build(shapes::letter_d(), flat{}, in_em(f));
@@ -108,7 +107,7 @@ TEST_CASE("flat text has one tangent: along the text", "[extrude]")
     }
 }
 
-TEST_CASE("a rim that leans all the way along the text has a tangent all the same", "[extrude]")
+TEST_CASE("a rim whose normal lies along the text still has a tangent", "[extrude]")
 {
     const texture_tangent tangents{right_handed_y_up};
     const free_axes axes{in_em()};
@@ -120,7 +119,7 @@ TEST_CASE("a rim that leans all the way along the text has a tangent all the sam
     CHECK(tangents.on_rim(axes, {0.0f, 0.0f, -1.0f}, -1.0f) == vec4{1.0f, 0.0f, 0.0f, 1.0f});
 }
 
-TEST_CASE("every vertex knows its part, and its glyph and cluster from its placement", "[extrude]")
+TEST_CASE("every vertex has its part, and the glyph and cluster of its placement", "[extrude]")
 {
     placement at = in_em();
     CHECK(build(shapes::letter_d(), flat{}, at).vertices[0].glyph == no_glyph);
@@ -138,7 +137,7 @@ TEST_CASE("every vertex knows its part, and its glyph and cluster from its place
     }
 }
 
-TEST_CASE("tangents of surfaces of any kind are those of caps and walls where these are meant", "[extrude]")
+TEST_CASE("the tangent of a general surface equals that of a cap or a wall with the same normal", "[extrude]")
 {
     for (const frame& f : frames()) {
         placement at = in_em(f);
