@@ -347,12 +347,11 @@ TEST_CASE("a letter whose bevels meet in a ridge has no primitive for its caps, 
         CHECK(all_after(meshes, "\"material\":") ==
               (packed ? words{"2", "3", "4", "0", "1", "2", "3", "4"} : words{"0", "1", "2", "3", "4"}));
         words counts;
-        for (std::size_t i = 0; i < (packed ? 2 : 1); ++i) {
+        for (std::size_t i = 0; i < (packed ? 2 : 1); ++i)
             for (const part p : plan->parts()) {
                 const mesh_range range = packed ? plan->range(i, p) : plan->range(p);
                 if (range.index_count != 0) counts.push_back(std::to_string(range.index_count));
             }
-        }
         words told;
         const auto indices = all_after(meshes, "\"indices\":");
         const auto all = all_after(json.substr(json.find("\"accessors\":[")), "\"count\":");

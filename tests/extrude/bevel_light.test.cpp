@@ -82,7 +82,7 @@ TEST_CASE("joins turn from the wall before them to the wall after", "[bevel_ligh
     REQUIRE(s.swept.joins.size() == 7);
     const std::uint32_t n = s.of.points(), tip = s.swept.joins[0].point;
     point last{s.sides[tip].before.x, s.sides[tip].before.y};
-    for (std::uint32_t j = 0; j < 7; ++j) {
+    for (std::uint32_t j = 0; j < 7; ++j)
         for (std::uint32_t k = s.swept.at_level[2]; k < s.swept.edges_at.size(); ++k) {
             const swept_edge_at& e = s.swept.edges_at[k];
             if (e.edge != n + j) continue;
@@ -92,6 +92,5 @@ TEST_CASE("joins turn from the wall before them to the wall after", "[bevel_ligh
             CHECK(from.along == Approx(double(s.sides[tip].along)));
             last = to.outward;
         }
-    }
     CHECK(length(last - point{s.sides[tip].after.x, s.sides[tip].after.y}) < 1e-3);
 }

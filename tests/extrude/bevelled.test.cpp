@@ -372,8 +372,8 @@ TEST_CASE("a bevelled solid reports the heights that it reaches, even if it clos
         return reported.high - reported.low;
     };
     const auto bar = shapes::rectangle();
-    for (const bool outward : {false, true}) {
-        for (const bevel_sides sides : {bevel_sides::both, bevel_sides::front, bevel_sides::back}) {
+    for (const bool outward : {false, true})
+        for (const bevel_sides sides : {bevel_sides::both, bevel_sides::front, bevel_sides::back})
             for (const float width : {0.0f, 0.02f, 0.3f}) {
                 bevelled how{.width = width, .bevel_depth = 0.06f, .sides = sides, .outward = outward};
                 const bool ridge = width > 0.2f && !outward;
@@ -382,8 +382,6 @@ TEST_CASE("a bevelled solid reports the heights that it reaches, even if it clos
                 how.centred = true;
                 CHECK(check(bar, how) == Approx(ridge ? 0.2 - bevels * 0.02 : 0.2));
             }
-        }
-    }
     // Engraved: the rim is the highest, if it is reached; else the ridge below it.
     CHECK(check(bar, bevelled{.width = 0.1f, .profile = engraved_profile()}) == Approx(0.2));
     CHECK(check(bar, bevelled{.width = 0.8f, .bevel_depth = 0.06f, .profile = engraved_profile()}) ==
@@ -394,7 +392,7 @@ TEST_CASE("a bevelled solid reports the heights that it reaches, even if it clos
 TEST_CASE("the front triangles of a bevelled solid cover its base once", "[bevelled]")
 {
     const auto s = shapes::letter_d(8);
-    for (const bool outward : {false, true}) {
+    for (const bool outward : {false, true})
         for (const float width : {0.0f, 0.02f, 0.3f}) {
             const bevelled how{.width = width, .outward = outward};
             const auto m = capped(s, how);
@@ -406,7 +404,6 @@ TEST_CASE("the front triangles of a bevelled solid cover its base once", "[bevel
             const double area = 0.5 * double(twice) / cells / cells;
             CHECK((outward && width > 0.0f ? area > area_at(s, 0.0) + 0.01 : area == Approx(area_at(s, 0.0))));
         }
-    }
 }
 
 TEST_CASE("a fitted bevel has 0.9 times the width at which a part would lose its cap", "[bevelled]")
@@ -478,7 +475,7 @@ TEST_CASE(
 TEST_CASE("a bevel whose cap is refused becomes narrower, stays closed, and is reported", "[bevelled]")
 {
     const auto s = shapes::letter_d(8);
-    for (const int refusals : {0, 1, 3}) {
+    for (const int refusals : {0, 1, 3})
         for (const bevel_mode mode : {bevel_mode::clip, bevel_mode::fit}) {
             const bevelled how{.width = mode == bevel_mode::clip ? 0.02f : 0.3f, .mode = mode};
             caps_by<> caps{s.made()};
@@ -492,7 +489,6 @@ TEST_CASE("a bevel whose cap is refused becomes narrower, stays closed, and is r
             REQUIRE(write_solid<bevelled>({form_of<bevelled>(s, made.data), made.plan}, how, in_em(), m));
             check_laws(m);
         }
-    }
     // Of an outward bevel the first region that is filled is what lies around the letter: its refusal is the letter's.
     const bevelled outwards{.sides = bevel_sides::front, .outward = true};
     caps_by<> caps{s.made()};

@@ -336,7 +336,7 @@ TEST_CASE("nested solids with a mitre limit of 1 have less than 5 times as many 
     shapes::shape s{"spikes", {shapes::polygon(spikes)}};
     s.loops.tolerance = 640.0;
     using nested = test::emboldened<bevelled>;
-    for (const float by : {-0.0003f, 0.02f}) {
+    for (const float by : {-0.0003f, 0.02f})
         for (const bevel_joins joins : {bevel_joins::round, bevel_joins::bevelled}) {
             std::uint64_t triangles[2];
             for (const float limit : {1.0f, 2.0f}) {
@@ -354,7 +354,6 @@ TEST_CASE("nested solids with a mitre limit of 1 have less than 5 times as many 
             CAPTURE(by, triangles[0], triangles[1]);
             CHECK(triangles[0] < 5 * triangles[1]);
         }
-    }
 }
 
 TEST_CASE("needles are moved by the full distance, with and without a mitre limit", "[emboldened]")

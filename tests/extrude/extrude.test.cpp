@@ -80,12 +80,10 @@ TEST_CASE("vertices and triangles lie part after part", "[extrude]")
 {
     const auto s = shapes::ring();
     const built b = build(s, extruded<>{});
-    for (const part p : all_parts) {
-        for (std::uint32_t t = b.first_triangle(p); t < b.end_triangle(p); ++t) {
+    for (const part p : all_parts)
+        for (std::uint32_t t = b.first_triangle(p); t < b.end_triangle(p); ++t)
             for (const auto v : b.triangles[t]) {
                 CHECK(v >= b.first_vertex(p));
                 CHECK(v < b.first_vertex(p) + b.sizes.vertices[p]);
             }
-        }
-    }
 }

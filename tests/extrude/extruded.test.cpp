@@ -7,6 +7,7 @@
 
 #include "mesh.hpp"
 #include "support/catch.hpp"
+#include "support/counting_memory.hpp"
 
 using namespace typemesh;
 using namespace meshes;
@@ -42,7 +43,7 @@ std::uint32_t expected_side_vertices(const shapes::shape& s, const built& b, tex
 TEMPLATE_TEST_CASE("extruded has exactly the vertices and triangles of its style, for every choice of parts",
                    "[extrude]", shared_normals, averaged_normals, creased_normals, curve_normals)
 {
-    for (const auto& s : shapes::all()) {
+    for (const auto& s : shapes::all())
         for (unsigned bits = 0; bits < 16; ++bits) {
             const auto texture = (bits & 8u) != 0 ? texture_mapping::em : texture_mapping::box;
             const extruded<TestType> how{
@@ -65,11 +66,9 @@ TEMPLATE_TEST_CASE("extruded has exactly the vertices and triangles of its style
             CHECK(b.in_order);
             CHECK(b.vertices.size() == b.announced.vertices);
             CHECK(b.triangles.size() == b.announced.triangles);
-            for (const auto& t : b.triangles) {
+            for (const auto& t : b.triangles)
                 for (const auto v : t) REQUIRE(v < b.vertices.size());
-            }
         }
-    }
 }
 
 TEST_CASE("the four styles have 2N, 4N, 4N + 2H and 4N + 2H vertices, and 2 more for each seam", "[extrude]")
@@ -100,8 +99,8 @@ TEST_CASE("the four styles have 2N, 4N, 4N + 2H and 4N + 2H vertices, and 2 more
 TEMPLATE_TEST_CASE("extruded is closed, faces outward and has the frame's winding", "[extrude]", shared_normals,
                    averaged_normals, creased_normals, curve_normals)
 {
-    for (const frame& f : frames()) {
-        for (const auto& s : shapes::all()) {
+    for (const frame& f : frames())
+        for (const auto& s : shapes::all())
             for (const auto texture : texture_mappings) {
                 INFO(s.name << " in a frame whose right is " << f.right.x << " " << f.right.y << ", winding "
                             << int(f.winding));
@@ -113,8 +112,6 @@ TEMPLATE_TEST_CASE("extruded is closed, faces outward and has the frame's windin
                 CHECK(normals.is_right());
                 CHECK(normals.triangles == b.triangles.size());
             }
-        }
-    }
 }
 
 TEMPLATE_TEST_CASE("caps are flat and at their heights, and walls stand straight between them", "[extrude]",
@@ -138,7 +135,7 @@ TEMPLATE_TEST_CASE("caps are flat and at their heights, and walls stand straight
                 CHECK(b.vertices[n + i].normal == vec3{0.0f, 0.0f, -1.0f});
             }
             std::uint32_t v = side;
-            for (std::uint32_t i = 0; i < n; ++i) {
+            for (std::uint32_t i = 0; i < n; ++i)
                 for (int k = 0; k <= int(b.sides[i].doubled); ++k, v += 2) {
                     CHECK(b.vertices[v].position == b.vertices[i].position);
                     CHECK(b.vertices[v + 1].position == b.vertices[n + i].position);
@@ -147,7 +144,6 @@ TEMPLATE_TEST_CASE("caps are flat and at their heights, and walls stand straight
                     const vec2 kept = k == 0 ? b.sides[i].before : b.sides[i].after;
                     CHECK(b.vertices[v].normal == vec3{kept.x, kept.y, 0.0f});
                 }
-            }
             CHECK(v == b.vertices.size());
         }
     }
@@ -227,9 +223,8 @@ TEST_CASE("an empty region extrudes to nothing", "[extrude]")
 
 TEST_CASE("plan() reports that memory has run out", "[extrude]")
 {
-    const memory nothing = {nullptr, [](void*, std::size_t, std::size_t) noexcept -> void* { return nullptr; },
-                            [](void*, void*, std::size_t, std::size_t) noexcept {}};
-    extruded<>::plan_data sides{nothing};
+    test::counting_memory nothing{.fail_at = 1};
+    extruded<>::plan_data sides{nothing.source()};
     CHECK(extruded<>{}.plan(shapes::rectangle().made(), sides).error() == error::out_of_memory);
     CHECK(sides.of<side_point>().empty());
     mesh<> m;

@@ -11,7 +11,7 @@ TEST_CASE("parts follow each other without a gap, beginning at the given place",
 {
     const part_sizes all[] = {{{{4, 5, 6}}, {{1, 2, 3}}}, {{{0, 5, 0}}, {{0, 7, 0}}}, {{{3, 0, 0}}, {{1, 0, 0}}}, {}};
     for (const part_sizes& s : all) {
-        for (const std::uint32_t vertex : {0u, 100u}) {
+        for (const std::uint32_t vertex : {0u, 100u})
             for (const std::uint32_t index : {0u, 33u}) {
                 std::uint32_t next_vertex = vertex, next_index = index;
                 for (const part p : all_parts) {
@@ -24,7 +24,6 @@ TEST_CASE("parts follow each other without a gap, beginning at the given place",
                 CHECK(s.total().vertices == next_vertex - vertex);
                 CHECK(s.total().indices() == next_index - index);
             }
-        }
         CHECK(s.range(part::side).first_index == 3 * s.starts().triangles[part::side]);
     }
 }

@@ -11,7 +11,7 @@ using namespace typemesh;
 TEST_CASE("placed bounds contain all that stands over the box, and touch it on all sides", "[extrude][placed_bounds]")
 {
     test::dice d{29};
-    for (const frame& f : meshes::frames()) {
+    for (const frame& f : meshes::frames())
         for (int round = 0; round < 200; ++round) {
             placement at;
             at.frame = f;
@@ -38,7 +38,6 @@ TEST_CASE("placed bounds contain all that stands over the box, and touch it on a
                 CHECK(all.holds(at.position(at.foot(p), at.height(h))));
             }
         }
-    }
 }
 
 TEST_CASE("promised bounds without a box are the bounds of the points", "[extrude][placed_bounds]")

@@ -26,7 +26,7 @@ placement any_placement(const frame& f, test::dice& d)
 TEST_CASE("a position is the frame's sum of the cell in output units", "[extrude][placement]")
 {
     test::dice d{17};
-    for (const frame& f : meshes::frames()) {
+    for (const frame& f : meshes::frames())
         for (int round = 0; round < 500; ++round) {
             const placement at = any_placement(f, d);
             const grid_point p{d.roll(1 << 20) - (1 << 19), d.roll(1 << 20) - (1 << 19)};
@@ -42,7 +42,6 @@ TEST_CASE("a position is the frame's sum of the cell in output units", "[extrude
             is(made.z, f.right.z, f.up.z, f.toward.z);
             CHECK(at.position(at.foot(p), z) == made);
         }
-    }
 }
 
 TEST_CASE("positions that are equal in exact numbers are equal floats, from any pen and cell", "[extrude][placement]")
@@ -98,7 +97,7 @@ TEST_CASE("heights follow the unit of depths, and wall normals follow the frame"
 TEST_CASE("a point is placed like the grid point with its coordinates, to the bit", "[extrude][placement]")
 {
     test::dice d{23};
-    for (const frame& f : meshes::frames()) {
+    for (const frame& f : meshes::frames())
         for (int round = 0; round < 500; ++round) {
             placement at = any_placement(f, d);
             at.unit_per_depth = 10.0 * d.fraction();
@@ -116,7 +115,6 @@ TEST_CASE("a point is placed like the grid point with its coordinates, to the bi
                        here = at.position({x, y, z});
             CHECK(((here.x <= half.x && half.x <= next.x) || (here.x >= half.x && half.x >= next.x)));
         }
-    }
     placement at;
     at.unit_per_cell = 1.0 / 512.0;
     at.unit_per_depth = 2.0;

@@ -138,7 +138,7 @@ private:
             lines.push_back({i, next(i)});
             joined[i][next(i)] = joined[next(i)][i] = true;
         }
-        for (std::uint32_t i = 0; i < n; ++i) {
+        for (std::uint32_t i = 0; i < n; ++i)
             for (std::uint32_t j = i + 1; j < n; ++j) {
                 const grid_point a = loops.points[i], b = loops.points[j];
                 if (joined[i][j] || !leaves_inside(i, b) || !leaves_inside(j, a)) continue;
@@ -150,7 +150,6 @@ private:
                 inner.push_back({i, j});
                 joined[i][j] = joined[j][i] = true;
             }
-        }
         std::vector<triangle> found;
         const auto face = [&](std::uint32_t a, std::uint32_t b) {
             std::uint32_t best = n;

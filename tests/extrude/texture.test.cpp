@@ -34,7 +34,7 @@ double length_of(const shapes::shape& s, std::uint32_t contour)
 TEMPLATE_TEST_CASE("box mapping runs from exactly 0 to exactly 1, and walls take the coordinates of their edge",
                    "[extrude]", shared_normals, averaged_normals, curve_normals)
 {
-    for (const auto origin : {uv_origin::top_left, uv_origin::bottom_left}) {
+    for (const auto origin : {uv_origin::top_left, uv_origin::bottom_left})
         for (const auto& s : shapes::all()) {
             INFO(s.name);
             const placement at = over_box(s, with_origin(right_handed_y_up, origin));
@@ -51,7 +51,6 @@ TEMPLATE_TEST_CASE("box mapping runs from exactly 0 to exactly 1, and walls take
             CHECK(low == vec2{0.0f, 0.0f});
             CHECK(high == vec2{1.0f, 1.0f});
         }
-    }
 }
 
 TEST_CASE("a box without extent gives one coordinate, not NaN", "[extrude]")

@@ -48,7 +48,7 @@ TEMPLATE_TEST_CASE("tangents point where u grows and bitangents where v grows, o
 {
     for (const auto& s : shapes::all()) {
         INFO(s.name);
-        for (const placement& at : placements(s)) {
+        for (const placement& at : placements(s))
             for (const auto mapping : texture_mappings) {
                 const built b = build(s, extruded<TestType>{.depth = 0.25f, .texture = mapping}, at);
                 for (const auto& v : b.vertices) check_tangent(v, 1e-6);
@@ -75,7 +75,6 @@ TEMPLATE_TEST_CASE("tangents point where u grows and bitangents where v grows, o
                 CHECK(known > 0);
                 if (mapping != texture_mapping::box && !shared) CHECK(known == b.triangles.size());
             }
-        }
     }
 }
 

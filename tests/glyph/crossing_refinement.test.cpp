@@ -75,12 +75,11 @@ double nearest_beside(const curve& a, const curve& b, point place, double reach)
 {
     std::vector<point> of_a, of_b;
     constexpr int n = 4000;
-    for (int i = 0; i <= n; ++i) {
+    for (int i = 0; i <= n; ++i)
         for (auto& [c, all] : {std::pair{&a, &of_a}, std::pair{&b, &of_b}}) {
             const point p = cells.cells * c->at(double(i) / n);
             if (length(p - place) <= reach) all->push_back(p);
         }
-    }
     double nearest = 1e300;
     for (std::size_t i = 0; i + 1 < of_a.size(); ++i) {
         const point along = of_a[i + 1] - of_a[i];
@@ -150,14 +149,13 @@ TEST_CASE("an intersection that stands has a common point of the curves near by,
         contours chords;
         REQUIRE(discretise(r.shape, certified{}, font_tolerance, cells, chords));
         std::vector<intersection::edge> of[2];
-        for (std::uint32_t contour = 0; contour < 2; ++contour) {
+        for (std::uint32_t contour = 0; contour < 2; ++contour)
             for (std::uint32_t i = chords.starts[contour]; i < chords.starts[contour + 1]; ++i) {
                 const std::uint32_t next = i + 1 == chords.starts[contour + 1] ? chords.starts[contour] : i + 1;
                 if (chords.edges[i].curve % 2 == 0)
                     of[contour].push_back({chords.points[i], chords.points[next], chords.edges[i]});
             }
-        }
-        for (const auto& e : of[0]) {
+        for (const auto& e : of[0])
             for (const auto& f : of[1]) {
                 point at;
                 if (!cross_inside(e, f, at)) continue;
@@ -174,7 +172,6 @@ TEST_CASE("an intersection that stands has a common point of the curves near by,
                     clear += is_clear;
                 }
             }
-        }
     }
     CHECK(stood > 300);
     CHECK(refused > 100);

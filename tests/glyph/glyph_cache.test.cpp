@@ -47,13 +47,27 @@ glyph_draft draft_of(const std::vector<grid_point>& points)
     return parts;
 }
 
+/// A glyph that is in the cache, and not pinned.
+void keep_unpinned(glyph_cache<>& cache, glyph_id id, const std::vector<grid_point>& points)
+{
+    const built_glyph* s = cache.keep({}, id, draft_of(points));
+    REQUIRE(s != nullptr);
+    cache.release({&s, 1});
+}
+
+/// Finds a glyph that is not pinned, and pins it only meanwhile.
+const built_glyph* found_in(glyph_cache<>& cache, glyph_id id)
+{
+    const built_glyph* s = cache.find({}, id);
+    if (s != nullptr) cache.release({&s, 1});
+    return s;
+}
+
 /// How many bytes a shape of `points` points takes in a cache.
 std::size_t bytes_of(std::size_t points)
 {
-    const std::vector<grid_point> some(points);
     glyph_cache cache;
-    const built_glyph* s = cache.keep({}, 0, draft_of(some));
-    cache.release({&s, 1});
+    keep_unpinned(cache, 0, std::vector<grid_point>(points));
     return cache.statistics().bytes;
 }
 
@@ -120,17 +134,10 @@ TEST_CASE("the bound holds for what is not pinned, and what was released longest
     CHECK(cache.find({}, 0) == nullptr);
     CHECK(cache.find({}, 1) == nullptr);
 
-    const built_glyph* two = cache.find({}, 2);  // used again: now 3 is the oldest
-    REQUIRE(two != nullptr);
-    cache.release({&two, 1});
-    const built_glyph* nine = cache.keep({}, 9, draft_of(points));
-    cache.release({&nine, 1});
+    REQUIRE(found_in(cache, 2) != nullptr);  // used again: now 3 is the oldest
+    keep_unpinned(cache, 9, points);
     CHECK(cache.find({}, 3) == nullptr);
-    for (const glyph_id id : {2u, 4u, 9u}) {
-        const built_glyph* s = cache.find({}, id);
-        CHECK(s != nullptr);
-        cache.release({&s, 1});
-    }
+    for (const glyph_id id : {2u, 4u, 9u}) CHECK(found_in(cache, id) != nullptr);
     cache.set_bound(each);
     CHECK(cache.statistics().entries == 1);
     cache.set_bound(0);
@@ -142,11 +149,7 @@ TEST_CASE("a pinned shape stays where it is while all others go", "[text]")
     const std::vector<grid_point> points(10, grid_point{3, 4});
     glyph_cache cache{0};
     const built_glyph* first = cache.keep({}, 0, draft_of(points));
-    for (glyph_id id = 1; id < 2000; ++id) {
-        const built_glyph* s = cache.keep({}, id, draft_of(points));
-        REQUIRE(s != nullptr);
-        cache.release({&s, 1});
-    }
+    for (glyph_id id = 1; id < 2000; ++id) keep_unpinned(cache, id, points);
     cache.clear();
     CHECK(cache.statistics().entries == 1);
     CHECK(first->form().points[9] == grid_point{3, 4});
@@ -182,11 +185,8 @@ TEST_CASE("memory that fails at any request leaves a cache as it was", "[text]")
                 if (s != nullptr) kept.push_back(s);
             }
             CHECK(cache.statistics().entries == kept.size());
-            for (std::size_t id = 0; id < kept.size(); ++id) {
-                const built_glyph* s = cache.find({}, static_cast<glyph_id>(id));
-                CHECK(s == kept[id]);
-                cache.release({&s, 1});
-            }
+            for (std::size_t id = 0; id < kept.size(); ++id)
+                CHECK(found_in(cache, static_cast<glyph_id>(id)) == kept[id]);
             counted.fail_at = 0;
             const built_glyph* late = cache.keep({}, 5000, draft_of(points));
             CHECK(late != nullptr);
@@ -265,23 +265,23 @@ TEST_CASE("settings and policies that shape glyphs differently never share them"
     CHECK(drawn_by(plain(), {.tolerance = 0.01}) == 2);
     CHECK(drawn_by(plain(), {.fill = fill_rule::even_odd}) == 2);
     CHECK(drawn_by(plain(), {.fill = fill_rule::non_zero}) == 2);  // not known to be the font's own
-    CHECK(drawn_by(plain().with(two_lines{})) == 2);
-    CHECK(drawn_by(plain().with(adaptive_subdivision{.distance = 0.5})) == 2);
+    const auto check_drawn_by_each = [&](const auto&... policies) {
+        int row = 0;
+        const auto check = [&](const auto& policy) {
+            INFO("policy " << row++);
+            CHECK(drawn_by(plain().with(policy)) == 2);
+        };
+        (check(policies), ...);
+    };
+    check_drawn_by_each(two_lines{}, adaptive_subdivision{.distance = 0.5},
+                        adaptive_subdivision{.levels = 2, .distance = 0.5}, adaptive_subdivision{.distance = 30.0},
+                        adaptive_subdivision{.distance = 0.5, .angle = 0.5});
     for (const auto preset : {thesis_quality::low, thesis_quality::normal, thesis_quality::high, thesis_quality::best})
         CHECK(drawn_by(plain().with(thesis_quality{preset, 1000.0})) == 2);
-    CHECK(drawn_by(plain().with(thesis_quality{thesis_quality::high, 2048.0})) == 2);
-    CHECK(drawn_by(plain().with(adaptive_subdivision{.levels = 2, .distance = 0.5})) == 2);
-    CHECK(drawn_by(plain().with(adaptive_subdivision{.distance = 30.0})) == 2);
-    CHECK(drawn_by(plain().with(adaptive_subdivision{.distance = 0.5, .angle = 0.5})) == 2);
-    CHECK(drawn_by(plain().with(constrained_delaunay{})) == 2);
-    CHECK(drawn_by(plain().with(flat{})) == 2);
-    CHECK(drawn_by(plain().with(extruded<shared_normals>{})) == 2);
-    CHECK(drawn_by(plain().with(extruded<creased_normals>{})) == 2);
-    CHECK(drawn_by(plain().with(extruded<>{.front = false})) == 2);
-    CHECK(drawn_by(plain().with(extruded<>{.back = false})) == 2);
-    CHECK(drawn_by(plain().with(extruded<>{.side = false})) == 2);
-    CHECK(drawn_by(plain().with(extruded<>{.texture = texture_mapping::box})) == 2);
-    CHECK(drawn_by(plain().with(extruded<>{.normals = {.crease_degrees = 100.0f}})) == 2);
+    check_drawn_by_each(thesis_quality{thesis_quality::high, 2048.0}, constrained_delaunay{}, flat{},
+                        extruded<shared_normals>{}, extruded<creased_normals>{}, extruded<>{.front = false},
+                        extruded<>{.back = false}, extruded<>{.side = false},
+                        extruded<>{.texture = texture_mapping::box}, extruded<>{.normals = {.crease_degrees = 100.0f}});
     font.axes = 9;
     CHECK(drawn_by(plain()) == 2);
     font.axes = 0;

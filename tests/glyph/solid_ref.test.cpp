@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "support/catch.hpp"
+#include "support/counting_memory.hpp"
 #include "support/emboldened.hpp"
 #include "support/toy_font.hpp"
 
@@ -30,9 +31,8 @@ TEST_CASE("where memory gives no plan data, planning a region tells so", "[glyph
     const monotone cut;
     const extruded<> raise;
     const policies with{flatten, cut, raise, nobody};
-    const memory nothing = {nullptr, [](void*, std::size_t, std::size_t) noexcept -> void* { return nullptr; },
-                            [](void*, void*, std::size_t, std::size_t) noexcept {}};
-    plan_scratch data{nothing};
+    test::counting_memory nothing{.fail_at = 1};
+    plan_scratch data{nothing.source()};
     cap_builder caps, further;
     CHECK(with.raise.plan(region{}, data, {caps, further, with.cut}).error() == error::out_of_memory);
 }

@@ -81,12 +81,11 @@ TEST_CASE("chords stand for their curves within the error that was asked for", "
     const curved_ring r;
     const auto fine = inspect::curve_chords{r.drawn, r.cells, 1.0};
     CHECK(fine.all().size() > inspect::curve_chords(r.drawn, r.cells, 100.0).all().size());
-    for (std::uint32_t k = 0; k < r.drawn.curves.size(); ++k) {
+    for (std::uint32_t k = 0; k < r.drawn.curves.size(); ++k)
         for (int i = 0; i <= 100; ++i) {
             const point p = r.cells * r.drawn.curves[k].at(i / 100.0);
             CHECK(inspect::curve_chords::squared_distance(p, fine.of_curve(k)) <= 1.0);
         }
-    }
     CHECK(fine.winding(r.cells * point{50, 250}) == 1);
     CHECK(fine.winding(r.cells * point{250, 250}) == 0);
 }

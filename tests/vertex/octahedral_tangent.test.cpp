@@ -19,13 +19,12 @@ TEMPLATE_TEST_CASE("a tangent's sign rides in an octahedral vector and halves th
 {
     const double bound = std::is_same_v<TestType, snorm8> ? 1.1 : 0.0043;
     double most = 0.0;
-    for (const vec3 v : directions(200'000)) {
+    for (const vec3 v : directions(200'000))
         for (const float sign : {1.0f, -1.0f}) {
             const vec4 t = octahedral_tangent<TestType>{v.x, v.y, v.z, sign}.decoded();
             if (t.w != sign) FAIL("the sign is lost");
             most = (std::max)(most, degrees_between({t.x, t.y, t.z}, v));
         }
-    }
     INFO(most << " degrees");
     CHECK(most < bound);
 }

@@ -38,7 +38,7 @@ struct bevelled_text {
 std::vector<bevelled_text> bevelled_texts()
 {
     std::vector<bevelled_text> all;
-    for (const test::workload_font& font : test::workload_fonts()) {
+    for (const test::workload_font& font : test::workload_fonts())
         for (const char* const script : scripts) {
             if (!font.serves(script) || !font.available()) continue;
             std::string text = test::workload_texts(script).front();
@@ -49,7 +49,6 @@ std::vector<bevelled_text> bevelled_texts()
             }
             all.push_back({font.path, script, text});
         }
-    }
     return all;
 }
 

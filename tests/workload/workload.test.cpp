@@ -78,7 +78,7 @@ TEST_CASE("every glyph of every text of the workload is there and closed, also w
 
     std::size_t built = 0;
     std::set<glyph_id> resolved;
-    for (const double tolerance : {quality::low, quality::high}) {
+    for (const double tolerance : {quality::low, quality::high})
         for (const std::string& text : test::workload_texts(s.script)) {
             INFO(text << " at " << tolerance);
             auto plan = mesher.plan(text, {.tolerance = tolerance});
@@ -119,7 +119,6 @@ TEST_CASE("every glyph of every text of the workload is there and closed, also w
                 }
             }
         }
-    }
     CHECK(built > 100);
     std::string list;
     for (const glyph_id g : resolved) list += " " + std::to_string(g);
