@@ -98,8 +98,8 @@ std::vector<letter_node> letter_nodes(const std::string& json)
 
 }  // namespace
 
-TEMPLATE_TEST_CASE("three.js gets one typed array an attribute, counter-clockwise, v upwards", "[engines]", bench,
-                   bevelled_bench)
+TEMPLATE_TEST_CASE("three.js gets one typed array per attribute, counter-clockwise triangles and upward v", "[engines]",
+                   bench, bevelled_bench)
 {
     TestType b;
     auto plan = b.mesher.plan(word, engines::three::options());
@@ -131,8 +131,8 @@ TEMPLATE_TEST_CASE("three.js gets one typed array an attribute, counter-clockwis
     CHECK(short_uv == std::vector<float>(2 * n - 1, -7.0f));
 }
 
-TEMPLATE_TEST_CASE("a plain glTF file holds floats, right-handed, counter-clockwise, v downwards", "[engines]", bench,
-                   bevelled_bench)
+TEMPLATE_TEST_CASE("a plain glTF file contains right-handed floats, counter-clockwise triangles and downward v",
+                   "[engines]", bench, bevelled_bench)
 {
     TestType b;
     auto plan = b.mesher.plan(word, engines::gltf::options());
@@ -168,7 +168,7 @@ TEMPLATE_TEST_CASE("a plain glTF file holds floats, right-handed, counter-clockw
     CHECK(numbers_after(g.json, "byteStride")[0] == 48);
 }
 
-TEMPLATE_TEST_CASE("a quantised glTF file gives the same mesh back through its nodes' transforms, in 20 bytes a vertex",
+TEMPLATE_TEST_CASE("a quantised glTF file contains the same mesh in 20 bytes per vertex, through its nodes' transforms",
                    "[engines]", bench, bevelled_bench)
 {
     TestType b;
@@ -238,7 +238,7 @@ TEMPLATE_TEST_CASE("a quantised glTF file gives the same mesh back through its n
     }
 }
 
-TEST_CASE("of a long line a box for each letter turns over a tenth of what a box for all does, and it is told how many",
+TEST_CASE("one box per letter turns over a tenth of the triangles that one box for all does, and both are counted",
           "[engines]")
 {
     bench b;
@@ -287,7 +287,7 @@ TEST_CASE("of a long line a box for each letter turns over a tenth of what a box
     CHECK(10 * by_letter <= by_line);
 }
 
-TEST_CASE("a glTF file has a named material for each part that is drawn, and none of them is metal", "[engines]")
+TEST_CASE("a glTF file has a named, non-metallic material for each part that is drawn", "[engines]")
 {
     bench b;
     const auto law = [](const auto& plan, const std::vector<std::string>& drawn) {
@@ -328,8 +328,7 @@ TEST_CASE("a glTF file has a named material for each part that is drawn, and non
     law(*sheet, {"front"});
 }
 
-TEST_CASE("a letter whose bevels meet in a ridge has no primitive for its caps, and the materials of its other parts",
-          "[engines]")
+TEST_CASE("a letter whose bevels meet in a ridge has primitives and materials only for its other parts", "[engines]")
 {
     bevelled_bench b;
     b.mesher.solid().width = 0.05f;  // wider than half of the stem, less than half of the dot
@@ -361,7 +360,7 @@ TEST_CASE("a letter whose bevels meet in a ridge has no primitive for its caps, 
     }
 }
 
-TEST_CASE("texture coordinates over the text's box are written as they are into a quantised glTF file", "[engines]")
+TEST_CASE("texture coordinates over the text's box are written unchanged into a quantised glTF file", "[engines]")
 {
     bench b;
     auto boxed = std::move(b.mesher).with(extruded<>{.texture = texture_mapping::box});
@@ -382,7 +381,7 @@ TEST_CASE("texture coordinates over the text's box are written as they are into 
     CHECK(most == 0xFFFF);
 }
 
-TEST_CASE("a long text has wide indices in its glTF file, and an empty one no mesh", "[engines]")
+TEST_CASE("a glTF file has wide indices for a long text, and no mesh for an empty one", "[engines]")
 {
     bench b;
     std::string lines;
@@ -407,7 +406,7 @@ TEST_CASE("a long text has wide indices in its glTF file, and an empty one no me
     CHECK(open(file).json.find("meshes") == std::string::npos);
 }
 
-TEST_CASE("a glTF file's text may be longer than any line of it", "[engines][gltf]")
+TEST_CASE("a glTF file is right for a text longer than any line of the file", "[engines][gltf]")
 {
     const std::string name(3000, 'n');
     std::string json = "[";

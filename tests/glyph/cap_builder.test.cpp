@@ -174,7 +174,7 @@ std::string mistake_in_any_position(const test::shape& s)
 
 }  // namespace
 
-TEMPLATE_LIST_TEST_CASE("random polylines on tiny grids that only touch in points are the region that resolve() makes",
+TEMPLATE_LIST_TEST_CASE("random polylines that only touch in points are proven to be the region that resolve() makes",
                         "[glyph][cap_builder]", triangulators)
 {
     test::dice d{311};
@@ -194,7 +194,7 @@ TEMPLATE_LIST_TEST_CASE("random polylines on tiny grids that only touch in point
     CHECK(touched > 100);
 }
 
-TEMPLATE_LIST_TEST_CASE("patterns of squares and rhombs that touch in corners are the region that resolve() makes",
+TEMPLATE_LIST_TEST_CASE("squares and rhombs that touch in corners are proven to be the region that resolve() makes",
                         "[glyph][cap_builder]", triangulators)
 {
     test::dice d{312};
@@ -229,7 +229,7 @@ TEMPLATE_LIST_TEST_CASE("patterns of squares and rhombs that touch in corners ar
     CHECK(touched > 20'000);
 }
 
-TEMPLATE_LIST_TEST_CASE("any number of sectors round one point is proven, as one loop or as many",
+TEMPLATE_LIST_TEST_CASE("any number of sectors round one point is proven, both as one loop and as separate loops",
                         "[glyph][cap_builder]", triangulators)
 {
     for (int sectors = 2; sectors <= 40; ++sectors)
@@ -256,7 +256,7 @@ TEMPLATE_LIST_TEST_CASE("any number of sectors round one point is proven, as one
         }
 }
 
-TEST_CASE("nested loops of one direction that touch are no hole", "[glyph][cap_builder]")
+TEST_CASE("a nested loop of the same direction is not a hole if it touches the outer one", "[glyph][cap_builder]")
 {
     const test::shape s{"in a corner", {{{0, 0}, {90, 0}, {90, 90}, {0, 90}}, {{0, 0}, {60, 20}, {20, 60}}}};
     for (const fill_rule rule : {fill_rule::non_zero, fill_rule::even_odd}) {
@@ -271,7 +271,7 @@ TEST_CASE("nested loops of one direction that touch are no hole", "[glyph][cap_b
     CHECK(mistake_in_any_position<monotone>(s) == "");
 }
 
-TEMPLATE_LIST_TEST_CASE("shapes of the corpus are proven by touching points alone, or left as they were",
+TEMPLATE_LIST_TEST_CASE("shapes of the corpus are proven if they only touch in points, and are else left unchanged",
                         "[glyph][cap_builder]", triangulators)
 {
     for (const test::corpus_shape& c : test::corpus("regions.txt")) {
@@ -280,7 +280,7 @@ TEMPLATE_LIST_TEST_CASE("shapes of the corpus are proven by touching points alon
     }
 }
 
-TEST_CASE("prove() without memory says so and leaves the contours as they were, warm it asks for none",
+TEST_CASE("prove() reports a lack of memory and keeps the contours, and a warm builder requests no memory",
           "[glyph][cap_builder]")
 {
     test::shape s{"holes in rows", {{{-8, -8}, {808, -8}, {808, 808}, {-8, 808}}}};
@@ -290,9 +290,8 @@ TEST_CASE("prove() without memory says so and leaves the contours as they were, 
     check_memory(s.loops, [](cap_builder& caps) { return caps.prove(monotone{}); }, true);
 }
 
-TEMPLATE_LIST_TEST_CASE(
-    "fill() makes the same with a triangulator that takes the points as sorted and one that sorts them",
-    "[glyph][cap_builder]", triangulators)
+TEMPLATE_LIST_TEST_CASE("fill() makes the same region with triangulators that do and do not take sorted points",
+                        "[glyph][cap_builder]", triangulators)
 {
     test::dice d{52};
     int crossing = 0;
@@ -320,7 +319,8 @@ TEMPLATE_LIST_TEST_CASE(
     CHECK(crossing > 500);
 }
 
-TEST_CASE("fill() of contours that cross says when memory fails, warm it asks for none", "[glyph][cap_builder]")
+TEST_CASE("fill() of crossing contours reports a lack of memory, and a warm builder requests no memory",
+          "[glyph][cap_builder]")
 {
     std::vector<test::polyline> given;
     for (std::int32_t i = 0; i < 30; ++i) given.push_back(test::square(7 * i, 5 * (i % 6), 40));
@@ -345,7 +345,7 @@ TEMPLATE_TEST_CASE("fill() refuses contours that cross more often than its setti
     CHECK_FALSE(is_filled({.max_pieces = 7}));
 }
 
-TEST_CASE("cap() cuts a region of others, beside the builder's own or in its place", "[glyph][cap_builder]")
+TEST_CASE("cap() cuts another builder's region, beside the builder's own or instead of it", "[glyph][cap_builder]")
 {
     cap_builder caps, other;
     caps.loops() = test::contours_of({test::square(0, 0, 8)});
@@ -363,7 +363,7 @@ TEST_CASE("cap() cuts a region of others, beside the builder's own or in its pla
     CHECK(test::oracle::broken_law(*made, caps.triangles().view()) == "");
 }
 
-TEMPLATE_TEST_CASE("points may be moved in loops() between two caps", "[glyph][cap_builder]", monotone, test::unproving)
+TEMPLATE_TEST_CASE("points in loops() can be moved between two caps", "[glyph][cap_builder]", monotone, test::unproving)
 {
     cap_builder caps;
     caps.loops() = test::contours_of({test::square(0, 0, 8)});

@@ -213,7 +213,7 @@ constexpr double angles[] = {0.0, 0.3, 1.1, 2.0, pi / 2};
 
 }  // namespace
 
-TEST_CASE("a circle just inside another never crosses it, from 1/10 tolerance of room on", "[cap_builder]")
+TEST_CASE("a circle inside another one never crosses it if they are at least 1/10 tolerance apart", "[cap_builder]")
 {
     for (const double room : {0.1, 0.2, 0.35, 0.5, 0.8, 1.0, 1.4, 2.0, 3.0})
         for (const double angle : angles)
@@ -234,8 +234,7 @@ TEST_CASE("a circle just inside another never crosses it, from 1/10 tolerance of
             }
 }
 
-TEST_CASE("arcs that pass each other at less than the tolerance stay apart, and arcs that cross cross once each",
-          "[cap_builder]")
+TEST_CASE("two bows stay apart even if they pass each other at less than the tolerance", "[cap_builder]")
 {
     // Two bows, one from below, one from above: between their crowns there is `gap`.
     for (const double gap : {0.1, 0.3, 0.6, 1.0, 1.7, 3.0})
@@ -351,7 +350,7 @@ TEST_CASE("random pairs of curves that run close to each other obey the laws", "
     CHECK(refined > 20);
 }
 
-TEST_CASE("curves that truly coincide are not made finer", "[cap_builder]")
+TEST_CASE("curves that coincide are not made finer", "[cap_builder]")
 {
     const path a = circle({0, 0}, 300), shifted = circle({300, 100}, 300, 4, 0.3);
     for (const auto& shape : {std::vector<path>{a, a, shifted}, std::vector<path>{a, reversed(a), shifted}}) {
@@ -362,7 +361,7 @@ TEST_CASE("curves that truly coincide are not made finer", "[cap_builder]")
     }
 }
 
-TEST_CASE("ninety-six copies of a contour, each moved a little, are made finer in a few rounds only", "[cap_builder]")
+TEST_CASE("ninety-six slightly moved copies of a contour are made finer in at most five rounds", "[cap_builder]")
 {
     // The chords of each two copies cross where the curves pass each other; to make them finer makes new ones do so.
     for (const double shift : {0.02, 0.05}) {
@@ -414,7 +413,7 @@ TEST_CASE("a corner just beside a curve stays apart from it at every tolerance",
     }
 }
 
-TEST_CASE("steep crossings and crossing lines cost no finer curve, wherever on their chords they lie", "[cap_builder]")
+TEST_CASE("steep crossings and crossing lines make no curve finer, anywhere on their chords", "[cap_builder]")
 {
     for (int i = 0; i < 200; ++i) {
         const double x = 200 + 0.9 * i;
@@ -425,7 +424,7 @@ TEST_CASE("steep crossings and crossing lines cost no finer curve, wherever on t
     }
 }
 
-TEST_CASE("a contour whose curves have an area is never lost, however coarse the tolerance", "[cap_builder]")
+TEST_CASE("a contour whose curves have an area is kept at every tolerance", "[cap_builder]")
 {
     for (const double coarse : {1.0, 10.0, 100.0, 1000.0}) {
         for (const int pieces : {2, 3, 4})
@@ -447,8 +446,9 @@ TEST_CASE("a contour whose curves have an area is never lost, however coarse the
     CHECK(c.made.points().empty());
 }
 
-TEST_CASE("what keeps no tolerance is not asked twice, and triangulators that prove nothing get the same region",
-          "[cap_builder]")
+TEST_CASE(
+    "a discretiser without a tolerance is not called again, and triangulators that prove nothing get the same region",
+    "[cap_builder]")
 {
     const outline o = outline_of({circle({0, 0}, 400), circle({0, 0}, 399, 5, 0.3)});
     constexpr auto rule = fill_rule::even_odd;

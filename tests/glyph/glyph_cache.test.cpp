@@ -73,7 +73,7 @@ std::size_t bytes_of(std::size_t points)
 
 }  // namespace
 
-TEST_CASE("what is kept is found under its own key and no other", "[text]")
+TEST_CASE("a kept glyph is found by its own key and no other", "[text]")
 {
     glyph_cache cache;
     const std::vector<grid_point> points{{1, 2}, {3, 4}, {-5, 6}};
@@ -99,7 +99,7 @@ TEST_CASE("what is kept is found under its own key and no other", "[text]")
     CHECK(cache.statistics().pinned == 0);
 }
 
-TEST_CASE("contexts whose hashes are equal are told apart", "[text]")
+TEST_CASE("contexts with equal hashes are distinguished", "[text]")
 {
     glyph_cache cache;
     glyph_context here, there;
@@ -116,7 +116,7 @@ TEST_CASE("contexts whose hashes are equal are told apart", "[text]")
     cache.release(pinned);
 }
 
-TEST_CASE("the bound holds for what is not pinned, and what was released longest ago goes first", "[text]")
+TEST_CASE("the bound limits glyphs that are not pinned, and the one released first is dropped first", "[text]")
 {
     const std::size_t each = bytes_of(10);
     const std::vector<grid_point> points(10);
@@ -144,7 +144,7 @@ TEST_CASE("the bound holds for what is not pinned, and what was released longest
     CHECK(cache.statistics().entries == 0);
 }
 
-TEST_CASE("a pinned shape stays where it is while all others go", "[text]")
+TEST_CASE("a pinned glyph stays in place while all others are dropped", "[text]")
 {
     const std::vector<grid_point> points(10, grid_point{3, 4});
     glyph_cache cache{0};
@@ -161,7 +161,7 @@ TEST_CASE("a pinned shape stays where it is while all others go", "[text]")
     CHECK(cache.statistics().entries == 0);
 }
 
-TEST_CASE("of two who build the same glyph the second gets the first one's", "[text]")
+TEST_CASE("the second caller who keeps the same glyph gets the first one's", "[text]")
 {
     const std::vector<grid_point> points(10);
     glyph_cache cache;
@@ -172,7 +172,7 @@ TEST_CASE("of two who build the same glyph the second gets the first one's", "[t
     CHECK(cache.statistics().pinned == 0);
 }
 
-TEST_CASE("memory that fails at any request leaves a cache as it was", "[text]")
+TEST_CASE("a failed request for memory leaves a cache unchanged", "[text]")
 {
     const std::vector<grid_point> points(10);
     for (std::size_t n = 1; n < 1100; n += n < 20 ? 1 : 37) {
@@ -197,7 +197,7 @@ TEST_CASE("memory that fails at any request leaves a cache as it was", "[text]")
     }
 }
 
-TEST_CASE("meshes are the same to the last bit with and without reuse and cache", "[text]")
+TEST_CASE("meshes are the same to the bit with and without reuse and a cache", "[text]")
 {
     const char* text = "oEi xooE~q\nEoixio";
     const auto unit = GENERATE(output_unit::em, output_unit::unit_box);
@@ -227,7 +227,7 @@ TEST_CASE("meshes are the same to the last bit with and without reuse and cache"
     CHECK(cache.statistics().pinned == 0);
 }
 
-TEST_CASE("a refusal out of the cache is reported with its own place", "[text]")
+TEST_CASE("a refusal from the cache is reported with its own place in the text", "[text]")
 {
     test::toy_font font;
     glyph_cache cache;
@@ -292,7 +292,7 @@ TEST_CASE("settings and policies that shape glyphs differently never share them"
     CHECK(drawn_by(plain(), {.unit = output_unit::pixels, .size = 3.0, .frame = left_handed_z_up}) == 0);
 }
 
-TEST_CASE("an option that is refused is refused with a full cache as well", "[text]")
+TEST_CASE("a bad option is refused even if the glyphs are cached", "[text]")
 {
     test::toy_font font;
     glyph_cache cache;
@@ -308,7 +308,7 @@ TEST_CASE("an option that is refused is refused with a full cache as well", "[te
     CHECK(mesher.plan("o"));
 }
 
-TEST_CASE("a plan pins its glyphs until it ends, and only so long", "[text]")
+TEST_CASE("a plan pins its glyphs exactly until it ends", "[text]")
 {
     test::toy_font font;
     glyph_cache cache{0};  // nothing stays but what is pinned
@@ -343,7 +343,7 @@ TEST_CASE("a plan pins its glyphs until it ends, and only so long", "[text]")
     CHECK(cache.statistics().entries == 0);
 }
 
-TEST_CASE("a mesher that is moved takes its pins along", "[text]")
+TEST_CASE("a moved mesher keeps its pins", "[text]")
 {
     test::toy_font font;
     glyph_cache cache{0};
@@ -363,7 +363,7 @@ TEST_CASE("a mesher that is moved takes its pins along", "[text]")
     CHECK(cache.statistics().entries == 0);
 }
 
-TEST_CASE("a run whose glyphs are all cached is planned without memory and without the font", "[text]")
+TEST_CASE("a run of cached glyphs is planned without memory and without the font", "[text]")
 {
     counted_font font;
     test::counting_memory kept, used;
@@ -385,7 +385,7 @@ TEST_CASE("a run whose glyphs are all cached is planned without memory and witho
     CHECK(font.drawn == drawn);
 }
 
-TEST_CASE("memory of the cache that fails at any request fails the plan and nothing more", "[text]")
+TEST_CASE("a lack of memory in the cache fails only the plan", "[text]")
 {
     test::toy_font font;
     text_mesher plain{font};
@@ -405,7 +405,7 @@ TEST_CASE("memory of the cache that fails at any request fails the plan and noth
     }
 }
 
-TEST_CASE("a cache is of use without a mesher", "[text]")
+TEST_CASE("a cache can be used without a mesher", "[text]")
 {
     test::toy_font font;
     glyph_cache cache;

@@ -66,7 +66,7 @@ std::vector<glyph_context> all_different()
 
 }  // namespace
 
-TEST_CASE("contexts are equal when all that a glyph depends on is, and only then", "[glyph][glyph_context]")
+TEST_CASE("contexts are equal exactly if all that a glyph depends on is equal", "[glyph][glyph_context]")
 {
     const std::vector<glyph_context> all = all_different(), again = all_different();
     for (std::size_t i = 0; i < all.size(); ++i)
@@ -76,7 +76,7 @@ TEST_CASE("contexts are equal when all that a glyph depends on is, and only then
         }
 }
 
-TEST_CASE("equal contexts have one hash, and each of these another", "[glyph][glyph_context]")
+TEST_CASE("equal contexts have equal hashes, and all the others have different ones", "[glyph][glyph_context]")
 {
     std::set<std::uint64_t> hashes;
     const std::vector<glyph_context> all = all_different(), again = all_different();
@@ -87,7 +87,7 @@ TEST_CASE("equal contexts have one hash, and each of these another", "[glyph][gl
     CHECK(hashes.size() == all.size());
 }
 
-TEST_CASE("what changes time alone, or writing alone, is no part of a key", "[glyph][glyph_context]")
+TEST_CASE("options that change only the time or the writing are not part of a key", "[glyph][glyph_context]")
 {
     CHECK(key_of(extruded<>{.depth = 0.5f}) == key_of(extruded<>{.depth = 0.25f}));
     CHECK(key_of(constrained_delaunay{.max_flips = 0}) == key_of(constrained_delaunay{}));

@@ -10,7 +10,7 @@
 
 using namespace typemesh;
 
-TEST_CASE("a reference to no step is none, and has a key of its own", "[glyph]")
+TEST_CASE("an empty reference to a step is none, and has a key of its own", "[glyph]")
 {
     const region_step_ref none;
     const embolden bolder, boldest{.by = 0.03f};
@@ -27,7 +27,7 @@ TEST_CASE("a reference to no step is none, and has a key of its own", "[glyph]")
     CHECK(region_step_ref{bad}.refused_options() == error::bad_option);
 }
 
-TEST_CASE("where memory gives no scratch, a step tells so", "[glyph]")
+TEST_CASE("a step reports a lack of memory for its scratch", "[glyph]")
 {
     const embolden bolder;
     test::counting_memory nothing{.fail_at = 1};

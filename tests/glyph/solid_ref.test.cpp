@@ -12,8 +12,8 @@
 
 using namespace typemesh;
 
-TEMPLATE_TEST_CASE("a solid is planned through its reference as by itself", "[glyph]", flat, extruded<>, bevelled,
-                   test::emboldened<>, outlined<>)
+TEMPLATE_TEST_CASE("a reference to a solid has the solid's own key, heights and errors", "[glyph]", flat, extruded<>,
+                   bevelled, test::emboldened<>, outlined<>)
 {
     const TestType how;
     const solid_ref refers{how};
@@ -24,7 +24,7 @@ TEMPLATE_TEST_CASE("a solid is planned through its reference as by itself", "[gl
     CHECK(refers.has_heights_of_each() == has_heights<TestType>);
 }
 
-TEST_CASE("where memory gives no plan data, planning a region tells so", "[glyph]")
+TEST_CASE("planning a region reports a lack of memory for plan data", "[glyph]")
 {
     no_observer nobody;
     const certified flatten;

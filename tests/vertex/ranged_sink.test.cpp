@@ -42,7 +42,7 @@ static_assert(mesh_sink<tape> && !ranged_sink<tape>);
 static_assert(mesh_sink<array_sink<vec3, std::uint16_t, owning_writer>> &&
               !ranged_sink<array_sink<vec3, std::uint16_t, owning_writer>>);
 
-TEST_CASE("subranges written backwards make the mesh, and nothing else is touched", "[vertex][ranged]")
+TEST_CASE("subranges that are written backwards make the same mesh, and nothing else is written", "[vertex][ranged]")
 {
     std::vector<vec3> vertices(12, vec3{-1, -1, -1});
     std::vector<std::uint16_t> indices(14, 999);
@@ -64,7 +64,7 @@ TEST_CASE("subranges written backwards make the mesh, and nothing else is touche
     CHECK(indices == std::vector<std::uint16_t>{999, 100, 108, 109, 101, 108, 109, 102, 108, 109, 103, 108, 109, 999});
 }
 
-TEST_CASE("chunks need indices for the largest of them, not for all", "[vertex][ranged]")
+TEST_CASE("an index type must number the largest chunk, not all of them", "[vertex][ranged]")
 {
     std::vector<vec3> vertices(1000);
     std::vector<std::uint8_t> indices(30);

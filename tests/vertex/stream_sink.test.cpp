@@ -53,7 +53,7 @@ surface_point<attribute::position | attribute::normal | attribute::uv> numbered(
 static_assert(vertex_stream<stream<attribute::uv, float2>>);
 static_assert(vertex_stream<packed_normals>);
 
-TEST_CASE("stream_sink writes each attribute into an array of its own", "[vertex]")
+TEST_CASE("stream_sink writes each attribute into its own array", "[vertex]")
 {
     std::vector<float3> positions(4), normals(4);
     std::vector<float2> uvs(4);
@@ -76,7 +76,7 @@ TEST_CASE("stream_sink writes each attribute into an array of its own", "[vertex
     CHECK(indices == std::vector<std::uint16_t>{0, 1, 2, 1, 3, 2});
 }
 
-TEST_CASE("a stream with a stride leaves the bytes between its elements alone", "[vertex]")
+TEST_CASE("a stream with a stride does not write between its elements", "[vertex]")
 {
     for (const std::size_t stride : {std::size_t{12}, std::size_t{16}, std::size_t{20}, std::size_t{64}}) {
         std::vector<float> bytes(5 * stride / sizeof(float) + 4, -7.0f);
@@ -97,7 +97,7 @@ TEST_CASE("a stream with a stride leaves the bytes between its elements alone", 
     }
 }
 
-TEST_CASE("streams may lie in one interleaved array, and one may be packed by its own author", "[vertex]")
+TEST_CASE("streams can share one interleaved array, and an element can have a user's own packing", "[vertex]")
 {
     struct vertex {
         float3 position;
@@ -116,7 +116,7 @@ TEST_CASE("streams may lie in one interleaved array, and one may be packed by it
     CHECK(normals[2][2] == 127);
 }
 
-TEST_CASE("stream_sink says what does not fit before it writes anything", "[vertex]")
+TEST_CASE("stream_sink reports what does not fit before it writes anything", "[vertex]")
 {
     std::vector<float3> positions(4, float3{9, 9, 9});
     std::vector<float2> uvs(3, float2{9, 9});
@@ -137,7 +137,7 @@ TEST_CASE("stream_sink says what does not fit before it writes anything", "[vert
     CHECK(indices == std::vector<std::uint16_t>(3, 77));
 }
 
-TEST_CASE("stream_sink adds the base vertex to every index, and counts it among what the index must number", "[vertex]")
+TEST_CASE("stream_sink adds the base vertex to every index, and counts it towards the index limit", "[vertex]")
 {
     std::vector<float2> uvs(3);
     std::vector<std::uint16_t> indices(3);
@@ -193,7 +193,7 @@ TEST_CASE("every attribute has a stream", "[vertex]")
     CHECK(styles == std::vector<std::uint8_t>{9, 5});
 }
 
-TEST_CASE("streams in bytes hold as many elements as fit, and write up to the last byte and no farther", "[vertex]")
+TEST_CASE("streams in bytes contain as many elements as fit, and write up to exactly the last byte", "[vertex]")
 {
     CHECK(elements_in(0, 12, 20) == 0);
     CHECK(elements_in(11, 12, 20) == 0);
@@ -227,7 +227,7 @@ TEST_CASE("streams in bytes hold as many elements as fit, and write up to the la
     CHECK(stream<attribute::uv, float2>::in(memory.bytes(), 1000, 24).capacity == 0);
 }
 
-TEST_CASE("streams of packed formats are told like all others", "[vertex]")
+TEST_CASE("streams of packed formats are declared like all others", "[vertex]")
 {
     struct half2 {
         half u, v;

@@ -151,7 +151,8 @@ void check_the_rest(text_view text, const text_analysis& found)
 
 using namespace directwrite_analyser_test;
 
-TEST_CASE("without dictionaries, as Wine is, an analysis with DirectWrite is the library's own", "[windows]")
+TEST_CASE("an analysis with DirectWrite equals the library's own where there are no dictionaries, as in Wine",
+          "[windows]")
 {
     directwrite_analyser analyser;
     const std::u16string text =
@@ -175,7 +176,7 @@ TEST_CASE("without dictionaries, as Wine is, an analysis with DirectWrite is the
     }
 }
 
-TEST_CASE("lines may end between words that DirectWrite knows, in both encodings", "[windows]")
+TEST_CASE("lines can end between words from DirectWrite's dictionaries, in both encodings", "[windows]")
 {
     fake_words words;
     words.words = {thai};
@@ -198,7 +199,7 @@ TEST_CASE("lines may end between words that DirectWrite knows, in both encodings
     CHECK(words.references == 1);
 }
 
-TEST_CASE("a text that needs no dictionary does not ask DirectWrite", "[windows]")
+TEST_CASE("a text that needs no dictionary does not call DirectWrite", "[windows]")
 {
     fake_words words;
     directwrite_analyser analyser{&words};
@@ -208,7 +209,7 @@ TEST_CASE("a text that needs no dictionary does not ask DirectWrite", "[windows]
     CHECK(words.calls == 4);  // of each script, whether its words are known
 }
 
-TEST_CASE("what DirectWrite knows no words of stays unbroken, and holds up no other script", "[windows]")
+TEST_CASE("a script without a dictionary in DirectWrite stays unbroken, and does not affect other scripts", "[windows]")
 {
     fake_words words;
     words.words = {thai};
@@ -224,7 +225,7 @@ TEST_CASE("what DirectWrite knows no words of stays unbroken, and holds up no ot
     CHECK(breaks(found) == std::vector<std::size_t>{8});
 }
 
-TEST_CASE("an analyser that breaks before every letter is one that knows no words", "[windows]")
+TEST_CASE("an analyser that breaks before every letter counts as one without a dictionary", "[windows]")
 {
     fake_words words;
     words.everywhere = true;
@@ -235,7 +236,7 @@ TEST_CASE("an analyser that breaks before every letter is one that knows no word
     CHECK(breaks(found).size() == 3);  // behind the spaces
 }
 
-TEST_CASE("no line ends within a grapheme, whatever DirectWrite says", "[windows]")
+TEST_CASE("no line ends within a grapheme, even if DirectWrite reports a break there", "[windows]")
 {
     fake_words words;
     words.words = {thai};
@@ -252,7 +253,7 @@ TEST_CASE("no line ends within a grapheme, whatever DirectWrite says", "[windows
     CHECK(graphemes.size() < text.size() - 1);
 }
 
-TEST_CASE("a break is where one side allows it and the other does not forbid it", "[windows]")
+TEST_CASE("a line can break where one side allows it and the other does not forbid it", "[windows]")
 {
     const auto broken = [](UINT8 after, UINT8 before) {
         fake_words words;
@@ -271,7 +272,7 @@ TEST_CASE("a break is where one side allows it and the other does not forbid it"
     CHECK_FALSE(broken(may_not, can));
 }
 
-TEST_CASE("a failure of DirectWrite is an error, after which the next text is analysed", "[windows]")
+TEST_CASE("a failure of DirectWrite is an error, and the next text is analysed again", "[windows]")
 {
     const std::u16string text =
         u"\u0E20\u0E32\u0E29\u0E32\u0E44\u0E17\u0E22 \u0E20\u0E32\u0E29\u0E32\u0E44\u0E17\u0E22";
@@ -302,7 +303,7 @@ TEST_CASE("a failure of DirectWrite is an error, after which the next text is an
     CHECK(analyser.analyse(text, {}, found) == error::out_of_memory);
 }
 
-TEST_CASE("want of memory at any request is an error, and no memory is lost", "[windows]")
+TEST_CASE("a lack of memory at any request is an error, and no memory is lost", "[windows]")
 {
     const std::u16string text = u"\u0E20\u0E32\u0E29\u0E32\u0E44\u0E17\u0E22";
     fake_words words;
@@ -333,7 +334,7 @@ TEST_CASE("want of memory at any request is an error, and no memory is lost", "[
     CHECK(words.references == 1);
 }
 
-TEST_CASE("an analyser with DirectWrite that has been moved goes on", "[windows]")
+TEST_CASE("an analyser with DirectWrite still works after it was moved", "[windows]")
 {
     fake_words words;
     words.words = {thai};

@@ -79,7 +79,7 @@ struct variable_font {
 
 }  // namespace
 
-TEST_CASE("our interfaces of axes are those of dwrite_3.h", "[windows]")
+TEST_CASE("our interfaces of axes equal the ones in dwrite_3.h", "[windows]")
 {
     CHECK(IsEqualGUID(detail::directwrite_varied_face::id, __uuidof(IDWriteFontFace5)));
     CHECK(sizeof(detail::directwrite_axis_value) == sizeof(DWRITE_FONT_AXIS_VALUE));

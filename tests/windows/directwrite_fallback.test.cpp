@@ -238,7 +238,7 @@ class older_factory final : public detail::stack_object<IUnknown> {};
 
 using namespace directwrite_fallback_test;
 
-TEST_CASE("the system's own fallback takes the family that is named, where it has the letter", "[windows][fallback]")
+TEST_CASE("the system's own fallback takes the named family, if it has the letter", "[windows][fallback]")
 {
     directwrite_fallback<directwrite_font> installed{L"DejaVu Sans"};
     directwrite_font* first = found(installed, u"a");
@@ -291,7 +291,7 @@ TEST_CASE("a font of the caller's fallback is opened by its file and face, once"
     for (const fake_font* f : {&latin, &hebrew, &same}) CHECK_FALSE(f->is_kept());
 }
 
-TEST_CASE("a font that has a part of the grapheme has it not", "[windows][fallback]")
+TEST_CASE("a font that has only a part of a grapheme is not taken for it", "[windows][fallback]")
 {
     path_font::forget();
     fake_font latin;
@@ -304,7 +304,7 @@ TEST_CASE("a font that has a part of the grapheme has it not", "[windows][fallba
     CHECK(fakes.asked == std::vector<std::wstring>{L"a\u0301", L"a"});
 }
 
-TEST_CASE("a letter that no font has is asked for once in a language", "[windows][fallback]")
+TEST_CASE("a letter that no font has is looked up once per language", "[windows][fallback]")
 {
     fake_fallback fakes;
     directwrite_fallback<path_font> fallback{&fakes};
@@ -316,7 +316,7 @@ TEST_CASE("a letter that no font has is asked for once in a language", "[windows
     CHECK(fakes.asked.size() == 5);
 }
 
-TEST_CASE("a font that is not one file of this machine, or cannot be opened, is none", "[windows][fallback]")
+TEST_CASE("a font is left out if it is not one local file or cannot be opened", "[windows][fallback]")
 {
     path_font::forget();
     fake_font remote, parts, broken;
@@ -337,7 +337,7 @@ TEST_CASE("a font that is not one file of this machine, or cannot be opened, is 
     for (const fake_font* f : {&remote, &parts, &broken}) CHECK_FALSE(f->is_kept());
 }
 
-TEST_CASE("a failure within the fallback is an error, and the next question is answered", "[windows][fallback]")
+TEST_CASE("a failure in the fallback is an error, and the next look-up succeeds", "[windows][fallback]")
 {
     for (unsigned k = 1; k <= 6; ++k) {
         INFO("call " << k);
@@ -371,7 +371,7 @@ TEST_CASE("a failure within the fallback is an error, and the next question is a
     CHECK(found(fallback, u"a") != nullptr);
 }
 
-TEST_CASE("a Windows without a fallback has none, which is no error", "[windows][fallback]")
+TEST_CASE("a Windows without a fallback finds no font, which is not an error", "[windows][fallback]")
 {
     older_factory factory;
     detail::com_ptr<IDWriteFontFallback> fallback;

@@ -143,7 +143,7 @@ TEST_CASE("bevelled texts are the same from caches, workers and every order of t
     }
 }
 
-TEST_CASE("bevelled letters that meet are merged first: one bevel around them", "[workload]")
+TEST_CASE("bevelled letters that meet are merged first, and have one bevel around them", "[workload]")
 {
     std::size_t groups = 0;
     for (const bevelled_text& subject : bevelled_texts()) {

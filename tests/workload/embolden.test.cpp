@@ -99,7 +99,7 @@ void check_letters(const E& how, tally& all)
 
 }  // namespace
 
-TEST_CASE("bold letters of real fonts are closed and lit from outside, bolder and thinner", "[workload]")
+TEST_CASE("bold letters of real fonts are closed and lit from outside, both bolder and thinner", "[workload]")
 {
     tally all;
     for (const float by : {0.01f, 0.03f, 0.1f, -0.01f}) {
@@ -117,7 +117,7 @@ TEST_CASE("bold letters of real fonts are closed and lit from outside, bolder an
     CHECK(thinnest.refused == 0);
 }
 
-TEST_CASE("hollow letters of real fonts are closed and lit from outside, wherever the ring lies", "[workload]")
+TEST_CASE("hollow letters of real fonts are closed and lit from outside, with the ring in every place", "[workload]")
 {
     tally all;
     for (const outline_place place : {outline_place::inner, outline_place::centre, outline_place::outer}) {
@@ -130,7 +130,7 @@ TEST_CASE("hollow letters of real fonts are closed and lit from outside, whereve
     CHECK(all.narrowed == 0);
 }
 
-TEST_CASE("bold bevelled and hollow texts of real fonts are the same from caches and workers, and merged", "[workload]")
+TEST_CASE("bold, bevelled and hollow texts of real fonts are the same from caches, workers and merged", "[workload]")
 {
     const auto check = [](const auto& how, const std::string& path, const std::string& text, auto... step) {
         auto font = harfbuzz_font::open(path.c_str());

@@ -28,7 +28,7 @@ std::uint64_t flipped(const harfbuzz_font& font, auto& mesher, glyph_id id, poin
 
 }  // namespace
 
-TEST_CASE("within two em of the origin no triangle turns over in the floats that are written", "[workload]")
+TEST_CASE("no triangle within two em of the origin is turned over by rounding to floats", "[workload]")
 {
     const auto check = [](const std::string& path, float weight) {
         const variation w[] = {{"wght", weight}};
