@@ -33,8 +33,7 @@ engines::unity::mesh_data pointers(MeshData& data, bool wide)
 }  // namespace
 
 TEMPLATE_TEST_CASE(
-    "Unity's two streams hold a left-handed mesh, clockwise to the viewer, v upwards, every attribute a multiple of 4 "
-    "bytes",
+    "Unity's two streams contain a left-handed mesh with clockwise triangles, and attributes of multiples of 4 bytes",
     "[engines]", bench, bevelled_bench)
 {
     TestType b;

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "refusals.hpp"
 #include "support/catch.hpp"
 
 #include <typemesh/vertex/impl/index_writer.hpp>
@@ -39,9 +40,7 @@ TEMPLATE_TEST_CASE("triangles are written one after another into indices of ever
 TEST_CASE("more vertices than the index type can number are refused, including the base", "[vertex]")
 {
     CHECK_FALSE(index_writer<std::uint16_t>{5}.numbers(0xFFFF - 5));
-    const error e = index_writer<std::uint16_t>{5}.numbers(0xFFFF - 4);
-    CHECK(e.code == error::index_overflow);
-    CHECK(e.count == 0x1'0000u);
+    test::check_refused(index_writer<std::uint16_t>{5}.numbers(0xFFFF - 4), error::index_overflow, 0x1'0000u);
     CHECK(index_writer<std::uint32_t>{0xFFFF'FFFFu}.numbers(1).code == error::index_overflow);
     CHECK_FALSE(index_writer<std::uint64_t>{0xFFFF'FFFFu}.numbers(0xFFFF'FFFFu));
 }

@@ -3,8 +3,8 @@
 // Bold and hollow letters of real fonts: closed at every distance, none narrowed, the same in every way that a text is
 // built.
 
+#include "same_meshes.hpp"
 #include "support/catch.hpp"
-#include "support/executors.hpp"
 #include "support/workload.hpp"
 
 #include <typemesh/adapt/harfbuzz.hpp>
@@ -133,32 +133,10 @@ TEST_CASE("hollow letters of real fonts are closed and lit from outside, with th
 TEST_CASE("bold, bevelled and hollow texts of real fonts are the same from caches, workers and merged", "[workload]")
 {
     const auto check = [](const auto& how, const std::string& path, const std::string& text, auto... step) {
+        test::check_same_meshes(path, text, [](const auto& plan) { return written(plan); }, how, step...);
         auto font = harfbuzz_font::open(path.c_str());
         REQUIRE(font);
         text_mesher mesher{*font, how, step...};
-        const text_options options{.unit = output_unit::font_units};
-        const auto plan = mesher.plan(text, options);
-        REQUIRE(plan);
-        const moved_mesh expected = written(*plan);
-
-        glyph_cache cache;
-        text_mesher cached{*font, how, step..., cached_in{cache, 1}};
-        for (int i = 0; i < 2; ++i) {
-            const auto again = cached.plan(text, options);
-            REQUIRE(again);
-            CHECK(written(*again) == expected);
-        }
-        CHECK(cache.statistics().hits > 0);
-
-        test::scrambled_workers pool;
-        auto team = workers_of(pool, [&](std::size_t) noexcept { return harfbuzz_font::open(path.c_str()); });
-        REQUIRE(team);
-        const auto shared = mesher.plan(text, options, *team);
-        REQUIRE(shared);
-        moved_mesh m;
-        REQUIRE(shared->write(into(m.vertices, m.indices), pool));
-        CHECK(m == expected);
-
         const auto merged = mesher.plan(text, {.unit = output_unit::font_units, .merge = true});
         REQUIRE(merged);
         CHECK(merged->report().refused == 0);
