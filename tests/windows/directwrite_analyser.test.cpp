@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "support/catch.hpp"
 #include "support/counting_memory.hpp"
+#include "windows/counted.hpp"
 #include "windows/windows_font.hpp"
 
 #include <typemesh/adapt/directwrite_analyser.hpp>
@@ -17,26 +18,18 @@ namespace directwrite_analyser_test {
 constexpr UINT8 neutral = DWRITE_BREAK_CONDITION_NEUTRAL, can = DWRITE_BREAK_CONDITION_CAN_BREAK,
                 may_not = DWRITE_BREAK_CONDITION_MAY_NOT_BREAK, must = DWRITE_BREAK_CONDITION_MUST_BREAK;
 
-/// An IDWriteTextAnalyzer that knows the words it is given, and says of each word's begin what a test wants.
-class fake_words final : public IDWriteTextAnalyzer {
+/// An IDWriteTextAnalyzer with a list of words. It reports at the beginning of each word what a test wants.
+class fake_words final : public test::counted<IDWriteTextAnalyzer> {
 public:
     std::vector<std::wstring> words;
     UINT8 before = can, after = can;
     bool everywhere = false;  // breaks before every unit
-    bool overruns = false;    // speaks of units behind the text, too
+    bool overruns = false;    // reports on units after the text, too
     unsigned calls = 0;
     unsigned fails_at = 0;  // that call, counted from 1
     HRESULT failure = E_FAIL;
     std::vector<std::wstring> languages;
-    ULONG references = 1;
 
-    ULONG STDMETHODCALLTYPE AddRef() noexcept override { return ++references; }
-    ULONG STDMETHODCALLTYPE Release() noexcept override { return --references; }
-    HRESULT STDMETHODCALLTYPE QueryInterface(REFIID, void** out) noexcept override
-    {
-        *out = nullptr;
-        return E_NOINTERFACE;
-    }
     HRESULT STDMETHODCALLTYPE AnalyzeLineBreakpoints(IDWriteTextAnalysisSource* source, UINT32 at, UINT32 length,
                                                      IDWriteTextAnalysisSink* sink) noexcept override
     {

@@ -38,17 +38,8 @@ static_assert(fallback_provider<directwrite_fallback<directwrite_font>, directwr
 static_assert(fallback_provider<directwrite_fallback<path_font>, path_font>);
 
 /// A loader of files that are somewhere else than in the file system.
-class fake_loader final : public IDWriteFontFileLoader {
+class fake_loader final : public test::counted<IDWriteFontFileLoader> {
 public:
-    ULONG references = 1;
-
-    ULONG STDMETHODCALLTYPE AddRef() noexcept override { return ++references; }
-    ULONG STDMETHODCALLTYPE Release() noexcept override { return --references; }
-    HRESULT STDMETHODCALLTYPE QueryInterface(REFIID, void** out) noexcept override
-    {
-        *out = nullptr;
-        return E_NOINTERFACE;
-    }
     HRESULT STDMETHODCALLTYPE CreateStreamFromKey(const void*, UINT32, IDWriteFontFileStream**) noexcept override
     {
         return E_NOTIMPL;
@@ -56,7 +47,7 @@ public:
 };
 
 /// A font with its face and its file, which is a real one or one that a fake_loader has. Each counts its references.
-class fake_font final : public IDWriteFont {
+class fake_font final : public test::counted<IDWriteFont> {
 public:
     class its_face final : public test::fake_face_of<IDWriteFontFace> {
     public:
@@ -72,17 +63,9 @@ public:
         }
         UINT32 STDMETHODCALLTYPE GetIndex() noexcept override { return of->index; }
     };
-    class its_file final : public IDWriteFontFile {
+    class its_file final : public test::counted<IDWriteFontFile> {
     public:
         fake_font* of = nullptr;
-        ULONG references = 1;
-        ULONG STDMETHODCALLTYPE AddRef() noexcept override { return ++references; }
-        ULONG STDMETHODCALLTYPE Release() noexcept override { return --references; }
-        HRESULT STDMETHODCALLTYPE QueryInterface(REFIID, void** out) noexcept override
-        {
-            *out = nullptr;
-            return E_NOINTERFACE;
-        }
         HRESULT STDMETHODCALLTYPE GetReferenceKey(const void** key, UINT32* size) noexcept override
         {
             if (of->fails()) return of->failure;
@@ -114,7 +97,6 @@ public:
     its_face face;
     its_file file;
     fake_loader loader;
-    ULONG references = 1;
     unsigned calls = 0, fails_at = 0;  // that call, counted from 1
     HRESULT failure = E_FAIL;
 
@@ -124,13 +106,6 @@ public:
         return references != 1 || face.references != 1 || file.references != 1 || loader.references != 1;
     }
 
-    ULONG STDMETHODCALLTYPE AddRef() noexcept override { return ++references; }
-    ULONG STDMETHODCALLTYPE Release() noexcept override { return --references; }
-    HRESULT STDMETHODCALLTYPE QueryInterface(REFIID, void** out) noexcept override
-    {
-        *out = nullptr;
-        return E_NOINTERFACE;
-    }
     HRESULT STDMETHODCALLTYPE HasCharacter(UINT32 c, BOOL* has) noexcept override
     {
         if (fails()) return failure;
@@ -163,22 +138,14 @@ public:
 };
 
 /// Gives the first of its fonts that has the first letter, and remembers how it was asked.
-class fake_fallback final : public IDWriteFontFallback {
+class fake_fallback final : public test::counted<IDWriteFontFallback> {
 public:
     std::vector<fake_font*> fonts;
     std::vector<std::wstring> asked, languages;
     std::wstring family;
     DWRITE_FONT_WEIGHT weight = DWRITE_FONT_WEIGHT_NORMAL;
     HRESULT failure = S_OK;
-    ULONG references = 1;
 
-    ULONG STDMETHODCALLTYPE AddRef() noexcept override { return ++references; }
-    ULONG STDMETHODCALLTYPE Release() noexcept override { return --references; }
-    HRESULT STDMETHODCALLTYPE QueryInterface(REFIID, void** out) noexcept override
-    {
-        *out = nullptr;
-        return E_NOINTERFACE;
-    }
     HRESULT STDMETHODCALLTYPE MapCharacters(IDWriteTextAnalysisSource* source, UINT32 at, UINT32 length,
                                             IDWriteFontCollection*, const WCHAR* name, DWRITE_FONT_WEIGHT how_heavy,
                                             DWRITE_FONT_STYLE, DWRITE_FONT_STRETCH, UINT32* mapped, IDWriteFont** font,
