@@ -30,7 +30,7 @@ struct nowhere {
 
 }  // namespace
 
-TEST_CASE("a plan that outlived its mesher's next plan is told so", "[asserts]")
+TEST_CASE("using a plan after its mesher's next plan is asserted", "[asserts]")
 {
     test::toy_font font;
     text_mesher mesher{font};
@@ -44,7 +44,7 @@ TEST_CASE("a plan that outlived its mesher's next plan is told so", "[asserts]")
     CHECK(asserted() == "");
 }
 
-TEST_CASE("a plan whose mesher was moved is told so", "[asserts]")
+TEST_CASE("using a plan whose mesher was moved is asserted", "[asserts]")
 {
     test::toy_font font;
     text_mesher mesher{font}, other{font};
@@ -64,7 +64,7 @@ TEST_CASE("a plan whose mesher was moved is told so", "[asserts]")
     CHECK(asserted() == "");
 }
 
-TEST_CASE("a plan whose workers have built another, and chunks of another plan, are told so", "[asserts]")
+TEST_CASE("using a plan after its workers have built another, or another plan's chunks, is asserted", "[asserts]")
 {
     test::toy_font font;
     text_mesher mesher{font}, other{font};
@@ -88,7 +88,7 @@ TEST_CASE("a plan whose workers have built another, and chunks of another plan, 
     CHECK(asserted() == "these text_chunks were cut from another plan");
 }
 
-TEST_CASE("an error is not read as a value without a word", "[asserts]")
+TEST_CASE("reading an error as a value is asserted", "[asserts]")
 {
     result<int> failed = error::out_of_memory;
     CHECK_FALSE(failed);
@@ -98,7 +98,7 @@ TEST_CASE("an error is not read as a value without a word", "[asserts]")
     CHECK(asserted() == "a result without a value must have an error");
 }
 
-TEST_CASE("a workspace that is moved while it is borrowed from is told so", "[asserts]")
+TEST_CASE("moving a borrowed workspace is asserted", "[asserts]")
 {
     workspace space;
     workspace other;
@@ -111,7 +111,7 @@ TEST_CASE("a workspace that is moved while it is borrowed from is told so", "[as
     }
 }
 
-TEST_CASE("a text that is read in another encoding than its own is told so", "[asserts]")
+TEST_CASE("reading a text in another encoding than its own is asserted", "[asserts]")
 {
     (void)text_view{"abc"}.utf8();
     (void)text_view{u"abc"}.utf16();
@@ -122,7 +122,7 @@ TEST_CASE("a text that is read in another encoding than its own is told so", "[a
     CHECK(asserted() == "a text in UTF-16 was read as UTF-8");
 }
 
-TEST_CASE("a frame that would bend the text is told so", "[asserts]")
+TEST_CASE("a frame that would distort the text is asserted", "[asserts]")
 {
     test::toy_font font;
     text_mesher mesher{font};

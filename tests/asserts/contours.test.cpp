@@ -10,7 +10,7 @@
 
 using namespace typemesh;
 
-TEST_CASE("points that were moved after they had been sorted are told of", "[asserts]")
+TEST_CASE("moving points after they were sorted is asserted", "[asserts]")
 {
     const std::vector<std::string> stale{
         "the points of contours were moved after they had been sorted: call clear() or "

@@ -146,7 +146,7 @@ exact_sink written(Mesher mesher)
 
 }  // namespace
 
-TEST_CASE("a discretiser that does not end at the curve's end, or goes back, is told so", "[asserts]")
+TEST_CASE("a discretiser that misses the curve's end, or goes back, is asserted", "[asserts]")
 {
     test::toy_font font;
     const auto told_by = [&](auto how) {
@@ -165,7 +165,7 @@ TEST_CASE("a discretiser that does not end at the curve's end, or goes back, is 
     CHECK(told_by(at_percent<50, 100, 120>{}) == sentences{order, end});
 }
 
-TEST_CASE("a triangulator that appends other triangles than a region has is told so", "[asserts]")
+TEST_CASE("a triangulator that appends the wrong number of triangles is asserted", "[asserts]")
 {
     const std::string count = "a triangulator appended more or fewer triangles than the region's triangle_count()",
                       range = "a triangulator appended a triangle with a corner that is not a point of the region",
@@ -209,7 +209,7 @@ TEST_CASE("a triangulator that appends other triangles than a region has is told
     CHECK(both_ways(outside) == sentences{range});
 }
 
-TEST_CASE("an extruder that emits more or fewer than it planned is told so, and no sink gets more", "[asserts]")
+TEST_CASE("an extruder that emits more or less than it planned is asserted, and no sink gets more", "[asserts]")
 {
     test::toy_font font;
     const auto told_by = [&](const miscounting& how) {
@@ -247,7 +247,7 @@ TEST_CASE("an extruder that emits more or fewer than it planned is told so, and 
           sentences{"an extruder emitted a triangle with a corner that is not a vertex of its solid"});
 }
 
-TEST_CASE("a sink that is written past its end, or before it has begun, tells so", "[asserts]")
+TEST_CASE("writing to a sink past its end, or before it begins, is asserted", "[asserts]")
 {
     const std::string vertices = "more vertices were written than the sink can hold",
                       triangles = "more triangles were written than the sink can hold";
@@ -280,7 +280,7 @@ TEST_CASE("a sink that is written past its end, or before it has begun, tells so
           "The buffer is too small for the mesh: give a larger one. (needed: 3 vertices)");
 }
 
-TEST_CASE("a shaper whose glyphs come from elsewhere is told so", "[asserts]")
+TEST_CASE("A shaper with clusters outside its text is asserted", "[asserts]")
 {
     struct careless : test::toy_font {
         std::uint32_t off = 0;

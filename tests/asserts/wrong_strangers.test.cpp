@@ -139,7 +139,7 @@ struct counts_by_item : stranger::monospace_shaper {
 
 }  // namespace
 
-TEST_CASE("wrong discretisers, triangulators and extruders get their sentences", "[asserts]")
+TEST_CASE("wrong discretisers, triangulators and extruders are asserted with the right message", "[asserts]")
 {
     test::toy_font font;
     CHECK(told_by(text_mesher{font}.with(forgets_the_end{})) ==
@@ -166,7 +166,7 @@ TEST_CASE("wrong discretisers, triangulators and extruders get their sentences",
           "an extruder planned vertices or triangles of a part beyond its part_count");
 }
 
-TEST_CASE("a wrong shaper gets its sentence, wrong drawings and full disks their errors", "[asserts]")
+TEST_CASE("a wrong shaper is asserted, and wrong drawings and full disks are errors", "[asserts]")
 {
     stranger::svg_paths paths{100.0, {"", "M10 100 V20 H60 V100 Z", "L10 100 V20 H60 Z", "M10 nowhere"}};
     const std::string characters{"\0ILN", 4};

@@ -63,7 +63,7 @@ const std::u16string all_glyphs = u"oEx i?\u4E2D";
 
 }  // namespace
 
-TEST_CASE("the viewer, who looks along +z, sees the cap at z = -extrusion, and the other one lies at z = 0", "[compat]")
+TEST_CASE("the front cap lies at z = -extrusion, and the back cap at z = 0", "[compat]")
 {
     test::toy_font font;
     d3dx_text maker{font};
@@ -89,7 +89,7 @@ TEST_CASE("the viewer, who looks along +z, sees the cap at z = -extrusion, and t
     CHECK(plan->front().index_count + plan->back().index_count + plan->sides().index_count == m.indices.size());
 }
 
-TEST_CASE("the viewer reads from left to right: x runs to the right and y up", "[compat]")
+TEST_CASE("text runs from left to right along x, and y points up", "[compat]")
 {
     test::toy_font font;
     d3dx_text maker{font};
@@ -108,7 +108,7 @@ TEST_CASE("the viewer reads from left to right: x runs to the right and y up", "
     CHECK(arms == Approx(1.05f));  // its arms point to the right
 }
 
-TEST_CASE("front faces are clockwise for who sees them, and every normal points out", "[compat]")
+TEST_CASE("front faces are clockwise, and every normal points outwards", "[compat]")
 {
     test::toy_font font;
     d3dx_text maker{font};
@@ -141,7 +141,7 @@ TEST_CASE("the mesh is closed and encloses its outline's area times the extrusio
     }
 }
 
-TEST_CASE("the mesh is text_mesher's own", "[compat]")
+TEST_CASE("the mesh equals the one of text_mesher", "[compat]")
 {
     test::toy_font font;
     text_mesher mesher = text_mesher{font}.with(extruded<>{.depth = 0.4f, .texture = texture_mapping::box});
@@ -151,7 +151,7 @@ TEST_CASE("the mesh is text_mesher's own", "[compat]")
     CHECK(same(made(font, all_glyphs, {.deviation = 0.005, .size = d3dx_size::em}), own));
 }
 
-TEST_CASE("the size is that of the cell, as in Direct3D, or of the em", "[compat]")
+TEST_CASE("the size is the height of the cell, as in Direct3D, or of the em", "[compat]")
 {
     tall_font font;
     const full_mesh cell = made(font, u"Eo", {.deviation = 0.004, .extrusion = 0.5}),
@@ -242,7 +242,7 @@ TEST_CASE("each character has its metrics", "[compat]")
     is(5, 0.0f, 0.0f, 0.0f, 0.0f, 0.6f);  // missing, and not drawn
 }
 
-TEST_CASE("arrays that are too small are left as they are, and the error says how much is needed", "[compat]")
+TEST_CASE("arrays that are too small stay unchanged, and the error reports the size that is needed", "[compat]")
 {
     test::toy_font font;
     d3dx_text maker{font};
@@ -269,7 +269,7 @@ TEST_CASE("arrays that are too small are left as they are, and the error says ho
     CHECK(plan->metrics(metrics));
 }
 
-TEST_CASE("16-bit indices are refused where they do not reach, and 32-bit ones say the same where they do", "[compat]")
+TEST_CASE("16-bit indices are refused if they are too small, and otherwise equal 32-bit ones", "[compat]")
 {
     test::toy_font font;
     d3dx_text maker{font};
@@ -297,7 +297,7 @@ TEST_CASE("16-bit indices are refused where they do not reach, and 32-bit ones s
     CHECK(many->write(std::span{vertices}, std::span{wide}));
 }
 
-TEST_CASE("an empty and a blank text are empty meshes", "[compat]")
+TEST_CASE("an empty text and a blank text have empty meshes", "[compat]")
 {
     test::toy_font font;
     d3dx_text maker{font};
@@ -312,7 +312,7 @@ TEST_CASE("an empty and a blank text are empty meshes", "[compat]")
     CHECK(plan->write(std::span{vertices}, std::span{indices}));
 }
 
-TEST_CASE("characters that the font lacks are drawn as its box and reported", "[compat]")
+TEST_CASE("characters that the font lacks are drawn as a box and reported", "[compat]")
 {
     test::toy_font font;
     d3dx_text maker{font};
@@ -327,7 +327,7 @@ TEST_CASE("characters that the font lacks are drawn as its box and reported", "[
     CHECK(left_out->text().glyphs().size() == 1);
 }
 
-TEST_CASE("kerning and ligatures are off unless asked for, and further features are passed on", "[compat]")
+TEST_CASE("kerning and ligatures are off by default, and further features are passed on", "[compat]")
 {
     tall_font font;
     d3dx_text maker{font};
@@ -384,7 +384,7 @@ TEST_CASE("texture coordinates span the text", "[compat]")
     CHECK(high.y == Approx(1.0f));
 }
 
-TEST_CASE("the crease angle can be that of Direct3D", "[compat]")
+TEST_CASE("the crease angle can be the one of Direct3D", "[compat]")
 {
     test::toy_font font;
     d3dx_text maker{font};
@@ -397,7 +397,7 @@ TEST_CASE("the crease angle can be that of Direct3D", "[compat]")
     CHECK(none->text().hard_edges() == 0);
 }
 
-TEST_CASE("a cache changes nothing but the time", "[compat]")
+TEST_CASE("a cache changes only the time", "[compat]")
 {
     test::toy_font font;
     glyph_cache cache;
@@ -410,7 +410,7 @@ TEST_CASE("a cache changes nothing but the time", "[compat]")
     CHECK(cache.statistics().hits > 0);
 }
 
-TEST_CASE("after warm-up nothing is allocated, and failing memory is an error that passes", "[compat]")
+TEST_CASE("nothing is allocated after warm-up, and a lack of memory is a temporary error", "[compat]")
 {
     test::toy_font font;
     test::counting_memory counted;
@@ -457,7 +457,7 @@ TEST_CASE("a temporary font and a temporary maker do not compile", "[compat]")
     STATIC_REQUIRE_FALSE(plans_without_a_name<test::toy_font>);
 }
 
-TEST_CASE("another triangulator changes the caps' triangles and nothing else", "[compat]")
+TEST_CASE("another triangulator changes only the triangles of the caps", "[compat]")
 {
     test::toy_font font;
     d3dx_text usual{font};
@@ -484,8 +484,7 @@ TEST_CASE("another triangulator changes the caps' triangles and nothing else", "
     }
 }
 
-TEST_CASE("another extruder stands where Direct3D's text does, all its parts drawn, and has the extrusion as its depth",
-          "[compat]")
+TEST_CASE("another extruder has Direct3D's position, all of its parts, and the extrusion as its depth", "[compat]")
 {
     test::toy_font font;
     const double extrusion = GENERATE(0.1, 5.0);

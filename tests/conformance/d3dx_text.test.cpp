@@ -68,7 +68,7 @@ TEST_CASE("the metrics of D3DXCreateText's stand-in are HarfBuzz's advances and 
     }
 }
 
-TEST_CASE("kerning draws letters together where it is asked for, and only there", "[conformance]")
+TEST_CASE("kerning moves letters closer together only if it is switched on", "[conformance]")
 {
     auto font = open("truetype/liberation/LiberationSans-Regular.ttf");
     const auto apart = metrics_of(font, u"AV"), together = metrics_of(font, u"AV", {.kerning = true});
@@ -77,7 +77,7 @@ TEST_CASE("kerning draws letters together where it is asked for, and only there"
     CHECK(width_of(metrics_of(font, u"lo")) == Approx(width_of(metrics_of(font, u"lo", {.kerning = true}))));
 }
 
-TEST_CASE("a ligature, where asked for, is one glyph whose letters share its first letter's metrics", "[conformance]")
+TEST_CASE("a ligature, if switched on, is one glyph whose letters share the metrics of the first", "[conformance]")
 {
     auto font = open("truetype/dejavu/DejaVuSans.ttf");
     const auto plain = metrics_of(font, u"fi"), joined = metrics_of(font, u"fi", {.ligatures = true});
@@ -96,7 +96,7 @@ TEST_CASE("a letter outside the first plane has its metrics at its first unit", 
     CHECK(m[2].box_height > 0.0f);
 }
 
-TEST_CASE("fonts of both orientations make closed, outward meshes through either font library", "[conformance]")
+TEST_CASE("fonts of both orientations have closed meshes that face outwards, with either font library", "[conformance]")
 {
     const std::string path = font_file(GENERATE(from_range(fonts)));
     const double deviation = GENERATE(0.1, 0.01, 0.005, 0.001);

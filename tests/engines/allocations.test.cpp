@@ -65,12 +65,9 @@ void takes_nothing(bench& b, const text_options& o, Write write)
 
 }  // namespace
 
-TEST_CASE("the counter sees every block that the heap hands out", "[engines]")
-{
-    CHECK(test::every_allocation_counts());
-}
+TEST_CASE("the counter counts every block of the heap", "[engines]") { CHECK(test::every_allocation_counts()); }
 
-TEST_CASE("after warm-up a real font's text is planned and written without operator new", "[engines]")
+TEST_CASE("a real font's text is planned and written without operator new after warm-up", "[engines]")
 {
     auto font = harfbuzz_font::open(font_file("truetype/dejavu/DejaVuSans.ttf").c_str());
     REQUIRE(font);
@@ -90,7 +87,7 @@ TEST_CASE("after warm-up a real font's text is planned and written without opera
     CHECK(asked == 0);
 }
 
-TEST_CASE("no layout in memory of the caller's takes any other memory", "[engines]")
+TEST_CASE("every layout takes only the caller's memory", "[engines]")
 {
     bench b;
     room r;
@@ -133,7 +130,7 @@ TEST_CASE("no layout in memory of the caller's takes any other memory", "[engine
     });
 }
 
-TEST_CASE("every attribute and every packed format is written without taking memory", "[engines]")
+TEST_CASE("every attribute and every packed format is written without allocations", "[engines]")
 {
     bench b;
     room r;
@@ -153,7 +150,7 @@ TEST_CASE("every attribute and every packed format is written without taking mem
     });
 }
 
-TEST_CASE("engines' own containers are all that is allocated where a recipe fills these", "[engines]")
+TEST_CASE("a recipe that fills an engine's containers allocates nothing else", "[engines]")
 {
     bench b;
     FStaticMeshVertexBuffers buffers;

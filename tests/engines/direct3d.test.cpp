@@ -30,9 +30,8 @@ std::vector<std::uint32_t> numbers(const void* at, std::size_t n)
 
 }  // namespace
 
-TEMPLATE_TEST_CASE(
-    "Direct3D 9 gets 32-byte vertices in a left-handed frame, clockwise to the viewer, with either index format",
-    "[engines]", bench, bevelled_bench)
+TEMPLATE_TEST_CASE("Direct3D 9 gets left-handed 32-byte vertices, clockwise triangles and either index format",
+                   "[engines]", bench, bevelled_bench)
 {
     TestType b;
     auto plan = b.mesher.plan(word, d9::options());
@@ -58,7 +57,7 @@ TEMPLATE_TEST_CASE(
     }
 }
 
-TEST_CASE("Direct3D 9 buffers that are too small are refused and left as they were", "[engines]")
+TEST_CASE("Direct3D 9 buffers that are too small are refused and stay unchanged", "[engines]")
 {
     bench b;
     auto plan = b.mesher.plan(word, d9::options());
@@ -73,8 +72,8 @@ TEST_CASE("Direct3D 9 buffers that are too small are refused and left as they we
     CHECK(vertices.locks == 0);
 }
 
-TEMPLATE_TEST_CASE("Direct3D 11 gets the vertex of 32 bytes and the packed one, up to the last byte of mapped memory",
-                   "[engines]", bench, bevelled_bench)
+TEMPLATE_TEST_CASE("Direct3D 11 gets 32-byte and packed vertices, up to the last byte of mapped memory", "[engines]",
+                   bench, bevelled_bench)
 {
     TestType b;
     auto plan = b.mesher.plan(word, d11::options());
@@ -119,7 +118,7 @@ TEMPLATE_TEST_CASE("Direct3D 11 gets the vertex of 32 bytes and the packed one, 
     }
 }
 
-TEST_CASE("input layouts and vertex declarations name the bytes where the vertices have them", "[engines]")
+TEST_CASE("input layouts and vertex declarations have the offsets of the vertices", "[engines]")
 {
     CHECK(d9::declaration[1].Offset == offsetof(d9::vertex, nx));
     CHECK(d9::declaration[2].Offset == offsetof(d9::vertex, tu));

@@ -16,8 +16,8 @@
 using namespace recipes;
 
 #if __has_include(<glm/vec3.hpp>)
-TEMPLATE_TEST_CASE("GLM's vectors hold a right-handed mesh, counter-clockwise, v upwards", "[engines]", bench,
-                   bevelled_bench)
+TEMPLATE_TEST_CASE("GLM's vectors contain a right-handed mesh with counter-clockwise triangles and upward v",
+                   "[engines]", bench, bevelled_bench)
 {
     TestType b;
     std::vector<engines::glm_vertex> vertices;
@@ -37,8 +37,8 @@ TEMPLATE_TEST_CASE("GLM's vectors hold a right-handed mesh, counter-clockwise, v
 }
 #endif
 
-TEMPLATE_TEST_CASE("Eigen's matrices hold a mesh with z up, a row or a column for each vertex and triangle",
-                   "[engines]", (std::pair<std::true_type, bench>), (std::pair<std::false_type, bench>),
+TEMPLATE_TEST_CASE("Eigen's matrices contain a mesh with z up, one row or column per vertex and triangle", "[engines]",
+                   (std::pair<std::true_type, bench>), (std::pair<std::false_type, bench>),
                    (std::pair<std::true_type, bevelled_bench>), (std::pair<std::false_type, bevelled_bench>))
 {
     constexpr bool by_rows = TestType::first_type::value;

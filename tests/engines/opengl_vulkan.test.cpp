@@ -40,8 +40,8 @@ engine packed(engine is)
 
 }  // namespace
 
-TEMPLATE_TEST_CASE("OpenGL gets one interleaved vertex of 24 bytes, counter-clockwise, v upwards", "[engines]", bench,
-                   bevelled_bench)
+TEMPLATE_TEST_CASE("OpenGL gets interleaved vertices of 24 bytes, counter-clockwise triangles and upward v",
+                   "[engines]", bench, bevelled_bench)
 {
     TestType b;
     auto plan = b.mesher.plan(word, engines::opengl::options());
@@ -54,7 +54,7 @@ TEMPLATE_TEST_CASE("OpenGL gets one interleaved vertex of 24 bytes, counter-cloc
     obeys(mesh, *plan, packed(opengl));
 }
 
-TEST_CASE("OpenGL gets four attributes, each where the vertex has it, the first vertex' place added", "[engines]")
+TEST_CASE("OpenGL gets pointers to four attributes, relative to the first vertex", "[engines]")
 {
     std::vector<std::size_t> offsets;
     engines::opengl::describe(
@@ -69,7 +69,7 @@ TEST_CASE("OpenGL gets four attributes, each where the vertex has it, the first 
     CHECK(offsets == std::vector<std::size_t>{1000, 1012, 1016, 1020});
 }
 
-TEMPLATE_TEST_CASE("two texts share Vulkan buffers, the second's indices counting on from the first's vertices",
+TEMPLATE_TEST_CASE("two texts share Vulkan buffers, and the indices of the second continue after the first",
                    "[engines]", bench, bevelled_bench)
 {
     TestType b;
@@ -105,7 +105,7 @@ TEMPLATE_TEST_CASE("two texts share Vulkan buffers, the second's indices countin
     CHECK(full.vertex_count == room.vertex_count);
 }
 
-TEST_CASE("Vulkan's descriptions name the bytes where the vertex has them", "[engines]")
+TEST_CASE("Vulkan's descriptions have the offsets of the vertex", "[engines]")
 {
     using engines::vulkan::attributes;
     using engines::vulkan::vertex;

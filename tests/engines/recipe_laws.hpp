@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// What must hold for each engine's recipe, told in that engine's own coordinates, on a mesh read back from its buffers.
+// The laws of each engine's recipe, in that engine's own coordinates, for a mesh that is read back from its buffers.
 
 #include <typemesh/adapt/harfbuzz.hpp>
 #include <typemesh/extrude/bevelled.hpp>
@@ -22,7 +22,7 @@ namespace recipes {
 
 using namespace typemesh;
 
-/// L first: its bar at the bottom, its stem at the left, tell whether anything is mirrored.
+/// L first: its bar at the bottom and its stem at the left show whether anything is mirrored.
 inline constexpr const char* word = "L\xC3\xA5&g";
 
 /// A font, and a mesher over it whose requests for memory are counted.
@@ -58,7 +58,7 @@ struct seen {
     std::vector<std::uint32_t> index;
 };
 
-/// What the engine's documentation says.
+/// An engine's conventions, by its documentation.
 struct engine {
     vec3 right, up, toward;      ///< where the text runs, stands and looks, in the engine's axes
     int winding;                 ///< the sign of dot(cross(b - a, c - a), n)
@@ -115,7 +115,7 @@ void obeys(const seen& mesh, const Plan& plan, const engine& is)
     for (const vec3 p : mesh.position) welded.push_back({p, {}, {}});
     CHECK(test::examine(welded, mesh.index).unmatched_edges == 0);
 
-    // In place: front at depth 0, in the unit asked for, readable from where the text looks to; bevels between cap and
+    // In place: front at depth 0, in the engine's unit, readable from the front; bevels between cap and
     // wall, leaning like both.
     const bool has_bevels = plan.parts().size() == 5;
     for (const part where : plan.parts()) {

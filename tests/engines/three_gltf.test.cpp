@@ -82,6 +82,23 @@ glb open(const std::vector<std::byte>& file)
     return g;
 }
 
+template <class Plan>
+glb written(const Plan& plan, engines::gltf::layout how)
+{
+    std::vector<std::byte> file;
+    REQUIRE(engines::gltf::write(plan, how, file));
+    return open(file);
+}
+
+/// The 16-bit indices of a plan's file, after its vertices.
+template <class Plan>
+std::vector<std::uint32_t> indices_in(const glb& g, const Plan& plan, std::size_t bytes_a_vertex)
+{
+    std::vector<std::uint16_t> narrow(plan.size().indices());
+    std::memcpy(narrow.data(), g.bin.data() + bytes_a_vertex * plan.size().vertices, 2 * narrow.size());
+    return {narrow.begin(), narrow.end()};
+}
+
 struct letter_node {
     std::vector<double> offset, scale;
 };
@@ -98,8 +115,8 @@ std::vector<letter_node> letter_nodes(const std::string& json)
 
 }  // namespace
 
-TEMPLATE_TEST_CASE("three.js gets one typed array an attribute, counter-clockwise, v upwards", "[engines]", bench,
-                   bevelled_bench)
+TEMPLATE_TEST_CASE("three.js gets one typed array per attribute, counter-clockwise triangles and upward v", "[engines]",
+                   bench, bevelled_bench)
 {
     TestType b;
     auto plan = b.mesher.plan(word, engines::three::options());
@@ -131,15 +148,13 @@ TEMPLATE_TEST_CASE("three.js gets one typed array an attribute, counter-clockwis
     CHECK(short_uv == std::vector<float>(2 * n - 1, -7.0f));
 }
 
-TEMPLATE_TEST_CASE("a plain glTF file holds floats, right-handed, counter-clockwise, v downwards", "[engines]", bench,
-                   bevelled_bench)
+TEMPLATE_TEST_CASE("a plain glTF file contains right-handed floats, counter-clockwise triangles and downward v",
+                   "[engines]", bench, bevelled_bench)
 {
     TestType b;
     auto plan = b.mesher.plan(word, engines::gltf::options());
     REQUIRE(plan);
-    std::vector<std::byte> file;
-    REQUIRE(engines::gltf::write(*plan, engines::gltf::layout::plain, file));
-    const glb g = open(file);
+    const glb g = written(*plan, engines::gltf::layout::plain);
     seen mesh;
     for (std::size_t i = 0; i < plan->size().vertices; ++i) {
         float f[12];
@@ -149,34 +164,28 @@ TEMPLATE_TEST_CASE("a plain glTF file holds floats, right-handed, counter-clockw
         mesh.tangent.push_back({f[6], f[7], f[8], f[9]});
         mesh.uv.push_back({f[10], f[11]});
     }
-    for (std::size_t i = 0; i < plan->size().indices(); ++i) {
-        std::uint16_t n;
-        std::memcpy(&n, g.bin.data() + 48 * plan->size().vertices + 2 * i, 2);
-        mesh.index.push_back(n);
-    }
+    mesh.index = indices_in(g, *plan, 48);
     obeys(mesh, *plan, gltf);
     double low[3] = {1e9, 1e9, 1e9}, high[3] = {-1e9, -1e9, -1e9};
     for (const vec3 p : mesh.position) {
         const double at[3] = {p.x, p.y, p.z};
         for (std::size_t k = 0; k < 3; ++k) low[k] = (std::min)(low[k], at[k]), high[k] = (std::max)(high[k], at[k]);
     }
-    const auto said_low = numbers_after(g.json, "min"), said_high = numbers_after(g.json, "max");
+    const auto file_low = numbers_after(g.json, "min"), file_high = numbers_after(g.json, "max");
     for (std::size_t k = 0; k < 3; ++k) {  // the same floats
-        CHECK(static_cast<float>(said_low.at(k)) == static_cast<float>(low[k]));
-        CHECK(static_cast<float>(said_high.at(k)) == static_cast<float>(high[k]));
+        CHECK(static_cast<float>(file_low.at(k)) == static_cast<float>(low[k]));
+        CHECK(static_cast<float>(file_high.at(k)) == static_cast<float>(high[k]));
     }
     CHECK(numbers_after(g.json, "byteStride")[0] == 48);
 }
 
-TEMPLATE_TEST_CASE("a quantised glTF file gives the same mesh back through its nodes' transforms, in 20 bytes a vertex",
+TEMPLATE_TEST_CASE("a quantised glTF file contains the same mesh in 20 bytes per vertex, through its nodes' transforms",
                    "[engines]", bench, bevelled_bench)
 {
     TestType b;
     auto plan = b.mesher.plan(word, engines::gltf::options());
     REQUIRE(plan);
-    std::vector<std::byte> file;
-    REQUIRE(engines::gltf::write(*plan, engines::gltf::layout::quantised, file));
-    const glb g = open(file);
+    const glb g = written(*plan, engines::gltf::layout::quantised);
     CHECK(g.json.find("extensionsRequired\":[\"KHR_mesh_quantization\"]") != std::string::npos);
     const auto nodes = letter_nodes(g.json);
     REQUIRE(nodes.size() == plan->glyphs().size());
@@ -216,11 +225,7 @@ TEMPLATE_TEST_CASE("a quantised glTF file gives the same mesh back through its n
         CHECK(v.position[3] == 0);
         CHECK(v.normal[3] == 0);
     }
-    for (std::size_t i = 0; i < plan->size().indices(); ++i) {
-        std::uint16_t n;
-        std::memcpy(&n, g.bin.data() + 20 * plan->size().vertices + 2 * i, 2);
-        mesh.index.push_back(n);
-    }
+    mesh.index = indices_in(g, *plan, 20);
     CHECK(numbers_after(g.json, "min") == std::vector<double>(low, low + 3));
     CHECK(numbers_after(g.json, "max") == std::vector<double>(high, high + 3));
     engine is = gltf;
@@ -230,6 +235,7 @@ TEMPLATE_TEST_CASE("a quantised glTF file gives the same mesh back through its n
     obeys(mesh, *plan, is);
     if (const char* folder = std::getenv("TYPEMESH_KEEP_GLB")) {  // for gltf-validator
         for (const auto how : {engines::gltf::layout::plain, engines::gltf::layout::quantised}) {
+            std::vector<std::byte> file;
             REQUIRE(engines::gltf::write(*plan, how, file));
             std::ofstream{std::string{folder} + (how == engines::gltf::layout::plain ? "/plain.glb" : "/quantised.glb"),
                           std::ios::binary}
@@ -238,9 +244,8 @@ TEMPLATE_TEST_CASE("a quantised glTF file gives the same mesh back through its n
     }
 }
 
-TEST_CASE(
-    "of a long line a box for each letter turns over a tenth of what a box for all does, and the number is reported",
-    "[engines]")
+TEST_CASE("one box per letter turns over a tenth of the triangles that one box for all does, and both are counted",
+          "[engines]")
 {
     bench b;
     const std::string line =
@@ -252,9 +257,7 @@ TEST_CASE(
         auto plan = b.mesher.plan(line, options);
         REQUIRE(plan);
         const position_box one = position_box::cube_around(plan->bounds().low, plan->bounds().high);
-        std::vector<std::byte> file;
-        REQUIRE(engines::gltf::write(*plan, engines::gltf::layout::quantised, file));
-        const glb g = open(file);
+        const glb g = written(*plan, engines::gltf::layout::quantised);
         const auto turns = [&](const auto& corner, triangle t) {
             return orientation(corner(t.a), corner(t.b), corner(t.c)) <= 0 ? 1u : 0u;
         };
@@ -279,23 +282,21 @@ TEST_CASE(
                     t);
             }
         }
-        const std::uint64_t told = engines::gltf::turned_by_quantising(*plan);
-        CHECK(told == in_file);
-        by_letter += told;
+        const std::uint64_t reported = engines::gltf::turned_by_quantising(*plan);
+        CHECK(reported == in_file);
+        by_letter += reported;
     }
     CHECK(by_line > 10);
     INFO(by_line << " by one box");
     CHECK(10 * by_letter <= by_line);
 }
 
-TEST_CASE("a glTF file has a named material for each part that is drawn, and none of them is metal", "[engines]")
+TEST_CASE("a glTF file has a named, non-metallic material for each part that is drawn", "[engines]")
 {
     bench b;
     const auto law = [](const auto& plan, const std::vector<std::string>& drawn) {
         for (const auto how : {engines::gltf::layout::plain, engines::gltf::layout::quantised}) {
-            std::vector<std::byte> file;
-            REQUIRE(engines::gltf::write(plan, how, file));
-            const std::string json = open(file).json;
+            const std::string json = written(plan, how).json;
             const auto list = json.substr(json.find("\"materials\":["));
             const auto materials = list.substr(0, list.find("}}]"));
             CHECK(all_after(materials, "\"name\":") == quoted(drawn));
@@ -329,8 +330,7 @@ TEST_CASE("a glTF file has a named material for each part that is drawn, and non
     law(*sheet, {"front"});
 }
 
-TEST_CASE("a letter whose bevels meet in a ridge has no primitive for its caps, and the materials of its other parts",
-          "[engines]")
+TEST_CASE("a letter whose bevels meet in a ridge has primitives and materials only for its other parts", "[engines]")
 {
     bevelled_bench b;
     b.mesher.solid().width = 0.05f;  // wider than half of the stem, less than half of the dot
@@ -339,21 +339,18 @@ TEST_CASE("a letter whose bevels meet in a ridge has no primitive for its caps, 
     REQUIRE(plan->range(0, part::front).index_count == 0);
     REQUIRE(plan->range(1, part::front).index_count != 0);
     for (const auto how : {engines::gltf::layout::plain, engines::gltf::layout::quantised}) {
-        std::vector<std::byte> file;
-        REQUIRE(engines::gltf::write(*plan, how, file));
-        const std::string json = open(file).json;
+        const std::string json = written(*plan, how).json;
         const bool packed = how == engines::gltf::layout::quantised;
         const auto meshes = json.substr(json.find("\"meshes\":["), json.find("\"buffers\":["));
         using words = std::vector<std::string>;
         CHECK(all_after(meshes, "\"material\":") ==
               (packed ? words{"2", "3", "4", "0", "1", "2", "3", "4"} : words{"0", "1", "2", "3", "4"}));
         words counts;
-        for (std::size_t i = 0; i < (packed ? 2 : 1); ++i) {
+        for (std::size_t i = 0; i < (packed ? 2 : 1); ++i)
             for (const part p : plan->parts()) {
                 const mesh_range range = packed ? plan->range(i, p) : plan->range(p);
                 if (range.index_count != 0) counts.push_back(std::to_string(range.index_count));
             }
-        }
         words told;
         const auto indices = all_after(meshes, "\"indices\":");
         const auto all = all_after(json.substr(json.find("\"accessors\":[")), "\"count\":");
@@ -363,15 +360,13 @@ TEST_CASE("a letter whose bevels meet in a ridge has no primitive for its caps, 
     }
 }
 
-TEST_CASE("texture coordinates over the text's box are written as they are into a quantised glTF file", "[engines]")
+TEST_CASE("texture coordinates over the text's box are written unchanged into a quantised glTF file", "[engines]")
 {
     bench b;
     auto boxed = std::move(b.mesher).with(extruded<>{.texture = texture_mapping::box});
     auto plan = boxed.plan(word, engines::gltf::options());
     REQUIRE(plan);
-    std::vector<std::byte> file;
-    REQUIRE(engines::gltf::write(*plan, engines::gltf::layout::quantised, file));
-    const glb g = open(file);
+    const glb g = written(*plan, engines::gltf::layout::quantised);
     CHECK(g.json.find("KHR_texture_transform") == std::string::npos);
     CHECK(g.json.find("\"textures\"") == std::string::npos);
     std::uint16_t least = 0xFFFF, most = 0;
@@ -384,16 +379,14 @@ TEST_CASE("texture coordinates over the text's box are written as they are into 
     CHECK(most == 0xFFFF);
 }
 
-TEST_CASE("a long text has wide indices in its glTF file, and an empty one no mesh", "[engines]")
+TEST_CASE("a glTF file has wide indices for a long text, and no mesh for an empty one", "[engines]")
 {
     bench b;
     std::string lines;
     for (int i = 0; i < 600; ++i) lines += "@&g";
     auto plan = b.mesher.plan(std::string_view{lines}, engines::gltf::options());
     REQUIRE(plan);
-    std::vector<std::byte> file;
-    REQUIRE(engines::gltf::write(*plan, engines::gltf::layout::quantised, file));
-    const glb g = open(file);
+    const glb g = written(*plan, engines::gltf::layout::quantised);
     CHECK(g.json.find("\"componentType\":5125") != std::string::npos);
     std::uint32_t most = 0;
     for (std::size_t i = 0; i < plan->size().indices(); ++i) {
@@ -405,11 +398,10 @@ TEST_CASE("a long text has wide indices in its glTF file, and an empty one no me
 
     auto nothing = b.mesher.plan("", engines::gltf::options());
     REQUIRE(nothing);
-    REQUIRE(engines::gltf::write(*nothing, engines::gltf::layout::plain, file));
-    CHECK(open(file).json.find("meshes") == std::string::npos);
+    CHECK(written(*nothing, engines::gltf::layout::plain).json.find("meshes") == std::string::npos);
 }
 
-TEST_CASE("a glTF file's text may be longer than any line of it", "[engines][gltf]")
+TEST_CASE("a glTF file is right for a text longer than any line of the file", "[engines][gltf]")
 {
     const std::string name(3000, 'n');
     std::string json = "[";

@@ -33,8 +33,7 @@ engines::unity::mesh_data pointers(MeshData& data, bool wide)
 }  // namespace
 
 TEMPLATE_TEST_CASE(
-    "Unity's two streams hold a left-handed mesh, clockwise to the viewer, v upwards, every attribute a multiple of 4 "
-    "bytes",
+    "Unity's two streams contain a left-handed mesh with clockwise triangles, and attributes of multiples of 4 bytes",
     "[engines]", bench, bevelled_bench)
 {
     TestType b;
@@ -85,7 +84,7 @@ TEMPLATE_TEST_CASE(
     }
 }
 
-TEST_CASE("Unity's arrays that are too small are refused and left as they were", "[engines]")
+TEST_CASE("Unity's arrays that are too small are refused and stay unchanged", "[engines]")
 {
     bench b;
     auto plan = b.mesher.plan(word, engines::unity::options());
@@ -120,8 +119,9 @@ TEST_CASE("a long text overflows 16-bit indices with a clear error", "[engines]"
     CHECK(engines::unity::write(*plan, pointers(data, true)));
 }
 
-TEMPLATE_TEST_CASE("Unreal's buffers hold a mesh in centimetres, z up, its triangles wound against their normals",
-                   "[engines]", bench, bevelled_bench)
+TEMPLATE_TEST_CASE(
+    "Unreal's buffers contain a mesh in centimetres with z up, whose triangles are wound against their normals",
+    "[engines]", bench, bevelled_bench)
 {
     TestType b;
     auto plan = b.mesher.plan(word, engines::unreal::options(100.0));
@@ -152,8 +152,8 @@ TEMPLATE_TEST_CASE("Unreal's buffers hold a mesh in centimetres, z up, its trian
     for (std::int32_t i = 0; i < indices.Num(); ++i) REQUIRE(narrow[i] == indices[i]);
 }
 
-TEMPLATE_TEST_CASE("Godot's arrays hold a mesh whose front faces are clockwise in a right-handed frame", "[engines]",
-                   bench, bevelled_bench)
+TEMPLATE_TEST_CASE("Godot's arrays contain a right-handed mesh whose front faces are clockwise", "[engines]", bench,
+                   bevelled_bench)
 {
     TestType b;
     auto plan = b.mesher.plan(word, engines::godot_mesh::options());

@@ -13,7 +13,7 @@ using namespace typemesh;
 using namespace meshes;
 using Catch::Approx;
 
-TEST_CASE("averaged normals are the normalised sums of two walls, none doubled", "[extrude]")
+TEST_CASE("averaged normals are the normalised sums of two walls, and no point is doubled", "[extrude]")
 {
     for (const auto& s : shapes::all()) {
         const built b = build(s, extruded<averaged_normals>{.texture = texture_mapping::box});
@@ -25,28 +25,14 @@ TEST_CASE("averaged normals are the normalised sums of two walls, none doubled",
     }
 }
 
-TEST_CASE("at the tip of a needle the polygon's styles still give unit normals along it", "[extrude]")
+TEST_CASE("at the tip of a needle the styles still give unit normals along it", "[extrude]")
 {
-    contours needle;
-    const grid_point points[] = {{-(1 << 28), 0}, {1 << 28, 1}, {-(1 << 28), 1}};
-    const contour_edge edges[] = {{0, 0, 1}, {1, 0, 1}, {2, 0, 1}};
-    const curve curves[] = {curve::from(point{-524288, 0}, point{524288, 0.001}),
-                            curve::from(point{524288, 0.001}, point{-524288, 0.001}),
-                            curve::from(point{-524288, 0.001}, point{-524288, 0})};
-    for (const auto g : points) REQUIRE(needle.points.push_back(g));
-    for (const auto e : edges) REQUIRE(needle.edges.push_back(e));
-    REQUIRE(needle.starts.push_back(0));
-    REQUIRE(needle.starts.push_back(3));
-    needle.curves = curves;
-    const region r = region::proven(needle, 0, 1);
-    const triangle cap[] = {{0, 1, 2}};
-
-    const auto tip = [&](auto how) {
-        plan_data_of<decltype(how)> sides;
-        mesh<> m;
-        REQUIRE(extrude(r, cap, how, in_em(), sides, m));
-        for (const auto& v : m.vertices) CHECK(meshes::length(v.normal) == Approx(1.0).margin(1e-6));
-        return std::vector<surface_point<everything>>{m.vertices};
+    const shapes::shape needle{"needle", {shapes::polygon({{-524288, 0}, {524288, 0.001}, {-524288, 0.001}})}};
+    REQUIRE(needle.loops.points[1] == grid_point{1 << 28, 1});
+    const auto tip = [&](const auto& how) {
+        const built b = build(needle, how);
+        for (const auto& v : b.vertices) CHECK(meshes::length(v.normal) == Approx(1.0).margin(1e-6));
+        return b.vertices;
     };
     CHECK(tip(extruded<averaged_normals>{.texture = texture_mapping::box})[6 + 2].normal.x == Approx(1.0));
     CHECK(tip(extruded<creased_normals>{.normals = {180.0f}}).size() == 12 + 2);
@@ -75,7 +61,7 @@ grid_point beside(grid_point u)
 
 }  // namespace
 
-TEST_CASE("averaged normals at the tip of a needle, and in a notch as narrow, run along it", "[extrude]")
+TEST_CASE("averaged normals run along a needle at its tip, and along a notch that is as narrow", "[extrude]")
 {
     // The walls' normals are as good as opposite: their sum is what rounding has left of them. Along a needle the two
     // edges' directions add up without loss.

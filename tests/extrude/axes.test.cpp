@@ -39,7 +39,7 @@ TEST_CASE("a place reached with different pens is the same float", "[extrude]")
 {
     std::mt19937 random{5};
     std::uniform_int_distribution<std::int32_t> cell{-(1 << 27), 1 << 27};
-    for (const frame& f : {right_handed_y_up, right_handed_z_up}) {
+    for (const frame& f : {right_handed_y_up, right_handed_z_up})
         for (int i = 0; i < 1000; ++i) {
             placement one, two;
             one.frame = two.frame = f;
@@ -54,5 +54,4 @@ TEST_CASE("a place reached with different pens is the same float", "[extrude]")
                 });
             });
         }
-    }
 }

@@ -44,7 +44,7 @@ outcome carved(double share, bool fits, const std::vector<error>& refusals = {})
 
 }  // namespace
 
-TEST_CASE("a carver keeps the width, or makes it fit, and says so only of what was refused", "[bevel_carver]")
+TEST_CASE("a carver keeps the width, or makes it fit, and reports only refused caps as narrowed", "[bevel_carver]")
 {
     const auto whole = carved(0.4, false);
     CHECK_FALSE(whole.failure);
@@ -59,7 +59,7 @@ TEST_CASE("a carver keeps the width, or makes it fit, and says so only of what w
     CHECK(fitted.caps == 1);
 }
 
-TEST_CASE("a carver halves the width as often as the cap is refused, and says so", "[bevel_carver]")
+TEST_CASE("a carver halves the width each time the cap is refused, and reports it", "[bevel_carver]")
 {
     constexpr error::kind refusal = error::crossing_contours;
     const auto once = carved(0.4, false, {refusal});
@@ -78,7 +78,7 @@ TEST_CASE("a carver halves the width as often as the cap is refused, and says so
     CHECK(ended.caps == 2);
 }
 
-TEST_CASE("a carver whose every cap is refused ends", "[bevel_carver]")
+TEST_CASE("a carver gives up when every cap is refused", "[bevel_carver]")
 {
     std::vector<error> refusals(100, error{error::crossing_contours});
     const auto never = carved(0.4, false, refusals);

@@ -11,7 +11,7 @@
 
 using namespace typemesh;
 
-TEST_CASE("of a bevel's data only the plan arrays are stored with a glyph, and cleared for the next", "[bevel_data]")
+TEST_CASE("a glyph stores only the plan arrays of a bevel's data, and clear() empties them", "[bevel_data]")
 {
     bevel_data data;
     const std::size_t empty = data.bytes();

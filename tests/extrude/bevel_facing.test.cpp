@@ -71,17 +71,17 @@ TEST_CASE("normals that light their triangles stay as they are", "[bevel_facing]
     CHECK(m.degrees_off(1, down) == Approx(89.0).margin(1e-4));
 }
 
-TEST_CASE("a normal that nothing else needs is turned where it is, no farther than it has to be", "[bevel_facing]")
+TEST_CASE("a normal that no other triangle needs is turned in place, and no farther than necessary", "[bevel_facing]")
 {
     hand_made m;
-    add_square(m, 270.0, 5.0, 270.0);  // 95 degrees off, at a corner of the first triangle alone
+    add_square(m, 270.0, 5.0, 270.0);  // 95 degrees off, at a corner that only the first triangle has
     m.turn_out();
     CHECK(m.vertices() == 4);
     CHECK(m.degrees_off(1, down) == Approx(89.1).margin(0.05));
     CHECK(m.degrees_off(1, {1.0, 0.0}) < 1.0);
 }
 
-TEST_CASE("a vertex that a triangle must leave stays for the others", "[bevel_facing]")
+TEST_CASE("a triangle with a wrong normal gets a vertex of its own, and the others keep theirs", "[bevel_facing]")
 {
     // A third triangle, over an edge that faces to the left, has a's normal rightly.
     hand_made m;
@@ -102,7 +102,7 @@ TEST_CASE("a vertex that a triangle must leave stays for the others", "[bevel_fa
     CHECK(m.data.normals.size() == 7);
 }
 
-TEST_CASE("a normal that looks straight against its face becomes the face's own", "[bevel_facing]")
+TEST_CASE("a normal that points straight into its face becomes the face's own", "[bevel_facing]")
 {
     hand_made m;
     add_square(m, 270.0, 90.0, 270.0);
@@ -151,7 +151,7 @@ TEST_CASE("risers face out of the edge that they stand on, and keep their pairs"
     }
 }
 
-TEST_CASE("what is three cells high, or level, or before the first triangle is left as it is", "[bevel_facing]")
+TEST_CASE("triangles that are three cells high, level, or before the first one stay as they are", "[bevel_facing]")
 {
     hand_made low;
     const std::uint32_t a = low.add({0, 0}, 90.0, 0.0f), b = low.add({1000, 0}, 90.0, 0.0f),
@@ -169,7 +169,7 @@ TEST_CASE("what is three cells high, or level, or before the first triangle is l
     CHECK(low.degrees_off(d, down) < 1.0);
 }
 
-TEST_CASE("where memory fails for turned normals, that is said", "[bevel_facing]")
+TEST_CASE("turning normals reports that memory has run out", "[bevel_facing]")
 {
     hand_made m;
     add_square(m, 270.0, 5.0, 270.0);

@@ -39,7 +39,7 @@ struct lit_shape {
 
 }  // namespace
 
-TEST_CASE("along the ways of its corners an edge's light is that of the wall's ends", "[bevel_light]")
+TEST_CASE("along the paths of its corners an edge is lit like the ends of its wall", "[bevel_light]")
 {
     lit_shape all[] = {{shapes::letter_e(), 10000.0}, {shapes::ring(8), 10000.0}, {shapes::letter_d(8), 10000.0}};
     for (const lit_shape& s : all) {
@@ -58,7 +58,7 @@ TEST_CASE("along the ways of its corners an edge's light is that of the wall's e
     }
 }
 
-TEST_CASE("between and beyond its corners an edge's light runs evenly and then stays", "[bevel_light]")
+TEST_CASE("an edge's light changes evenly between its corners, and is constant beyond them", "[bevel_light]")
 {
     const lit_shape s{shapes::rectangle(), 10000.0};  // its first edge runs from (100, 0) to (500, 0)
     const auto along = [&](double x, double y) {
@@ -78,14 +78,11 @@ TEST_CASE("between and beyond its corners an edge's light runs evenly and then s
 
 TEST_CASE("joins turn from the wall before them to the wall after", "[bevel_light]")
 {
-    const lit_shape s{
-        {"notch", {shapes::polygon({{0, 0}, {600, 0}, {600, 600}, {330, 600}, {300, 200}, {270, 600}, {0, 600}})}},
-        10000.0,
-        2.0};
+    const lit_shape s{shapes::notch(), 10000.0, 2.0};
     REQUIRE(s.swept.joins.size() == 7);
     const std::uint32_t n = s.of.points(), tip = s.swept.joins[0].point;
     point last{s.sides[tip].before.x, s.sides[tip].before.y};
-    for (std::uint32_t j = 0; j < 7; ++j) {
+    for (std::uint32_t j = 0; j < 7; ++j)
         for (std::uint32_t k = s.swept.at_level[2]; k < s.swept.edges_at.size(); ++k) {
             const swept_edge_at& e = s.swept.edges_at[k];
             if (e.edge != n + j) continue;
@@ -95,6 +92,5 @@ TEST_CASE("joins turn from the wall before them to the wall after", "[bevel_ligh
             CHECK(from.along == Approx(double(s.sides[tip].along)));
             last = to.outward;
         }
-    }
     CHECK(length(last - point{s.sides[tip].after.x, s.sides[tip].after.y}) < 1e-3);
 }

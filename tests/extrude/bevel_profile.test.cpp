@@ -35,7 +35,7 @@ TEST_CASE("every ready profile is valid at every scale", "[bevel_profile]")
                     CHECK(p.at({width, depth, tolerance}).is_valid());
 }
 
-TEST_CASE("steps rise half the depth each at half the width, an engraving is highest there", "[bevel_profile]")
+TEST_CASE("two steps rise half the depth each, and an engraving is highest at half the width", "[bevel_profile]")
 {
     CHECK(same_points(bevel_profile{}.at(any_scale), {{0, 0}, {1, 1}}));
     CHECK(same_points(chamfer_profile().at(any_scale), {{0, 0}, {1, 1}}));
@@ -43,7 +43,7 @@ TEST_CASE("steps rise half the depth each at half the width, an engraving is hig
     CHECK(same_points(engraved_profile().at(any_scale), {{0, 0}, {0.5f, 1}, {1, 0}}));
 }
 
-TEST_CASE("a profile of points gives them back", "[bevel_profile]")
+TEST_CASE("a profile of points returns its points", "[bevel_profile]")
 {
     const bevel_profile p{{0, 0}, {0.25f, 0.5f}, {0.25f, 0.75f}, {1, 1}};
     CHECK(same_points(p.at(any_scale), {{0, 0}, {0.25f, 0.5f}, {0.25f, 0.75f}, {1, 1}}));
@@ -53,7 +53,7 @@ TEST_CASE("a profile of points gives them back", "[bevel_profile]")
     CHECK(same_points(of_span.at(any_scale), {{0, 0}, {0.5f, 0.1f}, {1, 1}}));
 }
 
-TEST_CASE("a profile of a function is taken from it when it is made, at equal distances", "[bevel_profile]")
+TEST_CASE("a sampled profile calls its function once per point, when it is made", "[bevel_profile]")
 {
     float exponent = 2.0f;
     int calls = 0;
@@ -79,7 +79,7 @@ TEST_CASE("profiles that differ have different keys", "[bevel_profile]")
         return std::array{bits.words[0], bits.words[1]};
     };
     std::set<std::array<std::uint64_t, 2>> keys;
-    std::set<std::uint64_t> first, second;  // either hash alone
+    std::set<std::uint64_t> first, second;  // each hash by itself
     std::size_t made = 0;
     const auto add = [&](const bevel_profile& p) {
         const auto key = words(p);

@@ -44,7 +44,7 @@ double degrees(bevel_tilt t)
 
 }  // namespace
 
-TEST_CASE("a strip lies between each two levels, a riser where heights differ at one", "[bevel_strips]")
+TEST_CASE("a strip lies between each two levels, and a riser at a level with two heights", "[bevel_strips]")
 {
     const strips_of s{{{0, 0}, {0, 0.5f}, {0.5f, 0.5f}, {0.5f, 0.25f}, {1, 1}}, 30.0f};
     REQUIRE(s.made.size() == 4);
@@ -68,7 +68,7 @@ TEST_CASE("a strip lies between each two levels, a riser where heights differ at
     CHECK(slopes.length(vertex_at(1, 0.5f)) == Approx(2750.0));
 }
 
-TEST_CASE("heights are those of the strip's ends to the bit, and even between them", "[bevel_strips]")
+TEST_CASE("heights equal those of a strip's ends to the bit, and are even between them", "[bevel_strips]")
 {
     const strips_of s{{{0, 0}, {0.3f, 0.1f}, {1, 0.7f}}, 30.0f};
     const bevel_slopes slopes = s.slopes();

@@ -29,7 +29,7 @@ TEST_CASE("a sweep to nowhere has the region's points and edges at level 0", "[b
     }
 }
 
-TEST_CASE("an outward bevel sweeps to its profile's levels from the cap on", "[bevel_sweep]")
+TEST_CASE("an outward bevel sweeps to its profile's levels, beginning at the cap", "[bevel_sweep]")
 {
     const auto s = shapes::rectangle();
     const profile_points points{{0, 0}, {0.25f, 0.5f}, {1, 1}};

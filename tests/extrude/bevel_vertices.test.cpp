@@ -19,6 +19,17 @@ using namespace typemesh;
 
 namespace {
 
+/// The vertices of what is swept already, with the sides that are there.
+void make_vertices(const region& r, const profile_levels& levels, bevel_vertices::sharing how, bevel_data& data)
+{
+    REQUIRE(add_strips(levels, 30.0f, bevel_shading::by_slope, data.of<bevel_strip>()));
+    workspace space;
+    workspace::scope scratch{space};
+    bevel_light light{em_mapping::after_seam};
+    REQUIRE(light.prepare(r, data.of<side_point>().view(), data.swept, scratch));
+    REQUIRE_FALSE(bevel_vertices{data, light, how}.make(levels, scratch));
+}
+
 /// The bevel of a shape swept by the plainest of sweeps, 20 units wide and deep.
 void make_plain_bevel(const shapes::shape& s, const profile_points& points, bevel_vertices::sharing how,
                       bevel_data& data)
@@ -27,22 +38,60 @@ void make_plain_bevel(const shapes::shape& s, const profile_points& points, beve
     REQUIRE(plan_sides(r, curve_normals{}, texture_mapping::em, data.of<side_point>()));
     const profile_scale scale{10240.0, 10240.0, 0.0};
     const profile_levels levels{points, scale};
-    REQUIRE(add_strips(levels, 30.0f, bevel_shading::by_slope, data.of<bevel_strip>()));
     std::vector<double> distances;
     for (const profile_level& l : levels.view()) distances.push_back(l.distance);
     sweeps::plain_sweep{}(r, {distances, 0.0, 0.0}, data.swept);
-    workspace space;
-    workspace::scope scratch{space};
-    bevel_light light{em_mapping::after_seam};
-    REQUIRE(light.prepare(r, data.of<side_point>().view(), data.swept, scratch));
-    REQUIRE_FALSE(bevel_vertices{data, light, how}.make(levels, scratch));
+    make_vertices(r, levels, how, data);
+}
+
+/// A roof over a polygon, given by hand: all its faces meet in (0, 0).
+struct roof {
+    std::vector<point> corners;
+    std::uint32_t n;
+    double width;
+    contours loops;
+    std::vector<curve> curves{shapes::line({0, 0}, {1, 0})};
+    bevel_data data;
+
+    roof(std::vector<point> p, double w)
+        : corners{std::move(p)}, n{static_cast<std::uint32_t>(corners.size())}, width{w}
+    {
+        for (const point c : corners) {
+            const grid_point at{static_cast<std::int32_t>(c.x), static_cast<std::int32_t>(c.y)};
+            REQUIRE(
+                (loops.points.push_back(at) && loops.edges.push_back({}) && data.swept.nodes.push_back({at, 0.0f})));
+        }
+        loops.curves = curves;
+        REQUIRE((loops.starts.push_back(0) && loops.starts.push_back(n) &&
+                 data.swept.nodes.push_back({{0, 0}, static_cast<float>(width)})));
+        for (std::uint32_t i = 0; i < n; ++i)
+            REQUIRE((data.swept.cells.push_back({i, 0, i}) && data.swept.triangles.push_back({i, (i + 1) % n, n})));
+        REQUIRE((data.swept.cells.push_back({0, 0, n}) && data.swept.levels.push_back(0.0) &&
+                 data.swept.levels.push_back(width)));
+    }
+
+    region made() const { return region::proven(loops, 0, 1); }
+    void make(bevel_vertices::sharing how)
+    {
+        make_vertices(made(), profile_levels{{{0, 0}, {1, 1}}, {width, width, 0.0}}, how, data);
+    }
+};
+
+std::vector<point> regular(std::uint32_t n, double radius)
+{
+    std::vector<point> p;
+    for (std::uint32_t i = 0; i < n; ++i) {
+        const double a = 6.283185307179586 * i / n;
+        p.push_back({radius * std::cos(a), radius * std::sin(a)});
+    }
+    return p;
 }
 
 constexpr bevel_vertices::sharing everything_near{0.966, 512.0};
 
 }  // namespace
 
-TEST_CASE("a bevel has a triangle for each of the sweep's and two for each edge at a riser", "[bevel_vertices]")
+TEST_CASE("a bevel has one triangle for each of the sweep's, and two for each edge at a riser", "[bevel_vertices]")
 {
     const profile_points points{{0, 0}, {0.5f, 0.25f}, {0.5f, 0.75f}, {1, 1}};
     const shapes::shape all[] = {shapes::letter_e(), shapes::letter_d(8), shapes::ring(8)};
@@ -90,98 +139,44 @@ TEST_CASE("corners share a vertex where normals and texture agree, and only ther
     CHECK(count(ring, broken, everything_near) == 4 * (96 + 2));
 }
 
-TEST_CASE("where very many faces meet in a point they need vertices and time in proportion", "[bevel_vertices]")
+TEST_CASE("vertices and time are proportional to the number of faces that meet in a point", "[bevel_vertices]")
 {
-    // A cone over a polygon of many corners, given by hand.
     constexpr std::uint32_t n = 100000;
-    std::vector<point> p;
-    for (std::uint32_t i = 0; i < n; ++i) {
-        const double a = 6.283185307179586 * i / n;
-        p.push_back({200000000.0 * std::cos(a), 200000000.0 * std::sin(a)});
-    }
-    contours loops;
-    bevel_data data;
-    for (std::uint32_t i = 0; i < n; ++i) {
-        const grid_point at{static_cast<std::int32_t>(p[i].x), static_cast<std::int32_t>(p[i].y)};
-        REQUIRE((loops.points.push_back(at) && loops.edges.push_back({}) && data.swept.nodes.push_back({at, 0.0f})));
-    }
-    const std::vector<curve> curves{shapes::line({0, 0}, {1, 0})};
-    loops.curves = curves;
-    REQUIRE(
-        (loops.starts.push_back(0) && loops.starts.push_back(n) && data.swept.nodes.push_back({{0, 0}, 200000000.0f})));
-    const region r = region::proven(loops, 0, 1);
+    roof cone{regular(n, 2e8), 2e8};
+    bevel_data& data = cone.data;
     side_point side;
     for (std::uint32_t i = 0; i < n; ++i) {
-        side.before = side.after = rounded(unit(p[i]));
+        side.before = side.after = rounded(unit(cone.corners[i]));
         side.along = static_cast<float>(i) * 12566.0f;
         REQUIRE(data.of<side_point>().push_back(side));
-        REQUIRE((data.swept.cells.push_back({i, 0, i}) && data.swept.triangles.push_back({i, (i + 1) % n, n})));
     }
-    REQUIRE((data.swept.cells.push_back({0, 0, n}) && data.swept.levels.push_back(0.0) &&
-             data.swept.levels.push_back(2e8)));
-    const profile_scale scale{2e8, 2e8, 0.0};
-    const profile_levels levels{{{0, 0}, {1, 1}}, scale};
-    REQUIRE(add_strips(levels, 30.0f, bevel_shading::by_slope, data.of<bevel_strip>()));
-    workspace space;
-    workspace::scope scratch{space};
-    bevel_light light{em_mapping::after_seam};
-    REQUIRE(light.prepare(r, data.of<side_point>().view(), data.swept, scratch));
-    REQUIRE_FALSE(bevel_vertices{data, light, everything_near}.make(levels, scratch));
+    cone.make(everything_near);
     CHECK(data.of<bevel_triangle>().size() == n);
     CHECK(data.of<bevel_vertex>().size() > n + n / 2);
     CHECK(data.of<bevel_vertex>().size() <= 3 * n);
 }
 
-TEST_CASE("at no crease angle is a vertex's normal 90 degrees or more off a face that it stands on", "[bevel_vertices]")
+TEST_CASE("a vertex's normal is less than 90 degrees off its faces at every crease angle", "[bevel_vertices]")
 {
     // Roofs over regular polygons and a narrow triangle, moved so that all faces meet in (0, 0): the normals turn round
     // once there.
     for (const std::uint32_t sides : {2u, 3u, 4u, 5u, 7u, 12u}) {
         const bool narrow = sides == 2;
-        const std::uint32_t n = narrow ? 3 : sides;
-        double width = 20000.0 * std::cos(3.14159265 / n);
-        std::vector<point> p;
-        for (std::uint32_t i = 0; i < n; ++i) {
-            const double a = 6.283185307179586 * i / n;
-            p.push_back({20000.0 * std::cos(a), 20000.0 * std::sin(a)});
-        }
-        if (narrow) {  // 20000 wide and 200000 high: its incircle's radius is the width
-            width = 9512.0;
-            p = {{-10000.0, -width}, {10000.0, -width}, {0.0, 200000.0 - width}};
-        }
-        contours loops;
-        bevel_data data;
-        for (std::uint32_t i = 0; i < n; ++i) {
-            const grid_point at{static_cast<std::int32_t>(p[i].x), static_cast<std::int32_t>(p[i].y)};
-            REQUIRE(
-                (loops.points.push_back(at) && loops.edges.push_back({}) && data.swept.nodes.push_back({at, 0.0f})));
-        }
-        const std::vector<curve> curves{shapes::line({0, 0}, {1, 0})};
-        loops.curves = curves;
-        REQUIRE((loops.starts.push_back(0) && loops.starts.push_back(n) &&
-                 data.swept.nodes.push_back({{0, 0}, static_cast<float>(width)})));
-        const region r = region::proven(loops, 0, 1);
-        for (std::uint32_t i = 0; i < n; ++i)
-            REQUIRE((data.swept.cells.push_back({i, 0, i}) && data.swept.triangles.push_back({i, (i + 1) % n, n})));
-        REQUIRE((data.swept.cells.push_back({0, 0, n}) && data.swept.levels.push_back(0.0) &&
-                 data.swept.levels.push_back(width)));
-        const profile_scale scale{width, width, 0.0};
-        const profile_levels levels{{{0, 0}, {1, 1}}, scale};
+        // The narrow one is 20000 wide and 200000 high: its incircle's radius is the width.
+        const double width = narrow ? 9512.0 : 20000.0 * std::cos(3.14159265 / sides);
+        const std::vector<point> triangle{{-10000.0, -width}, {10000.0, -width}, {0.0, 200000.0 - width}};
+        roof over{narrow ? triangle : regular(sides, 20000.0), width};
+        bevel_data& data = over.data;
+        const std::uint32_t n = over.n;
         for (const double degrees : {15.0, 60.0, 91.0, 121.0, 145.0, 180.0}) {
             data.clear();
-            REQUIRE(
-                plan_sides(r, curve_normals{static_cast<float>(degrees)}, texture_mapping::em, data.of<side_point>()));
-            REQUIRE(add_strips(levels, 30.0f, bevel_shading::by_slope, data.of<bevel_strip>()));
-            workspace space;
-            workspace::scope scratch{space};
-            bevel_light light{em_mapping::after_seam};
-            REQUIRE(light.prepare(r, data.of<side_point>().view(), data.swept, scratch));
-            REQUIRE_FALSE(
-                bevel_vertices{data, light, {std::cos(degrees / 180.0 * 3.14159265), -1.0}}.make(levels, scratch));
+            REQUIRE(plan_sides(over.made(), curve_normals{static_cast<float>(degrees)}, texture_mapping::em,
+                               data.of<side_point>()));
+            over.make({std::cos(degrees / 180.0 * 3.14159265), -1.0});
             const auto vertices = data.of<bevel_vertex>().view();
             for (std::uint32_t i = 0; i < n; ++i) {
                 const auto& [t] = data.of<bevel_triangle>()[i];
-                const point along = p[(i + 1) % n] - p[i];
+                const point along = over.corners[(i + 1) % n] - over.corners[i];
                 CAPTURE(sides, degrees, i);
                 for (const std::uint32_t c : {t.a, t.b, t.c})
                     CHECK(dot(point{along.y, -along.x}, point{vertices[c].outward.x, vertices[c].outward.y}) > 0.0);

@@ -45,7 +45,7 @@ std::vector<surface_point<wants>> bevel_of(const bevel_writer& writer, const pla
 
 }  // namespace
 
-TEST_CASE("a bevel at the back is that at the front, mirrored, and v goes on down from the front", "[bevel_writer]")
+TEST_CASE("the back bevel mirrors the front one, and v continues downwards from the front", "[bevel_writer]")
 {
     bevel_data data = slope();
     const solid_with<bevel_data> form{{}, data.read()};
@@ -72,7 +72,7 @@ TEST_CASE("a bevel at the back is that at the front, mirrored, and v goes on dow
     CHECK(v_step(back) == Approx(-v_step(front)).margin(0x1p-22));
 }
 
-TEST_CASE("the cap within a bevel has the bevel's own points, at its height", "[bevel_writer]")
+TEST_CASE("a cap within a bevel has the bevel's own points, at the bevel's height", "[bevel_writer]")
 {
     bevel_data data = slope();
     const std::vector<grid_point> points{{0, 0}, {100, 0}, {0, 200}};

@@ -3,11 +3,6 @@
 #include <typemesh/extrude/bevelled.hpp>
 
 #include <typemesh/extrude/extruded.hpp>
-#include <typemesh/glyph/cap_builder.hpp>
-#include <typemesh/glyph/policies.hpp>
-#include <typemesh/inspect/mesh_measure.hpp>
-#include <typemesh/inspect/normal_check.hpp>
-#include <typemesh/triangulate/monotone.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -17,7 +12,7 @@
 #include <utility>
 #include <vector>
 
-#include "mesh.hpp"
+#include "capped.hpp"
 #include "support/catch.hpp"
 
 using namespace typemesh;
@@ -34,47 +29,9 @@ static_assert(refitting_extruder<bevelled>);
 static_assert(!has_heights<extruded<>> && !has_front_triangles<extruded<>> && !has_outline<extruded<>>);
 static_assert(!refitting_extruder<extruded<>>);
 
-/// Caps as the library makes them.
-class monotone_caps {
-public:
-    explicit monotone_caps(const region& r) { REQUIRE(of_region_.cap(r, monotone{})); }
+using bevelled_mesh = capped_mesh<bevelled>;
 
-    [[nodiscard]] auto maker() noexcept { return region_caps{of_region_, further_, cut_}; }
-
-private:
-    cap_builder of_region_, further_;
-    monotone cut_;
-};
-
-struct bevelled_mesh : mesh<everything> {
-    part_sizes sizes;
-    bevel_data data;
-};
-
-template <class E>
-error build_bevelled(const shapes::shape& s, const E& how, bevelled_mesh& to, const placement& at = in_em())
-{
-    const region r = s.made();
-    monotone_caps caps{r};
-    auto maker = caps.maker();
-    const auto plan = plan_solid(how, r, to.data, maker);
-    if (!plan) return plan.error();
-    to.sizes = plan->sizes;
-    const solid_of<E> form{{r.points(), r.starts(), s.cap}, to.data.read()};
-    return write_solid<E>({form, *plan}, how, at, static_cast<mesh<everything>&>(to)).error();
-}
-
-template <class E>
-bevelled_mesh bevelled_of(const shapes::shape& s, const E& how, const placement& at = in_em())
-{
-    bevelled_mesh m;
-    REQUIRE_FALSE(build_bevelled(s, how, m, at));
-    CHECK(m.announced == m.sizes.total());
-    CHECK(m.vertices.size() == m.announced.vertices);
-    CHECK(m.triangles.size() == m.announced.triangles);
-    CHECK(m.in_order);
-    return m;
-}
+constexpr double cells = 512000.0;  // in an em
 
 shapes::shape regular(int corners, double r)
 {
@@ -89,46 +46,14 @@ shapes::shape regular(int corners, double r)
 /// Shapes that a bevel of 20 units can be carved into before two edges meet.
 std::vector<shapes::shape> wide_shapes()
 {
-    std::vector<shapes::shape> s;
-    s.push_back(regular(4, 300));
-    s.push_back(regular(6, 300));
-    s.push_back(regular(64, 300));
-    s.push_back(shapes::rectangle());
-    s.push_back(shapes::letter_e());
-    s.push_back(shapes::ring(8));
-    s.push_back(shapes::letter_d(8));
-    return s;
-}
-
-/// In em, with the sign that `winding` gives it.
-double volume_of(const bevelled_mesh& m)
-{
-    const auto indices = indices_of(m);
-    return inspect::measure(inspect::mesh_view{m.vertices, indices}).volume;
-}
-
-/// The laws that every bevelled mesh obeys.
-void check_laws(const bevelled_mesh& m, const frame& f = right_handed_y_up)
-{
-    CHECK(open_edges(m) == 0);
-    const auto indices = indices_of(m);
-    const auto normals =
-        check_normals(inspect::mesh_view{m.vertices, indices}, [](const auto& v) { return v.normal; }, f.winding, 2e-6);
-    CHECK(normals.is_right());
-    CHECK(normals.triangles == m.triangles.size());
-    for (const auto& v : m.vertices) {
-        const vec3 t{v.tangent.x, v.tangent.y, v.tangent.z};
-        REQUIRE(meshes::length(t) == Approx(1.0).margin(2e-6));
-        REQUIRE(std::abs(meshes::dot(wide(t), wide(v.normal))) < 2e-6);
-        REQUIRE(std::abs(v.tangent.w) == 1.0f);  // NOLINT
-    }
+    return shapes::several(regular(4, 300), regular(6, 300), regular(64, 300), shapes::rectangle(), shapes::letter_e(),
+                           shapes::ring(8), shapes::letter_d(8));
 }
 
 /// Area of a shape moved inwards by a distance, by Steiner's formula for polygons: exact as long as nothing meets.
 double area_at(const shapes::shape& s, double distance)
 {
     double area = 0.0;
-    const double cells = s.loops.grid.cells * 1000.0;
     for (std::uint32_t i = 0; i < s.points(); ++i) {
         const grid_point a = s.loops.points[s.previous(i)], b = s.loops.points[i], c = s.loops.points[s.next(i)];
         const point in{double(b.x) - a.x, double(b.y) - a.y}, out{double(c.x) - b.x, double(c.y) - b.y};
@@ -139,7 +64,7 @@ double area_at(const shapes::shape& s, double distance)
     return area;
 }
 
-/// The volume within one bevel above the wall's end, and the area of its cap, from the profile alone: strips are
+/// The volume within one bevel above the wall's end, and the area of its cap, from the profile only: strips are
 /// prismoids, for which Simpson's rule is exact.
 struct expected_bevel {
     double volume, cap;
@@ -157,13 +82,11 @@ expected_bevel expected(const shapes::shape& s, const profile_points& p, double 
     return {sum, area_at(s, width - shift)};
 }
 
-/// The area of the cap that lies in front, or in the back.
+/// The area of the cap in front, or at the back.
 double cap_area(const bevelled_mesh& m, part p)
 {
-    const part_sizes first = m.sizes.starts();
     double area = 0.0;
-    for (std::uint32_t t = 0; t < m.sizes.triangles[p]; ++t) {
-        const auto& c = m.triangles[first.triangles[p] + t];
+    for (const auto& c : triangles_of(m, p)) {
         const vec3 a = m.vertices[c[0]].position, b = m.vertices[c[1]].position, d = m.vertices[c[2]].position;
         area += 0.5 * std::abs((double(b.x) - a.x) * (double(d.y) - a.y) - (double(d.x) - a.x) * (double(b.y) - a.y));
     }
@@ -182,10 +105,10 @@ void check_profile(const bevel_profile& profile, float width = 0.02f, float beve
                                    .outward = outward,
                                    .mitre_limit = 0.0f,
                                    .profile = profile};
-                const auto m = bevelled_of(s, how);
+                const auto m = capped(s, how);
                 check_laws(m);
 
-                const profile_points points = profile.at({width * 512000.0, bevel_depth * 512000.0, 0.0});
+                const profile_points points = profile.at({width * cells, bevel_depth * cells, 0.0});
                 const expected_bevel e = expected(s, points, double(width), double(bevel_depth), outward);
                 const int bevels = sides == bevel_sides::both ? 2 : 1;
                 const double foot = area_at(s, outward ? -double(width) : 0.0);
@@ -194,14 +117,14 @@ void check_profile(const bevel_profile& profile, float width = 0.02f, float beve
                 const bool in_front = sides != bevel_sides::back, in_back = sides != bevel_sides::front;
                 CHECK(cap_area(m, part::front) == Approx(in_front ? e.cap : foot).epsilon(1e-5));
                 CHECK(cap_area(m, part::back) == Approx(in_back ? e.cap : foot).epsilon(1e-5));
-                CHECK((m.sizes.triangles[part::front_bevel] != 0) == in_front);
-                CHECK((m.sizes.triangles[part::back_bevel] != 0) == in_back);
+                CHECK((m.sizes().triangles[part::front_bevel] != 0) == in_front);
+                CHECK((m.sizes().triangles[part::back_bevel] != 0) == in_back);
             }
 }
 
 }  // namespace
 
-TEST_CASE("bevelled is closed, lit from outside and as large as the profile makes it, for every profile", "[bevelled]")
+TEST_CASE("a bevelled mesh is closed, lit from outside and as large as its profile makes it", "[bevelled]")
 {
     SECTION("chamfer") { check_profile(chamfer_profile()); }
     SECTION("round") { check_profile(round_profile(4)); }
@@ -219,30 +142,30 @@ TEST_CASE("bevelled is closed, lit from outside and as large as the profile make
 
 TEST_CASE("bevelled meshes have exactly the vertices and triangles that their faces need", "[bevelled]")
 {
-    // A square: four hard corners, each chamfer's corners alone: 4 vertices and 2 triangles a face.
-    const bevelled_mesh square = bevelled_of(regular(4, 300), bevelled{});
+    // A square: four hard corners, and only the corners of each chamfer: 4 vertices and 2 triangles a face.
+    const bevelled_mesh square = capped(regular(4, 300), bevelled{});
     for (const part p : {part::front, part::back}) {
-        CHECK(square.sizes.vertices[p] == 4);
-        CHECK(square.sizes.triangles[p] == 2);
+        CHECK(square.sizes().vertices[p] == 4);
+        CHECK(square.sizes().triangles[p] == 2);
     }
     for (const part p : {part::side, part::front_bevel, part::back_bevel}) {
-        CHECK(square.sizes.vertices[p] == 16);
-        CHECK(square.sizes.triangles[p] == 8);
+        CHECK(square.sizes().vertices[p] == 16);
+        CHECK(square.sizes().triangles[p] == 8);
     }
     // 64 soft corners: shared, but for the seam. The wall has one more pair for it, the bevel one more at each level.
-    const bevelled_mesh circle = bevelled_of(regular(64, 300), bevelled{});
-    CHECK(circle.sizes.vertices[part::side] == 2 * 65);
-    CHECK(circle.sizes.vertices[part::front_bevel] == 2 * 65);
-    CHECK(bevelled_of(regular(64, 300), bevelled{.texture = texture_mapping::box}).sizes.vertices[part::front_bevel] ==
-          2 * 64);
+    const bevelled_mesh circle = capped(regular(64, 300), bevelled{});
+    CHECK(circle.sizes().vertices[part::side] == 2 * 65);
+    CHECK(circle.sizes().vertices[part::front_bevel] == 2 * 65);
+    const auto bevel_vertices = [](const bevelled& how) {
+        return capped(regular(64, 300), how).sizes().vertices[part::front_bevel];
+    };
+    CHECK(bevel_vertices({.texture = texture_mapping::box}) == 2 * 64);
     // Smooth strips share their levels, hard ones do not; risers are pairs of their own.
-    CHECK(bevelled_of(regular(64, 300), bevelled{.profile = round_profile(4)}).sizes.vertices[part::front_bevel] ==
-          5 * 65);
-    CHECK(bevelled_of(regular(64, 300), bevelled{.profile_crease_degrees = 10.0f, .profile = round_profile(4)})
-              .sizes.vertices[part::front_bevel] == 8 * 65);
-    const bevelled_mesh steps = bevelled_of(regular(64, 300), bevelled{.profile = stepped_profile()});
-    CHECK(steps.sizes.vertices[part::front_bevel] == 8 * 65);
-    CHECK(steps.sizes.triangles[part::front_bevel] == 8 * 64);
+    CHECK(bevel_vertices({.profile = round_profile(4)}) == 5 * 65);
+    CHECK(bevel_vertices({.profile_crease_degrees = 10.0f, .profile = round_profile(4)}) == 8 * 65);
+    const bevelled_mesh steps = capped(regular(64, 300), bevelled{.profile = stepped_profile()});
+    CHECK(steps.sizes().vertices[part::front_bevel] == 8 * 65);
+    CHECK(steps.sizes().triangles[part::front_bevel] == 8 * 64);
 }
 
 TEST_CASE("a bevelled mesh obeys its laws in every frame, centred or not, in all texture mappings", "[bevelled]")
@@ -255,9 +178,7 @@ TEST_CASE("a bevelled mesh obeys its laws in every frame, centred or not, in all
                                    .profile = {{0, 0}, {0.3f, 0.6f}, {0.3f, 1.0f}, {0.6f, 1.0f}, {1.0f, 0.5f}}};
                 const shapes::shape two[] = {shapes::letter_e(), shapes::letter_d(8)};
                 for (const auto& s : two) {
-                    placement at = in_em(f);
-                    at.texture_per_cell = {1.0 / 512000.0, 1.0 / 512000.0};
-                    const auto m = bevelled_of(s, how, at);
+                    const auto m = capped(s, how, with_box_texture(in_em(f)));
                     check_laws(m, f);
                     const height_range range = how.heights();
                     for (const auto& v : m.vertices) {
@@ -276,24 +197,18 @@ namespace {
 
 /// By how much u and v grow along a triangle, as vectors in space; `known` unless they lie on a line.
 struct uv_growth {
-    std::array<double, 3> u, v;
+    wide_vec u, v;
     bool known;
 };
 uv_growth growth_on(const bevelled_mesh& m, const std::array<std::uint32_t, 3>& t)
 {
     const auto &p = m.vertices[t[0]], &q = m.vertices[t[1]], &r = m.vertices[t[2]];
     const auto n = face_normal(m, t);
-    const auto minus = [](vec3 a, vec3 b) {
-        return std::array{double(a.x) - b.x, double(a.y) - b.y, double(a.z) - b.z};
-    };
-    const auto cross = [](auto a, auto b) {
-        return std::array{a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-    };
-    const auto e = minus(q.position, p.position), f = minus(r.position, p.position);
-    const double area = meshes::dot(cross(e, f), n);
+    const auto e = minus(wide(q.position), wide(p.position)), f = minus(wide(r.position), wide(p.position));
+    const double area = meshes::dot(meshes::cross(e, f), n);
     const auto eu = double(q.uv.x) - p.uv.x, ev = double(q.uv.y) - p.uv.y, fu = double(r.uv.x) - p.uv.x,
                fv = double(r.uv.y) - p.uv.y;
-    const auto across_e = cross(n, e), across_f = cross(n, f);
+    const auto across_e = meshes::cross(n, e), across_f = meshes::cross(n, f);
     uv_growth g{{}, {}, std::abs(eu * fv - ev * fu) > 1e-9};
     for (std::size_t k = 0; k < 3; ++k) {
         g.u[k] = (fu * across_e[k] - eu * across_f[k]) / area;
@@ -305,22 +220,19 @@ uv_growth growth_on(const bevelled_mesh& m, const std::array<std::uint32_t, 3>& 
 template <class Check>
 void for_bevel_triangles(const shapes::shape& s, const bevelled& how, const placement& at, Check&& check)
 {
-    const auto m = bevelled_of(s, how, at);
-    const part_sizes first = m.sizes.starts();
+    const auto m = capped(s, how, at);
     for (const part p : {part::front_bevel, part::back_bevel})
-        for (std::uint32_t t = 0; t < m.sizes.triangles[p]; ++t)
-            check(m, m.triangles[first.triangles[p] + t], p == part::front_bevel);
+        for (const auto& t : triangles_of(m, p)) check(m, t, p == part::front_bevel);
 }
 
 }  // namespace
 
-TEST_CASE("v goes on from the wall at one tile an em, u along the contour, and tangents follow them", "[bevelled]")
+TEST_CASE("v continues from the wall at one tile per em, u follows the contour, and tangents follow both", "[bevelled]")
 {
     const std::pair<uv_origin, bool> ways[] = {
         {uv_origin::bottom_left, false}, {uv_origin::top_left, false}, {uv_origin::top_left, true}};
     for (const auto& [origin, outward] : ways) {
-        frame f = right_handed_y_up;
-        f.uv = origin;
+        const frame f = with_origin(right_handed_y_up, origin);
         const float turn = origin == uv_origin::top_left ? -1.0f : 1.0f;
         const shapes::shape all[] = {regular(4, 300), regular(64, 300), shapes::letter_e(), shapes::letter_d(8)};
         for (const auto& s : all) {
@@ -334,43 +246,27 @@ TEST_CASE("v goes on from the wall at one tile an em, u along the contour, and t
                 CHECK(turn * g.v[2] > 0.0);  // upwards on both bevels, like on the walls
                 for (const std::uint32_t corner : t) {
                     const auto& v = m.vertices[corner];
-                    const auto tangent = std::array{double(v.tangent.x), double(v.tangent.y), double(v.tangent.z)};
-                    const auto n = wide(v.normal);
-                    const std::array bitangent{v.tangent.w * (n[1] * tangent[2] - n[2] * tangent[1]),
-                                               v.tangent.w * (n[2] * tangent[0] - n[0] * tangent[2]),
-                                               v.tangent.w * (n[0] * tangent[1] - n[1] * tangent[0])};
-                    CHECK(meshes::dot(tangent, g.u) > 0.6 * std::sqrt(meshes::dot(g.u, g.u)));
-                    CHECK(meshes::dot(bitangent, g.v) > 0.8);
+                    CHECK(meshes::dot(wide(v.tangent), g.u) > 0.6 * std::sqrt(meshes::dot(g.u, g.u)));
+                    CHECK(meshes::dot(bitangent(v), g.v) > 0.8);
                 }
             });
         }
     }
     // Where the wall ends: the same v on both sides, and the lengths of the profile from there.
-    frame upwards = right_handed_y_up;
-    upwards.uv = uv_origin::bottom_left;
-    const auto m = bevelled_of(shapes::rectangle(), bevelled{.width = 0.03f, .bevel_depth = 0.04f}, in_em(upwards));
-    const part_sizes first = m.sizes.starts();
-    for (std::uint32_t i = 0; i < m.sizes.vertices[part::front_bevel]; ++i) {
-        const auto& v = m.vertices[first.vertices[part::front_bevel] + i];
+    const frame upwards = with_origin(right_handed_y_up, uv_origin::bottom_left);
+    const auto m = capped(shapes::rectangle(), bevelled{.width = 0.03f, .bevel_depth = 0.04f}, in_em(upwards));
+    for (const auto& v : vertices_of(m, part::front_bevel))
         CHECK(v.uv.y == Approx(v.position.z < -0.02f ? 0.96 : 1.01).margin(1e-5));
-    }
-    for (std::uint32_t i = 0; i < m.sizes.vertices[part::back_bevel]; ++i) {
-        const auto& v = m.vertices[first.vertices[part::back_bevel] + i];
+    for (const auto& v : vertices_of(m, part::back_bevel))
         CHECK(v.uv.y == Approx(v.position.z > -0.18f ? 0.84 : 0.79).margin(1e-5));
-    }
-    for (std::uint32_t i = 0; i < m.sizes.vertices[part::side]; ++i) {
-        const auto& v = m.vertices[first.vertices[part::side] + i];
+    for (const auto& v : vertices_of(m, part::side))
         CHECK(v.uv.y == Approx(v.position.z > -0.1f ? 0.96 : 0.84).margin(1e-5));
-    }
 }
 
-TEST_CASE("in box mapping a bevel shows what lies before it", "[bevelled]")
+TEST_CASE("box mapping puts the texture straight through a bevel", "[bevelled]")
 {
-    frame f = right_handed_y_up;
-    f.uv = uv_origin::bottom_left;
-    placement at = in_em(f);
-    at.texture_per_cell = {1.0 / 512000.0, 1.0 / 512000.0};
-    const auto m = bevelled_of(shapes::letter_d(8), bevelled{.texture = texture_mapping::box}, at);
+    const frame f = with_origin(right_handed_y_up, uv_origin::bottom_left);
+    const auto m = capped(shapes::letter_d(8), bevelled{.texture = texture_mapping::box}, with_box_texture(in_em(f)));
     for (const auto& v : m.vertices) {
         CHECK(v.uv.x == Approx(v.position.x).margin(1e-6));
         CHECK(v.uv.y == Approx(v.position.y).margin(1e-6));
@@ -396,15 +292,13 @@ TEST_CASE("a bevel's normals are the curve's, tilted by the profile", "[bevelled
     for_bevel_triangles(circle, chamfer, in_em(), [&](const bevelled_mesh& m, const auto& t, bool in_front) {
         for (const auto c : t) CHECK(tilt(m.vertices[c]) == Approx((in_front ? 1.0 : -1.0) * 36.8699).margin(0.01));
     });
-    check_radial(bevelled_of(circle, chamfer));
+    check_radial(capped(circle, chamfer));
 
     // Round: smooth into the wall and into the cap, and evenly between.
     const bevelled round{.width = 0.03f, .bevel_depth = 0.03f, .profile = round_profile(6)};
-    const auto m = bevelled_of(circle, round);
+    const auto m = capped(circle, round);
     check_radial(m);
-    const std::uint32_t first = m.sizes.starts().vertices[part::front_bevel];
-    for (std::uint32_t i = 0; i < m.sizes.vertices[part::front_bevel]; ++i) {
-        const auto& v = m.vertices[first + i];
+    for (const auto& v : vertices_of(m, part::front_bevel)) {
         const double height = (v.position.z + 0.03) / 0.03;
         CHECK(tilt(v) == Approx(std::asin(height) * 57.29577951308232).margin(0.02));
     }
@@ -425,23 +319,20 @@ TEST_CASE("a bevel's normals are the curve's, tilted by the profile", "[bevelled
     });
 }
 
-TEST_CASE("joins shade round from one edge to the next, a single wide one keeps its own normal", "[bevelled]")
+TEST_CASE("joins shade smoothly from one edge to the next, and a single wide join keeps its own normal", "[bevelled]")
 {
     // A notch whose tip points into the letter.
     for (const auto joins : {bevel_joins::round, bevel_joins::bevelled}) {
-        shapes::shape s{
-            "notch", {shapes::polygon({{0, 0}, {600, 0}, {600, 600}, {330, 600}, {300, 200}, {270, 600}, {0, 600}})}};
+        shapes::shape s = shapes::notch();
         s.loops.tolerance = 10.0;
         const bevelled how{.joins = joins};
-        const auto m = bevelled_of(s, how);
+        const auto m = capped(s, how);
         check_laws(m);
         CHECK((joins == bevel_joins::round ? m.data.swept.joins.size() > 3 : m.data.swept.joins.size() == 1));
         // Vertices near the tip, and how far their normals are from pointing away from it.
         double worst = 1.0;
         std::size_t near = 0;
-        const std::uint32_t first = m.sizes.starts().vertices[part::front_bevel];
-        for (std::uint32_t i = 0; i < m.sizes.vertices[part::front_bevel]; ++i) {
-            const auto& v = m.vertices[first + i];
+        for (const auto& v : vertices_of(m, part::front_bevel)) {
             const double x = v.position.x - 0.3, y = v.position.y - 0.2, r = std::hypot(x, y);
             if (r < 0.015 || r > 0.035 || y > 0.005) continue;
             ++near;
@@ -453,15 +344,15 @@ TEST_CASE("joins shade round from one edge to the next, a single wide one keeps 
     }
 }
 
-TEST_CASE("a bevel wider than a stroke closes in a ridge, at the height that the profile has there", "[bevelled]")
+TEST_CASE("a bevel wider than its stroke closes in a ridge, at the profile's height there", "[bevelled]")
 {
     const bevelled how{.width = 0.3f, .bevel_depth = 0.06f};
-    const auto m = bevelled_of(shapes::rectangle(), how);
+    const auto m = capped(shapes::rectangle(), how);
     check_laws(m);
-    CHECK(m.sizes.vertices[part::front] == 0);
-    CHECK(m.sizes.triangles[part::back] == 0);
-    CHECK(m.sizes.triangles[part::front_bevel] == 6);
-    CHECK(m.sizes.vertices[part::front_bevel] == 3 + 4 + 3 + 4);
+    CHECK(m.sizes().vertices[part::front] == 0);
+    CHECK(m.sizes().triangles[part::back] == 0);
+    CHECK(m.sizes().triangles[part::front_bevel] == 6);
+    CHECK(m.sizes().vertices[part::front_bevel] == 3 + 4 + 3 + 4);
     const double a = 0.4, b = 0.7, roof = 0.06 * 2.0 / 3.0;
     CHECK(volume_of(m) == Approx(a * b * 0.08 + 2.0 * roof * a * (3.0 * b - a) / 6.0));
     float top = -1.0f;
@@ -469,21 +360,20 @@ TEST_CASE("a bevel wider than a stroke closes in a ridge, at the height that the
     CHECK(top == Approx(-0.02));
 }
 
-TEST_CASE("a bevelled solid tells the heights that it reaches, whatever closes before the profile's end", "[bevelled]")
+TEST_CASE("a bevelled solid reports the heights that it reaches, even if it closes in a ridge", "[bevelled]")
 {
     const auto check = [](const shapes::shape& s, const auto& how) {
-        const auto m = bevelled_of(s, how);
+        const auto m = capped(s, how);
         float low = 1e9f, high = -1e9f;
         for (const auto& v : m.vertices) low = std::min(low, v.position.z), high = std::max(high, v.position.z);
-        const solid_with<bevel_data> form{{s.loops.points.view(), s.loops.starts.view(), s.cap}, m.data.read()};
-        const height_range told = how.heights(form);
-        CHECK(as_double(high) == Approx(told.high).margin(1e-7));
-        CHECK(as_double(low) == Approx(told.low).margin(1e-7));
-        return told.high - told.low;
+        const height_range reported = how.heights(form_of<bevelled>(s, m.data));
+        CHECK(as_double(high) == Approx(reported.high).margin(1e-7));
+        CHECK(as_double(low) == Approx(reported.low).margin(1e-7));
+        return reported.high - reported.low;
     };
     const auto bar = shapes::rectangle();
-    for (const bool outward : {false, true}) {
-        for (const bevel_sides sides : {bevel_sides::both, bevel_sides::front, bevel_sides::back}) {
+    for (const bool outward : {false, true})
+        for (const bevel_sides sides : {bevel_sides::both, bevel_sides::front, bevel_sides::back})
             for (const float width : {0.0f, 0.02f, 0.3f}) {
                 bevelled how{.width = width, .bevel_depth = 0.06f, .sides = sides, .outward = outward};
                 const bool ridge = width > 0.2f && !outward;
@@ -492,8 +382,6 @@ TEST_CASE("a bevelled solid tells the heights that it reaches, whatever closes b
                 how.centred = true;
                 CHECK(check(bar, how) == Approx(ridge ? 0.2 - bevels * 0.02 : 0.2));
             }
-        }
-    }
     // Engraved: the rim is the highest, if it is reached; else the ridge below it.
     CHECK(check(bar, bevelled{.width = 0.1f, .profile = engraved_profile()}) == Approx(0.2));
     CHECK(check(bar, bevelled{.width = 0.8f, .bevel_depth = 0.06f, .profile = engraved_profile()}) ==
@@ -501,33 +389,32 @@ TEST_CASE("a bevelled solid tells the heights that it reaches, whatever closes b
     CHECK(check(shapes::pair(), bevelled{.width = 0.5f, .profile = round_profile(4)}) < 0.2);
 }
 
-TEST_CASE("what a bevelled solid shows to the front covers what it stands on, once", "[bevelled]")
+TEST_CASE("the front triangles of a bevelled solid cover its base once", "[bevelled]")
 {
     const auto s = shapes::letter_d(8);
-    for (const bool outward : {false, true}) {
+    for (const bool outward : {false, true})
         for (const float width : {0.0f, 0.02f, 0.3f}) {
             const bevelled how{.width = width, .outward = outward};
-            const auto m = bevelled_of(s, how);
-            const solid_with<bevel_data> form{{s.loops.points.view(), s.loops.starts.view(), s.cap}, m.data.read()};
+            const auto m = capped(s, how);
             std::int64_t twice = 0;
-            how.seen_from_front(form, [&](grid_point a, grid_point b, grid_point c) noexcept {
+            how.seen_from_front(form_of<bevelled>(s, m.data), [&](grid_point a, grid_point b, grid_point c) noexcept {
                 CHECK(orientation(a, b, c) > 0);
                 twice += orientation(a, b, c);
             });
-            const double cells = 1000.0 * s.loops.grid.cells, area = 0.5 * double(twice) / cells / cells;
+            const double area = 0.5 * double(twice) / cells / cells;
             CHECK((outward && width > 0.0f ? area > area_at(s, 0.0) + 0.01 : area == Approx(area_at(s, 0.0))));
         }
-    }
 }
 
-TEST_CASE("a bevel that fits is 0.9 times as wide as where a part would lose its cap", "[bevelled]")
+TEST_CASE("a fitted bevel has 0.9 times the width at which a part would lose its cap", "[bevelled]")
 {
     const auto reach = [](const shapes::shape& s, float width, bevel_mode mode) {
-        const auto m = bevelled_of(s, bevelled{.width = width, .mode = mode});
+        const auto m = capped(s, bevelled{.width = width, .mode = mode});
         check_laws(m);
-        const double reached = m.data.swept.levels.back() / 512000.0;
-        const solid_with<bevel_data> form{{s.loops.points.view(), s.loops.starts.view(), s.cap}, m.data.read()};
-        CHECK(as_double(bevelled{.width = width, .mode = mode}.width_of(form)) == Approx(reached));
+        const double reached = m.data.swept.levels.back() / cells;
+        const double reported =
+            as_double(bevelled{.width = width, .mode = mode}.width_of(form_of<bevelled>(s, m.data)));
+        CHECK(reported == Approx(reached));
         return reached;
     };
     const auto bar = shapes::rectangle();  // 400 units wide
@@ -575,69 +462,37 @@ TEST_CASE(
         const auto s = with_triangle(c.side, c.tolerance);
         for (const bevel_mode mode : {bevel_mode::fit, bevel_mode::clip}) {
             const bevelled how{.width = c.width, .mode = mode};
-            monotone_caps caps{s.made()};
-            auto maker = caps.maker();
-            bevel_data data;
-            const auto plan = plan_solid(how, s.made(), data, maker);
-            REQUIRE(plan);
+            const auto [plan, data] = plan_solid_of(s, how);
             const bool fits = mode == bevel_mode::fit;
-            CHECK(plan->narrowed == (fits && c.narrow));
-            CHECK(plan->lost_caps == (fits ? c.lost : 0));
-            CHECK(data.swept.levels.back() / 512000.0 == Approx(fits ? c.reached : as_double(c.width)).margin(4e-6));
-            check_laws(bevelled_of(s, how));
+            CHECK(plan.narrowed == (fits && c.narrow));
+            CHECK(plan.lost_caps == (fits ? c.lost : 0));
+            CHECK(data.swept.levels.back() / cells == Approx(fits ? c.reached : as_double(c.width)).margin(4e-6));
+            check_laws(capped(s, how));
         }
     }
 }
 
-namespace {
-
-/// Refuses to make the first caps that it is asked for: as many as it is told.
-template <class Maker>
-struct refusing_caps {
-    Maker& maker;
-    int refusals;
-
-    [[nodiscard]] std::span<const triangle> triangles() const noexcept { return maker.triangles(); }
-    error operator()(const region& r, triangle_list& out) noexcept { return maker(r, out); }
-    [[nodiscard]] contours& loops() noexcept { return maker.loops(); }
-    result<region> fill(triangle_list& out) noexcept
-    {
-        return refusals-- > 0 ? result<region>{error::crossing_contours} : maker.fill(out);
-    }
-    [[nodiscard]] workspace& space() noexcept { return maker.space(); }
-};
-
-}  // namespace
-
-TEST_CASE("a bevel whose cap is refused is narrower, closed, and said to be so", "[bevelled]")
+TEST_CASE("a bevel whose cap is refused becomes narrower, stays closed, and is reported", "[bevelled]")
 {
     const auto s = shapes::letter_d(8);
-    for (const int refusals : {0, 1, 3}) {
+    for (const int refusals : {0, 1, 3})
         for (const bevel_mode mode : {bevel_mode::clip, bevel_mode::fit}) {
             const bevelled how{.width = mode == bevel_mode::clip ? 0.02f : 0.3f, .mode = mode};
-            const region r = s.made();
-            monotone_caps caps{r};
+            caps_by<> caps{s.made()};
             auto maker = caps.maker();
             refusing_caps<decltype(maker)> refusing{maker, refusals};
-            bevelled_mesh m;
-            const auto plan = plan_solid(how, r, m.data, refusing);
-            REQUIRE(plan);
-            CHECK(plan->narrowed == (refusals != 0 || mode == bevel_mode::fit));
-            const auto unrefused = bevelled_of(s, how);
-            const double width = unrefused.data.swept.levels.back();
-            CHECK(m.data.swept.levels.back() == Approx(std::ldexp(width, -refusals)));
-            m.sizes = plan->sizes;
-            const solid_of<bevelled> form{{r.points(), r.starts(), s.cap}, m.data.read()};
-            REQUIRE(write_solid<bevelled>({form, *plan}, how, in_em(), static_cast<mesh<everything>&>(m)));
+            const auto made = plan_solid_of(s, how, refusing);
+            CHECK(made.plan.narrowed == (refusals != 0 || mode == bevel_mode::fit));
+            const double width = capped(s, how).data.swept.levels.back();
+            CHECK(made.data.swept.levels.back() == Approx(std::ldexp(width, -refusals)));
+            mesh<> m;
+            REQUIRE(write_solid<bevelled>({form_of<bevelled>(s, made.data), made.plan}, how, in_em(), m));
             check_laws(m);
         }
-    }
     // Of an outward bevel the first region that is filled is what lies around the letter: its refusal is the letter's.
     const bevelled outwards{.sides = bevel_sides::front, .outward = true};
-    const region r = s.made();
-    monotone_caps caps{r};
+    caps_by<> caps{s.made()};
     auto maker = caps.maker();
-    bevel_data data;
     for (const bool refused : {false, true}) {
         int asked = 0;
         struct second_refused : decltype(maker) {
@@ -649,28 +504,18 @@ TEST_CASE("a bevel whose cap is refused is narrower, closed, and said to be so",
                 return decltype(maker)::fill(out);
             }
         } refusing{maker, asked, refused};
-        data.clear();
-        const auto plan = plan_solid(outwards, r, data, refusing);
-        REQUIRE(plan);
-        CHECK(plan->narrowed == refused);
+        CHECK(plan_solid_of(s, outwards, refusing).plan.narrowed == refused);
         CHECK(asked >= 2);
     }
 }
 
-TEST_CASE("an outward bevel grows the letter and keeps its front, with walls that meet it in texture and light",
-          "[bevelled]")
+TEST_CASE("an outward bevel grows the letter, keeps its front, and meets its walls in texture and light", "[bevelled]")
 {
     const auto s = shapes::letter_d(8);
     const bevelled how{.outward = true, .profile = round_profile(4)};
-    monotone_caps caps{s.made()};
-    auto maker = caps.maker();
-    bevel_data data;
-    const auto plan = plan_solid(how, s.made(), data, maker);
-    REQUIRE(plan);
-    CHECK(plan->around.low.x == Approx(-0.02 * 512000.0).margin(2.0));
-    CHECK(plan->around.high.y == Approx((0.7 + 0.02) * 512000.0).margin(2.0));
-
-    const auto m = bevelled_of(s, how);
+    const auto m = capped(s, how);
+    CHECK(m.plan.around.low.x == Approx(-0.02 * cells).margin(2.0));
+    CHECK(m.plan.around.high.y == Approx((0.7 + 0.02) * cells).margin(2.0));
     check_laws(m);
     CHECK(m.data.swept.joins.empty());  // its corners are of 90 degrees
     const auto plain = build(s, extruded<>{});
@@ -679,13 +524,12 @@ TEST_CASE("an outward bevel grows the letter and keeps its front, with walls tha
         CHECK(m.vertices[i].uv == plain.vertices[i].uv);
     }
     // Each vertex at the top of a wall is met by one of the bevel, with its normal and texture coordinates.
-    const part_sizes first = m.sizes.starts();
-    for (std::uint32_t i = 1; i < m.sizes.vertices[part::side]; i += 2) {
-        const auto& wall = m.vertices[first.vertices[part::side] + i];
+    const auto walls = vertices_of(m, part::side);
+    for (std::size_t i = 1; i < walls.size(); i += 2) {
+        const auto& wall = walls[i];
         REQUIRE(wall.position.z == Approx(-0.02f));
         double best = 1.0;
-        for (std::uint32_t k = 0; k < m.sizes.vertices[part::front_bevel]; ++k) {
-            const auto& b = m.vertices[first.vertices[part::front_bevel] + k];
+        for (const auto& b : vertices_of(m, part::front_bevel)) {
             if (!(b.position == wall.position)) continue;
             const double off = std::abs(double(b.uv.x) - wall.uv.x) + std::abs(double(b.uv.y) - wall.uv.y) + 1.0 -
                                meshes::dot(wide(b.normal), wide(wall.normal));
@@ -695,135 +539,102 @@ TEST_CASE("an outward bevel grows the letter and keeps its front, with walls tha
     }
 
     // The counter is 450 units wide, and a bevel that fits stays narrower; sharp corners are joined.
-    const auto fitted = bevelled_of(s, bevelled{.width = 0.4f, .mode = bevel_mode::fit, .outward = true});
+    const auto fitted = capped(s, bevelled{.width = 0.4f, .mode = bevel_mode::fit, .outward = true});
     check_laws(fitted);
-    CHECK(fitted.data.swept.levels.back() / 512000.0 == Approx(0.9 * 0.225).margin(0.002));
-    check_laws(bevelled_of(s, bevelled{.width = 0.4f, .outward = true}));
-    const shapes::shape star{
-        "star",
-        {shapes::polygon({{0, 0}, {250, 100}, {500, 0}, {400, 250}, {500, 500}, {250, 400}, {0, 500}, {100, 250}})}};
-    const auto joined = bevelled_of(star, bevelled{.outward = true});
+    CHECK(fitted.data.swept.levels.back() / cells == Approx(0.9 * 0.225).margin(0.002));
+    check_laws(capped(s, bevelled{.width = 0.4f, .outward = true}));
+    const auto joined = capped(shapes::star(), bevelled{.outward = true});
     check_laws(joined);
     CHECK(joined.data.swept.joins.size() >= 4);
     for (const float narrow : {0.0f, 1e-6f})
-        CHECK(volume_of(bevelled_of(s, bevelled{.width = narrow, .outward = true})) == Approx(0.2 * area_at(s, 0.0)));
+        CHECK(volume_of(capped(s, bevelled{.width = narrow, .outward = true})) == Approx(0.2 * area_at(s, 0.0)));
 }
 
-TEST_CASE("outward bevels round sharp corners reach as far as the mitre limit, whatever that is", "[bevelled]")
+TEST_CASE("outward bevels reach no farther round sharp corners than any mitre limit", "[bevelled]")
 {
-    const shapes::shape spike{"spike", {shapes::polygon({{0, 0}, {800, 0}, {800, 100}})}};
     for (const auto& [limit, reach] : {std::pair{2.0f, 0.1}, {8.0f, 0.4}, {0.0f, 0.81}}) {
         INFO("limit " << limit);
-        monotone_caps caps{spike.made()};
-        auto maker = caps.maker();
-        bevel_data data;
-        const bevelled how{.width = 0.05f, .outward = true, .mitre_limit = limit};
-        const auto plan = plan_solid(how, spike.made(), data, maker);
-        REQUIRE(plan);
-        CHECK_FALSE(plan->narrowed);
-        CHECK(-plan->around.low.x / 512000.0 <= reach);
-        CHECK((limit > 0.0f || -plan->around.low.x / 512000.0 > 0.75));
-        check_laws(bevelled_of(spike, how));
+        const auto m = capped(shapes::spike(), bevelled{.width = 0.05f, .outward = true, .mitre_limit = limit});
+        CHECK_FALSE(m.plan.narrowed);
+        CHECK(-m.plan.around.low.x / cells <= reach);
+        CHECK((limit > 0.0f || -m.plan.around.low.x / cells > 0.75));
+        check_laws(m);
     }
 }
 
-TEST_CASE("a bevel narrower than four cells is upright, one less deep is level", "[bevelled]")
+TEST_CASE("a bevel narrower than four cells is upright, and a bevel less deep than that is level", "[bevelled]")
 {
     const shapes::shape shape = shapes::letter_d(8);
     const double area = area_at(shape, 0.0);
     const auto plain = build(shape, extruded<>{});
     for (const float width : {0.0f, 1e-6f}) {
-        const auto m = bevelled_of(shape, bevelled{.width = width, .profile = round_profile()});
+        const auto m = capped(shape, bevelled{.width = width, .profile = round_profile()});
         check_laws(m);
         CHECK(volume_of(m) == Approx(0.2 * area));
-        CHECK(m.sizes.triangles[part::front_bevel] == 2 * shape.points());
-        CHECK(m.sizes.triangles[part::side] == 2 * shape.points());
-        CHECK(m.sizes.vertices[part::front_bevel] == plain.sizes.vertices[part::side]);
-        CHECK(m.sizes.vertices[part::front] == plain.sizes.vertices[part::front]);
+        CHECK(m.sizes().triangles[part::front_bevel] == 2 * shape.points());
+        CHECK(m.sizes().triangles[part::side] == 2 * shape.points());
+        CHECK(m.sizes().vertices[part::front_bevel] == plain.sizes.vertices[part::side]);
+        CHECK(m.sizes().vertices[part::front] == plain.sizes.vertices[part::front]);
     }
     for (const float depth : {0.0f, 1e-6f}) {
-        const auto m =
-            bevelled_of(shape, bevelled{.bevel_depth = depth, .mitre_limit = 0.0f, .profile = round_profile()});
+        const auto m = capped(shape, bevelled{.bevel_depth = depth, .mitre_limit = 0.0f, .profile = round_profile()});
         check_laws(m);
         CHECK(volume_of(m) == Approx(0.2 * area));
-        CHECK(m.sizes.triangles[part::front_bevel] == 2 * shape.points());
+        CHECK(m.sizes().triangles[part::front_bevel] == 2 * shape.points());
         CHECK(cap_area(m, part::front) == Approx(area_at(shape, 0.02)).epsilon(1e-5));
     }
     // Neither: the mesh of extruded, to the bit.
-    const auto neither = bevelled_of(shape, bevelled{.width = 0.0f, .bevel_depth = 0.0f});
-    REQUIRE(neither.vertices.size() == plain.vertices.size());
-    CHECK(neither.triangles == plain.triangles);
-    for (std::size_t i = 0; i < plain.vertices.size(); ++i) {
-        CHECK(neither.vertices[i].position == plain.vertices[i].position);
-        CHECK(neither.vertices[i].normal == plain.vertices[i].normal);
-        CHECK(neither.vertices[i].uv == plain.vertices[i].uv);
-        CHECK(neither.vertices[i].tangent == plain.vertices[i].tangent);
-    }
+    check_same(capped(shape, bevelled{.width = 0.0f, .bevel_depth = 0.0f}), plain);
 }
 
-TEST_CASE("parts that are switched off are left out, the others stay what they are", "[bevelled]")
+TEST_CASE("parts that are switched off are left out, and the others stay the same", "[bevelled]")
 {
     const auto s = shapes::letter_e();
-    const auto all = bevelled_of(s, bevelled{});
+    const auto all = capped(s, bevelled{});
     for (unsigned bits = 0; bits < 8; ++bits) {
         const bevelled how{.front = (bits & 1u) != 0, .back = (bits & 2u) != 0, .side = (bits & 4u) != 0};
-        const auto m = bevelled_of(s, how);
-        CHECK(m.sizes.vertices[part::front] == (how.front ? all.sizes.vertices[part::front] : 0));
-        CHECK(m.sizes.triangles[part::back] == (how.back ? all.sizes.triangles[part::back] : 0));
-        CHECK(m.sizes.vertices[part::side] == (how.side ? all.sizes.vertices[part::side] : 0));
-        CHECK(m.sizes.triangles[part::front_bevel] == all.sizes.triangles[part::front_bevel]);
+        const auto m = capped(s, how);
+        CHECK(m.sizes().vertices[part::front] == (how.front ? all.sizes().vertices[part::front] : 0));
+        CHECK(m.sizes().triangles[part::back] == (how.back ? all.sizes().triangles[part::back] : 0));
+        CHECK(m.sizes().vertices[part::side] == (how.side ? all.sizes().vertices[part::side] : 0));
+        CHECK(m.sizes().triangles[part::front_bevel] == all.sizes().triangles[part::front_bevel]);
     }
 }
 
-TEST_CASE("bevelled refuses options out of range, each by its name, with or without a region", "[bevelled]")
+TEST_CASE("bevelled refuses options out of range by their names, with and without a region", "[bevelled]")
 {
     const float endless = std::numeric_limits<float>::infinity(), nowhere = std::numeric_limits<float>::quiet_NaN();
-    const auto check = [](const char* name, const auto& how) {
-        INFO(name);
-        bevelled_mesh m;
-        const error refusals[] = {refused_options(how), build_bevelled(shapes::rectangle(), how, m)};
-        for (const error& e : refusals) {
-            CHECK(e == error::bad_option);
-            REQUIRE(e.option != nullptr);
-            CHECK(std::string{e.option} == name);
-        }
-    };
     for (const float v : {-0.1f, endless, -endless, nowhere}) {
-        check("depth", bevelled{.depth = v});
-        check("width", bevelled{.width = v});
-        check("bevel_depth", bevelled{.bevel_depth = v});
-        check("mitre_limit", bevelled{.mitre_limit = v});
-        check("crease_degrees", bevelled{.crease_degrees = v});
-        check("profile_crease_degrees", bevelled{.profile_crease_degrees = v});
+        check_refused("depth", bevelled{.depth = v});
+        check_refused("width", bevelled{.width = v});
+        check_refused("bevel_depth", bevelled{.bevel_depth = v});
+        check_refused("mitre_limit", bevelled{.mitre_limit = v});
+        check_refused("crease_degrees", bevelled{.crease_degrees = v});
+        check_refused("profile_crease_degrees", bevelled{.profile_crease_degrees = v});
     }
-    check("depth", bevelled{.depth = 0.0f});
-    check("mitre_limit", bevelled{.mitre_limit = 0.5f});
-    check("crease_degrees", bevelled{.crease_degrees = 180.5f});
-    check("bevel_depth", bevelled{.depth = 0.2f, .bevel_depth = 0.11f});
-    check("bevel_depth", bevelled{.depth = 0.2f, .bevel_depth = 0.21f, .sides = bevel_sides::back});
+    check_refused("depth", bevelled{.depth = 0.0f});
+    check_refused("mitre_limit", bevelled{.mitre_limit = 0.5f});
+    check_refused("crease_degrees", bevelled{.crease_degrees = 180.5f});
+    check_refused("bevel_depth", bevelled{.depth = 0.2f, .bevel_depth = 0.11f});
+    check_refused("bevel_depth", bevelled{.depth = 0.2f, .bevel_depth = 0.21f, .sides = bevel_sides::back});
     CHECK_FALSE(refused_options(bevelled{.depth = 0.2f, .bevel_depth = 0.1f}));
     CHECK_FALSE(refused_options(bevelled{.depth = 0.2f, .bevel_depth = 0.2f, .sides = bevel_sides::front}));
-    check("bevel_depth", bevelled{.depth = 0.2f, .bevel_depth = 0.1f, .profile = stepped_profile()});
-    check("bevel_depth",
-          bevelled{.depth = 0.2f, .bevel_depth = 0.2f, .sides = bevel_sides::back, .profile = engraved_profile()});
+    check_refused("bevel_depth", bevelled{.depth = 0.2f, .bevel_depth = 0.1f, .profile = stepped_profile()});
+    check_refused(
+        "bevel_depth",
+        bevelled{.depth = 0.2f, .bevel_depth = 0.2f, .sides = bevel_sides::back, .profile = engraved_profile()});
     CHECK_FALSE(refused_options(bevelled{.depth = 0.2f, .bevel_depth = 0.09f, .profile = engraved_profile()}));
-    check("profile", bevelled{.profile = profile_points{}});
-    check("profile", bevelled{.profile = {{0, 0}, {0.7f, 1}, {0.5f, 1}, {1, 1}}});
-    check("profile", bevelled{.profile = round_profile(64)});
-    check("shading", bevelled{.shading = bevel_shading::rounded, .profile = engraved_profile()});
+    check_refused("profile", bevelled{.profile = profile_points{}});
+    check_refused("profile", bevelled{.profile = {{0, 0}, {0.7f, 1}, {0.5f, 1}, {1, 1}}});
+    check_refused("profile", bevelled{.profile = round_profile(64)});
+    check_refused("shading", bevelled{.shading = bevel_shading::rounded, .profile = engraved_profile()});
 
-    bevelled_mesh far;
-    CHECK(std::string{build_bevelled(shapes::rectangle(), bevelled{.width = 525.0f}, far).option} == "width");
-    check_laws(bevelled_of(shapes::rectangle(), bevelled{.width = 524.0f}));  // 2^28 cells are 524.3 em
-    for (const float v : {65.6f, 2000.0f})                                    // 2^25 cells are 65.5 em of 512,000
-        CHECK(std::string{build_bevelled(shapes::rectangle(), bevelled{.width = v, .outward = true}, far).option} ==
-              "width");
-    check_laws(bevelled_of(shapes::rectangle(), bevelled{.width = 65.5f, .outward = true}));
-
-    shapes::shape unknown = shapes::rectangle();
-    unknown.loops.grid.units_per_em = 0.0;
-    bevelled_mesh m;
-    CHECK(std::string{build_bevelled(unknown, bevelled{}, m).option} == "units_per_em");
+    check_refused_size("width", bevelled{.width = 525.0f});
+    check_laws(capped(shapes::rectangle(), bevelled{.width = 524.0f}));  // 2^28 cells are 524.3 em
+    for (const float v : {65.6f, 2000.0f})                               // 2^25 cells are 65.5 em of 512,000
+        check_refused_size("width", bevelled{.width = v, .outward = true});
+    check_laws(capped(shapes::rectangle(), bevelled{.width = 65.5f, .outward = true}));
+    check_unknown_em<bevelled>();
 }
 
 TEST_CASE("bevels that plan differently have different keys", "[bevelled]")
@@ -848,11 +659,7 @@ TEST_CASE("bevels that plan differently have different keys", "[bevelled]")
     others[15].wanted = 0.1f;   // so that it is reported
     others[16].wanted = 0.03f;  // joins are counted there
     others[17].wanted = 0.11f;
-    for (std::size_t i = 0; i < others.size(); ++i) {
-        INFO(i);
-        CHECK_FALSE(others[i].cache_key() == plain.cache_key());
-        for (std::size_t k = 0; k < i; ++k) CHECK_FALSE(others[i].cache_key() == others[k].cache_key());
-    }
+    check_different_keys(plain, others);
     bevelled deeper = plain;
     deeper.depth = 0.3f;
     deeper.centred = true;
@@ -862,60 +669,13 @@ TEST_CASE("bevels that plan differently have different keys", "[bevelled]")
     CHECK_FALSE(a.cache_key() == b.cache_key());
 }
 
-TEST_CASE("an empty region is bevelled to nothing, and memory that runs out is reported", "[bevelled]")
+TEST_CASE("an empty region has an empty bevel, and a lack of memory is reported", "[bevelled]")
 {
-    bevel_data data;
-    no_caps nothing;
-    const auto empty = plan_solid(bevelled{}, region{}, data, nothing);
-    REQUIRE(empty);
-    CHECK(empty->sizes.total() == mesh_size{});
-
-    struct limited {
-        std::size_t left;
-        static void* take(void* user, std::size_t bytes, std::size_t alignment) noexcept
-        {
-            auto& left = static_cast<limited*>(user)->left;
-            if (left == 0) return nullptr;
-            --left;
-            const memory all = heap();
-            return all.allocate(all.user, bytes, alignment);
-        }
-        static void give_back(void*, void* place, std::size_t bytes, std::size_t alignment) noexcept
-        {
-            const memory all = heap();
-            all.deallocate(all.user, place, bytes, alignment);
-        }
-    };
-    const auto s = shapes::letter_d(8);
-    bool done = false;
-    for (std::size_t allowed = 0; !done && allowed < 100; ++allowed) {
-        limited few{allowed};
-        bevel_data scarce{memory{&few, limited::take, limited::give_back}};
-        scarce.swept = swept_region{};  // the test's own sweep cannot do with less
-        monotone_caps caps{s.made()};
-        auto maker = caps.maker();
-        const auto plan = plan_solid(bevelled{.profile = round_profile()}, s.made(), scarce, maker);
-        done = static_cast<bool>(plan);
-        if (!done) CHECK(plan.error() == error::out_of_memory);
-        CHECK((done || allowed < 50));
-    }
-    CHECK(done);
+    check_empty_region(bevelled{});
+    check_scarce_memory(bevelled{.profile = round_profile()}, 60);
 }
 
-TEST_CASE("a bevel is planned anew into the memory of the last one", "[bevelled]")
+TEST_CASE("a bevel can be planned in the memory of the last one", "[bevelled]")
 {
-    bevel_data data;
-    const auto large = shapes::ring(8), small = shapes::rectangle();
-    monotone_caps of_large{large.made()}, of_small{small.made()};
-    auto large_caps = of_large.maker();
-    auto small_caps = of_small.maker();
-    const bevelled how{.profile = round_profile(4)};
-    const auto first = plan_solid(how, small.made(), data, small_caps);
-    REQUIRE(first);
-    data.clear();
-    REQUIRE(plan_solid(how, large.made(), data, large_caps));
-    data.clear();
-    const auto again = plan_solid(how, small.made(), data, small_caps);
-    REQUIRE(again);
-    CHECK(again->sizes == first->sizes);
+    check_planned_anew(bevelled{.profile = round_profile(4)});
 }

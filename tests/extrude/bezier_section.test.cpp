@@ -20,7 +20,7 @@ profile_points bezier_points(const bezier_section& curve, std::uint32_t steps = 
 
 }  // namespace
 
-TEST_CASE("a Bézier profile has its points on the curve and its ends where they belong", "[bezier_section]")
+TEST_CASE("a Bézier profile has its points on the curve and the right ends", "[bezier_section]")
 {
     const auto made = bezier_points({{0.1f, 0.9f}, {0.6f, 0.2f}, 0.7f}, 10);
     REQUIRE(made.view().size() == 11);
@@ -57,7 +57,7 @@ TEST_CASE("a Bézier profile by tolerance keeps it", "[bezier_section]")
     CHECK(bezier_points({}).view().size() == 9);
 }
 
-TEST_CASE("a Bézier profile that runs back, or has too many steps, is not valid", "[bezier_section]")
+TEST_CASE("a Bézier profile is not valid if it runs back or has too many steps", "[bezier_section]")
 {
     CHECK_FALSE(bezier_points({{1.0f, 0.0f}, {-1.0f, 1.0f}, 1.0f}, 8).is_valid());
     CHECK_FALSE(bezier_points({{0.0f, 3.0f}, {1.0f, 1.0f}, 1.0f}, 8).is_valid());

@@ -13,21 +13,10 @@ using Catch::Approx;
 
 namespace {
 
-double area_of(const contours& loops)
-{
-    double twice = 0.0;
-    for (std::uint32_t k = 0; k < loops.contour_count(); ++k)
-        for (std::uint32_t i = loops.starts[k], end = loops.starts[k + 1]; i < end; ++i) {
-            const grid_point a = loops.points[i], b = loops.points[i + 1 == end ? loops.starts[k] : i + 1];
-            twice += double(a.x) * b.y - double(a.y) * b.x;
-        }
-    return twice / 2.0;
-}
-
 /// Area of a shape whose edges have moved outwards, by Steiner's formula for polygons: exact as long as nothing meets.
 double moved_area_at(const shapes::shape& s, double distance)
 {
-    double area = area_of(s.loops);
+    double area = shapes::area_of(s.loops);
     for (std::uint32_t i = 0; i < s.points(); ++i) {
         const grid_point a = s.loops.points[s.previous(i)], b = s.loops.points[i], c = s.loops.points[s.next(i)];
         const point in{double(b.x) - a.x, double(b.y) - a.y}, on{double(c.x) - b.x, double(c.y) - b.y};
@@ -56,7 +45,7 @@ moved moved_by(const shapes::shape& s, double distance, const corner_rule& how)
 
 }  // namespace
 
-TEST_CASE("a moved boundary encloses what Steiner's formula says, outwards and inwards", "[boundary_mover]")
+TEST_CASE("a moved boundary encloses the area of Steiner's formula, outwards and inwards", "[boundary_mover]")
 {
     const shapes::shape all[] = {shapes::rectangle(), shapes::letter_e(), shapes::ring(8), shapes::letter_d(8),
                                  shapes::ribbon()};
@@ -64,7 +53,8 @@ TEST_CASE("a moved boundary encloses what Steiner's formula says, outwards and i
         for (const double units : {-20.0, -3.0, 3.0, 20.0, 40.0}) {
             INFO(s.name << " by " << units);
             const moved m = moved_by(s, units * 512.0, {.mitre_limit = 0.0f});
-            CHECK(area_of(m.loops) == Approx(moved_area_at(s, units * 512.0)).margin(2e6));  // a cell along all edges
+            CHECK(shapes::area_of(m.loops) ==
+                  Approx(moved_area_at(s, units * 512.0)).margin(2e6));  // a cell along all edges
             CHECK(m.curves.size() == s.curves.size());
             for (std::uint32_t i = 0; i < m.loops.points.size(); ++i) CHECK(m.loops.edges[i].curve < s.curves.size());
         }
@@ -81,9 +71,9 @@ TEST_CASE("less than four cells move nothing", "[boundary_mover]")
     CHECK_FALSE(moved_by(s, 4.0, {}).loops.points[0] == s.loops.points[0]);
 }
 
-TEST_CASE("moved edges run in the direction of the curves that they name, joins too", "[boundary_mover]")
+TEST_CASE("moved edges and joins run in the direction of their curves", "[boundary_mover]")
 {
-    shapes::shape sharp{"spike", {shapes::polygon({{0, 0}, {800, 0}, {800, 100}})}};
+    shapes::shape sharp = shapes::spike();
     sharp.loops.tolerance = 50.0;
     const shapes::shape all[] = {shapes::ring(16), shapes::letter_d(16), shapes::ribbon(16), std::move(sharp)};
     for (const auto& s : all)

@@ -8,7 +8,7 @@
 using namespace typemesh;
 using namespace meshes;
 
-TEST_CASE("cap normals: 2N vertices, each with its cap's own normal and tangent, walls or not", "[extrude]")
+TEST_CASE("cap normals have 2N vertices, each with its cap's normal and tangent, with or without walls", "[extrude]")
 {
     for (const frame& f : frames()) {
         const vec3 front = f.toward, back{-front.x, -front.y, -front.z};

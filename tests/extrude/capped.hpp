@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Solids of extruders that ask for caps, as the library makes them, and the laws of their meshes.
+// Solids of extruders that use caps, made as the library makes them, and laws that these extruders share.
 
 #include <typemesh/glyph/cap_builder.hpp>
 #include <typemesh/glyph/policies.hpp>
@@ -13,9 +13,13 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
 
 #include "mesh.hpp"
 #include "support/catch.hpp"
+#include "support/counting_memory.hpp"
 
 namespace meshes {
 
@@ -63,7 +67,7 @@ struct planned {
     plan_data_of<E> data;
 };
 
-/// What an extruder plans with caps of the test's own.
+/// What an extruder plans with these caps.
 template <class E, class Caps>
 planned<E> plan_solid_of(const shapes::shape& s, const E& how, Caps& caps)
 {
@@ -72,6 +76,21 @@ planned<E> plan_solid_of(const shapes::shape& s, const E& how, Caps& caps)
     REQUIRE(plan);
     made.plan = *plan;
     return made;
+}
+
+template <class E>
+planned<E> plan_solid_of(const shapes::shape& s, const E& how)
+{
+    caps_by<> caps{s.made()};
+    auto maker = caps.maker();
+    return plan_solid_of(s, how, maker);
+}
+
+/// A planned solid over its shape.
+template <class E>
+solid_of<E> form_of(const shapes::shape& s, const plan_data_of<E>& data)
+{
+    return {{s.loops.points.view(), s.loops.starts.view(), s.cap}, data.read()};
 }
 
 template <class Triangulator = monotone, class E>
@@ -83,8 +102,7 @@ error build_capped(const shapes::shape& s, const E& how, capped_mesh<E>& to, con
     const auto plan = plan_solid(how, r, to.data, maker);
     if (!plan) return plan.error();
     to.plan = *plan;
-    const solid_of<E> form{{r.points(), r.starts(), s.cap}, to.data.read()};
-    return write_solid<E>({form, *plan}, how, at, static_cast<mesh<everything>&>(to)).error();
+    return write_solid<E>({form_of<E>(s, to.data), *plan}, how, at, static_cast<mesh<everything>&>(to)).error();
 }
 
 template <class Triangulator = monotone, class E>
@@ -99,7 +117,19 @@ capped_mesh<E> capped(const shapes::shape& s, const E& how, const placement& at 
     return m;
 }
 
-/// In em, with the sign that `winding` gives it.
+template <class E>
+std::span<const surface_point<everything>> vertices_of(const capped_mesh<E>& m, part p)
+{
+    return std::span{m.vertices}.subspan(m.sizes().starts().vertices[p], m.sizes().vertices[p]);
+}
+
+template <class E>
+auto triangles_of(const capped_mesh<E>& m, part p)
+{
+    return std::span{m.triangles}.subspan(m.sizes().starts().triangles[p], m.sizes().triangles[p]);
+}
+
+/// In em, with the sign of the winding.
 template <class Mesh>
 double volume_of(const Mesh& m)
 {
@@ -117,12 +147,106 @@ void check_laws(const Mesh& m, const frame& f = right_handed_y_up)
         check_normals(inspect::mesh_view{m.vertices, indices}, [](const auto& v) { return v.normal; }, f.winding, 2e-6);
     CHECK(normals.is_right());
     CHECK(normals.triangles == m.triangles.size());
-    for (const auto& v : m.vertices) {
-        const vec3 t{v.tangent.x, v.tangent.y, v.tangent.z};
-        REQUIRE(meshes::length(t) == Catch::Approx(1.0).margin(2e-6));
-        REQUIRE(std::abs(meshes::dot(wide(t), wide(v.normal))) < 2e-6);
-        REQUIRE(std::abs(v.tangent.w) == 1.0f);  // NOLINT
+    for (const auto& v : m.vertices) check_tangent(v, 2e-6);
+}
+
+/// These options are refused by the name of one of them, with and without a region.
+template <class E>
+void check_refused(const char* name, const E& how)
+{
+    INFO(name);
+    capped_mesh<E> m;
+    const error refusals[] = {refused_options(how), build_capped(shapes::rectangle(), how, m)};
+    for (const error& e : refusals) {
+        CHECK(e == error::bad_option);
+        REQUIRE(e.option != nullptr);
+        CHECK(std::string{e.option} == name);
     }
+}
+
+/// This solid is too large, or too small, for a rectangle: it is refused by the name of an option.
+template <class E>
+void check_refused_size(const char* name, const E& how)
+{
+    capped_mesh<E> m;
+    CHECK(std::string{build_capped(shapes::rectangle(), how, m).option} == name);
+}
+
+/// An extruder needs to know how many units an em has.
+template <class E>
+void check_unknown_em()
+{
+    shapes::shape unknown = shapes::rectangle();
+    unknown.loops.grid.units_per_em = 0.0;
+    capped_mesh<E> m;
+    CHECK(std::string{build_capped(unknown, E{}, m).option} == "units_per_em");
+}
+
+template <class E>
+void check_empty_region(const E& how)
+{
+    plan_data_of<E> data;
+    no_caps nothing;
+    const auto empty = plan_solid(how, region{}, data, nothing);
+    REQUIRE(empty);
+    CHECK(empty->sizes.total() == mesh_size{});
+}
+
+/// A plan that gets fewer blocks of memory than it needs reports it. It needs at most `most` blocks.
+template <class E>
+void check_scarce_memory(const E& how, std::size_t most)
+{
+    const auto s = shapes::letter_d(8);
+    bool done = false;
+    for (std::size_t allowed = 0; !done && allowed <= most; ++allowed) {
+        test::counting_memory memory;
+        memory.fail_at = allowed + 1;
+        plan_data_of<E> scarce{memory.source()};
+        caps_by<> caps{s.made()};
+        auto maker = caps.maker();
+        const auto plan = plan_solid(how, s.made(), scarce, maker);
+        done = static_cast<bool>(plan);
+        if (!done) CHECK(plan.error() == error::out_of_memory);
+    }
+    CHECK(done);
+}
+
+/// A plan is the same in memory that another one has used.
+template <class E>
+void check_planned_anew(const E& how)
+{
+    plan_data_of<E> data;
+    const auto large = shapes::ring(8), small = shapes::rectangle();
+    caps_by<> of_large{large.made()}, of_small{small.made()};
+    auto large_caps = of_large.maker();
+    auto small_caps = of_small.maker();
+    const auto first = plan_solid(how, small.made(), data, small_caps);
+    REQUIRE(first);
+    data.clear();
+    REQUIRE(plan_solid(how, large.made(), data, large_caps));
+    data.clear();
+    const auto again = plan_solid(how, small.made(), data, small_caps);
+    REQUIRE(again);
+    CHECK(again->sizes == first->sizes);
+}
+
+/// Where the first new edges are refused, the plan for `wide` is that for `narrow`. Where all are, there is none.
+template <class E>
+void check_refused_edges(const E& narrow, const E& wide)
+{
+    const auto s = shapes::letter_d(8);
+    caps_by<> caps{s.made()};
+    auto maker = caps.maker();
+    const auto expected = plan_solid_of(s, narrow, maker);
+    CHECK_FALSE(expected.plan.narrowed);
+    refusing_caps<decltype(maker)> refusing{maker, 1};
+    const auto narrowed = plan_solid_of(s, wide, refusing);
+    CHECK(narrowed.plan.narrowed);
+    CHECK(narrowed.plan.sizes == expected.plan.sizes);
+    CHECK(narrowed.plan.around.low == expected.plan.around.low);
+    refusing.refusals = 1000;
+    plan_data_of<E> data;
+    CHECK(plan_solid(E{}, s.made(), data, refusing).error() == error::edges_not_moved);
 }
 
 }  // namespace meshes

@@ -7,9 +7,9 @@
 using namespace typemesh;
 using namespace meshes;
 
-TEST_CASE("creased normals double the corners of the polygon, each wall with its own normal", "[extrude]")
+TEST_CASE("creased normals double the corners of the polygon, and each wall has its own normal", "[extrude]")
 {
-    for (const float crease : {1.0f, 10.0f, 30.0f, 75.0f, 100.0f}) {
+    for (const float crease : {1.0f, 10.0f, 30.0f, 75.0f, 100.0f})
         for (const auto& s : shapes::all()) {
             INFO(s.name << " creased at " << crease);
             const built b = build(s, extruded<creased_normals>{.texture = texture_mapping::box, .normals = {crease}});
@@ -29,7 +29,6 @@ TEST_CASE("creased normals double the corners of the polygon, each wall with its
             }
             CHECK(b.announced.vertices == 4 * s.points() + 2 * hard);
         }
-    }
     const extruded<creased_normals> square{.texture = texture_mapping::box, .normals = {90.0f}};
     for (const auto& side : build(shapes::rectangle(), square).sides) CHECK_FALSE(side.doubled);
 }

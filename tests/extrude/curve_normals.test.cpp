@@ -14,9 +14,10 @@ using Catch::Approx;
 
 namespace {
 
-std::vector<side_point> sides_of(const shapes::shape& s, const curve_normals& how = {})
+template <class Shape>
+std::vector<side_point> sides_of(const Shape& s, const curve_normals& how = {})
 {
-    std::vector<side_point> sides(s.points());
+    std::vector<side_point> sides(s.loops.points.size());
     REQUIRE_FALSE(how(s.made(), sides));
     return sides;
 }
@@ -58,6 +59,9 @@ double max_aside(const region& r, const std::vector<side_point>& sides)
     return most;
 }
 
+/// A contour of these curves, each of them one edge.
+shapes::shape whole_curves(std::vector<curve> c) { return {"whole curves", {std::move(c)}, {}, 1}; }
+
 /// A closed polygon with its edges' curves given one by one, whatever they are.
 struct loose_shape {
     std::vector<curve> curves;
@@ -76,14 +80,11 @@ struct loose_shape {
 
 }  // namespace
 
-TEST_CASE("normals inside curves are the curve's own within 0.01 degrees, however coarse the polygon", "[extrude]")
+TEST_CASE("normals inside curves are within 0.01 degrees of the curve's, even on a coarse polygon", "[extrude]")
 {
     for (const int pieces : {2, 3, 8}) {
-        std::vector<shapes::shape> round;
-        round.push_back(shapes::ring(pieces));
-        round.push_back(shapes::letter_d(pieces));
-        round.push_back(shapes::ribbon(pieces + 2));
-        round.push_back(shapes::drop(pieces + 2));
+        const shapes::shape round[] = {shapes::ring(pieces), shapes::letter_d(pieces), shapes::ribbon(pieces + 2),
+                                       shapes::drop(pieces + 2)};
         for (const auto& s : round) {
             INFO(s.name << " in " << pieces << " pieces");
             const auto sides = sides_of(s);
@@ -99,7 +100,7 @@ TEST_CASE("normals inside curves are the curve's own within 0.01 degrees, howeve
     }
 }
 
-TEST_CASE("a circle's normals point away from its centre, its hole's towards it", "[extrude]")
+TEST_CASE("the normals of a circle point away from its centre, and a hole's towards it", "[extrude]")
 {
     const auto s = shapes::ring(2);
     const auto sides = sides_of(s);
@@ -111,7 +112,7 @@ TEST_CASE("a circle's normals point away from its centre, its hole's towards it"
     }
 }
 
-TEST_CASE("corners are crisp: each wall keeps its line's normal exactly", "[extrude]")
+TEST_CASE("at a hard corner each wall has exactly its line's normal", "[extrude]")
 {
     const auto s = shapes::rectangle();
     const auto sides = sides_of(s);
@@ -124,7 +125,7 @@ TEST_CASE("corners are crisp: each wall keeps its line's normal exactly", "[extr
     }
 }
 
-TEST_CASE("a wall over a line between two hard corners has one normal, bit by bit", "[extrude]")
+TEST_CASE("a wall between two hard corners of a line has one normal, to the bit", "[extrude]")
 {
     std::mt19937 random{7};
     std::uniform_real_distribution<double> where{0.1, 1.0};
@@ -142,7 +143,7 @@ TEST_CASE("a wall over a line between two hard corners has one normal, bit by bi
     }
 }
 
-TEST_CASE("a line that runs softly into a curve keeps its normal there", "[extrude]")
+TEST_CASE("a line that runs smoothly into a curve keeps its normal there", "[extrude]")
 {
     const auto s = shapes::letter_d();
     const auto sides = sides_of(s);
@@ -180,7 +181,7 @@ TEST_CASE("the direction in which an outline is given does not matter", "[extrud
     }
 }
 
-TEST_CASE("a cusp inside a curve is hard, each side with its own normal", "[extrude]")
+TEST_CASE("a cusp inside a curve is hard, and each side has its own normal", "[extrude]")
 {
     const auto s = shapes::cusp();
     for (const float crease : {15.0f, 180.0f}) {
@@ -198,7 +199,7 @@ TEST_CASE("a cusp inside a curve is hard, each side with its own normal", "[extr
     CHECK(std::count_if(sides.begin(), sides.end(), hard) == 3);
 }
 
-TEST_CASE("a joint is hard when its tangents break by more than the crease angle", "[extrude]")
+TEST_CASE("a joint is hard when its tangents differ by more than the crease angle", "[extrude]")
 {
     for (const double degrees : {0.0, 5.0, 14.9, 15.1, 30.0, 89.9, 150.0}) {
         const double turn = degrees * 3.14159265358979323846 / 180.0;
@@ -218,7 +219,7 @@ TEST_CASE("a joint is hard when its tangents break by more than the crease angle
     }
 }
 
-TEST_CASE("a break that equals the crease angle is soft", "[extrude]")
+TEST_CASE("a joint at exactly the crease angle is soft", "[extrude]")
 {
     for (const auto& side : sides_of(shapes::rectangle(), {90.0f})) CHECK_FALSE(hard(side));
     for (const auto& side : sides_of(shapes::rectangle(), {89.99f})) CHECK(hard(side));
@@ -238,8 +239,7 @@ TEST_CASE("handles of no length and curves that are a point still give unit norm
 
     const curve nothing = curve::from(cubic{a, a, a, a});
     const loose_shape odd{{{0, 0}, {100, 0}, {0, 100}}, {{0, 0.0f, 1.0f}, {0, 0.0f, 0.5f}, {0, 0.5f, 1.0f}}, {nothing}};
-    std::vector<side_point> found(3);
-    REQUIRE_FALSE(curve_normals{}(odd.made(), found));
+    const auto found = sides_of(odd);
     CHECK(found[0].after == vec2{0.0f, -1.0f});
     CHECK(found[1].before == vec2{0.0f, -1.0f});
 }
@@ -252,15 +252,14 @@ TEST_CASE("a point inside a curve is soft even where the polygon leaves the curv
     const loose_shape s{{{0, 0}, {100, 0}, {100, 100}, {0, 100}},
                         {{0, 0.0f, 0.5f}, {0, 0.5f, 1.0f}, {1, 0.0f, 0.5f}, {1, 0.5f, 1.0f}},
                         {hook, rest}};
-    std::vector<side_point> sides(4);
-    REQUIRE_FALSE(curve_normals{}(s.made(), sides));
+    const auto sides = sides_of(s);
     CHECK_FALSE(hard(sides[1]));
     CHECK(sides[1].before == sides[1].after);
     CHECK(sides[1].after.x > 0.0f);
     CHECK(sides[1].after.y < 0.0f);
 }
 
-TEST_CASE("normals are of unit length and point out of their walls, whatever the curves behind the polygon say",
+TEST_CASE("normals have unit length and point out of their walls, even if the curves do not fit the polygon",
           "[extrude]")
 {
     std::mt19937 random{11};
@@ -295,9 +294,8 @@ TEST_CASE("normals are of unit length and point out of their walls, whatever the
             i += pieces;
         }
         const loose_shape s{points, edges, curves};
-        std::vector<side_point> sides(n);
         const float crease = round % 3 == 0 ? 0.0f : round % 3 == 1 ? 15.0f : 180.0f;
-        REQUIRE_FALSE(curve_normals{crease}(s.made(), sides));
+        const auto sides = sides_of(s, {crease});
         for (std::size_t i = 0; i < n; ++i) {
             INFO("round " << round << ", point " << i);
             const point in = delta(points[(i + n - 1) % n], points[i]), out = delta(points[i], points[(i + 1) % n]);
@@ -312,8 +310,8 @@ TEST_CASE("normals are of unit length and point out of their walls, whatever the
 
 namespace {
 
-/// A needle whose tip, at (0, 1), is that of a hairpin: the curve comes from the right, turns within no room at all,
-/// and goes back. Its walls are straight to one unit; at the tip the curve runs down. The points are those at the given t,
+/// A needle whose tip, at (0, 1), is the tip of a hairpin: the curve comes from the right, turns within no room at all,
+/// and goes back. Its walls are straight to one unit; at the tip the curve runs down. The points lie at the given t,
 /// and `forth` says whether the curve runs that way or is to be run backwards.
 loose_shape needle(double tolerance, bool forth, const std::vector<float>& inner = {0.5f})
 {
@@ -336,16 +334,9 @@ loose_shape needle(double tolerance, bool forth, const std::vector<float>& inner
     return s;
 }
 
-std::vector<side_point> sides_of(const loose_shape& s, const curve_normals& how = {})
-{
-    std::vector<side_point> sides(s.loops.points.size());
-    REQUIRE_FALSE(how(s.made(), sides));
-    return sides;
-}
-
 }  // namespace
 
-TEST_CASE("the tip of a hairpin inside a curve is hard where it would light a long wall from the side", "[extrude]")
+TEST_CASE("the tip of a hairpin is hard where its normal would light a long wall from the side", "[extrude]")
 {
     for (const bool forth : {true, false}) {
         const auto coarse = needle(1.0, forth);  // both walls are long
@@ -372,14 +363,12 @@ TEST_CASE("the tip of a hairpin inside a curve is hard where it would light a lo
     }
 }
 
-TEST_CASE("a soft joint is hard where its sum would light a long wall from the side", "[extrude]")
+TEST_CASE("a soft joint becomes hard where its normal would light a long wall from the side", "[extrude]")
 {
     // The same needle of two curves. Their tangents break by 0 or about 6 degrees in the tip.
     for (const double aside : {0.0, 0.05}) {
-        loose_shape s{{grid{}.snap({1000, 2}), grid{}.snap({0, 1}), grid{}.snap({1000, 0})},
-                      {{0, 0.0f, 1.0f}, {1, 0.0f, 1.0f}, {2, 0.0f, 1.0f}},
-                      {curve::from(quadratic{{1000, 2}, {0, 1.5}, {0, 1}}),
-                       curve::from(quadratic{{0, 1}, {aside, 0.5}, {1000, 0}}), curve::from({1000, 0}, {1000, 2})}};
+        auto s = whole_curves({shapes::quad({1000, 2}, {0, 1.5}, {0, 1}), shapes::quad({0, 1}, {aside, 0.5}, {1000, 0}),
+                               shapes::line({1000, 0}, {1000, 2})});
         CHECK_FALSE(hard(sides_of(s)[1]));
         s.loops.tolerance = 512.0;
         const auto sides = sides_of(s);
@@ -391,11 +380,9 @@ TEST_CASE("a soft joint is hard where its sum would light a long wall from the s
 TEST_CASE("a corner that is hard already does not light a long wall from the side", "[extrude]")
 {
     // The lower wall's curve bends down in its last unit; the right wall is a line.
-    loose_shape s{{grid{}.snap({0, 0}), grid{}.snap({1000, -1}), grid{}.snap({1000, 500}), grid{}.snap({0, 500})},
-                  {{0, 0.0f, 1.0f}, {1, 0.0f, 1.0f}, {2, 0.0f, 1.0f}, {3, 0.0f, 1.0f}},
-                  {curve::from(quadratic{{0, 0}, {1000, 0}, {1000, -1}}), curve::from({1000, -1}, {1000, 500}),
-                   curve::from({1000, 500}, {0, 500}), curve::from({0, 500}, {0, 0})}};
-    CHECK(sides_of(s)[1].before == vec2{-1.0f, 0.0f});  // as long as nobody says the tolerance
+    auto s = whole_curves({shapes::quad({0, 0}, {1000, 0}, {1000, -1}), shapes::line({1000, -1}, {1000, 500}),
+                           shapes::line({1000, 500}, {0, 500}), shapes::line({0, 500}, {0, 0})});
+    CHECK(sides_of(s)[1].before == vec2{-1.0f, 0.0f});  // as long as the tolerance is not known
     s.loops.tolerance = 512.0;
     const auto sides = sides_of(s);
     CHECK(hard(sides[1]));
@@ -403,13 +390,11 @@ TEST_CASE("a corner that is hard already does not light a long wall from the sid
     CHECK(sides[1].after == vec2{1.0f, 0.0f});
 }
 
-TEST_CASE("a normal 45 degrees off a long wall stays the curve's, one farther off does not", "[extrude]")
+TEST_CASE("a normal up to 45 degrees off a long wall stays the curve's, and no normal farther off", "[extrude]")
 {
     for (const double more : {0.0, 0.001}) {  // the curve starts upwards, the chord runs to the upper right
-        loose_shape s{{grid{}.snap({0, 0}), grid{}.snap({1000, 1000}), grid{}.snap({-1000, 1000})},
-                      {{0, 0.0f, 1.0f}, {1, 0.0f, 1.0f}, {2, 0.0f, 1.0f}},
-                      {curve::from(quadratic{{0, 0}, {-more, 1000}, {1000, 1000}}),
-                       curve::from({1000, 1000}, {-1000, 1000}), curve::from({-1000, 1000}, {0, 0})}};
+        auto s = whole_curves({shapes::quad({0, 0}, {-more, 1000}, {1000, 1000}),
+                               shapes::line({1000, 1000}, {-1000, 1000}), shapes::line({-1000, 1000}, {0, 0})});
         s.loops.tolerance = 512.0;
         const auto sides = sides_of(s);
         const double off = degrees_between(wide(sides[0].after), outward({1000, 1000}));
@@ -418,13 +403,11 @@ TEST_CASE("a normal 45 degrees off a long wall stays the curve's, one farther of
     }
 }
 
-TEST_CASE("a wall of exactly 16 tolerances is not long yet, a hair below that it is", "[extrude]")
+TEST_CASE("a wall is long if it is longer than 16 tolerances", "[extrude]")
 {
     // The curve starts 73 degrees off its chord, which is 512,000 cells long.
-    loose_shape s{{grid{}.snap({0, 0}), grid{}.snap({1000, 0}), grid{}.snap({0, 1000})},
-                  {{0, 0.0f, 1.0f}, {1, 0.0f, 1.0f}, {2, 0.0f, 1.0f}},
-                  {curve::from(quadratic{{0, 0}, {300, -1000}, {1000, 0}}), curve::from({1000, 0}, {0, 1000}),
-                   curve::from({0, 1000}, {0, 0})}};
+    auto s = whole_curves({shapes::quad({0, 0}, {300, -1000}, {1000, 0}), shapes::line({1000, 0}, {0, 1000}),
+                           shapes::line({0, 1000}, {0, 0})});
     const vec2 own{0.0f, -1.0f};
     s.loops.tolerance = 32'000.0;
     CHECK(degrees_between(wide(sides_of(s)[0].after), wide(own)) > 70.0);
@@ -432,7 +415,7 @@ TEST_CASE("a wall of exactly 16 tolerances is not long yet, a hair below that it
     CHECK(sides_of(s)[0].after == own);
 }
 
-TEST_CASE("an edge whose t does not tell which way it runs follows its curve the way that it goes", "[extrude]")
+TEST_CASE("an edge with equal parameters at both ends follows its curve in the direction that it runs", "[extrude]")
 {
     // A bowl, run against its curve; beside t = 1/2 there is an edge of one cell, so short that both its ends have that t.
     const quadratic bowl{{1000, 0}, {0, -1000}, {-1000, 0}};
@@ -441,8 +424,8 @@ TEST_CASE("an edge whose t does not tell which way it runs follows its curve the
                         {{0, 1.0f, 0.5f}, {0, 0.5f, 0.5f}, {0, 0.5f, 0.0f}, {1, 0.0f, 1.0f}},
                         {curve::from(bowl), curve::from(bowl.p0, bowl.p2)}};
     const auto sides = sides_of(s);
-    for (const int i : {1, 2}) {
-        CHECK_FALSE(hard(sides[static_cast<std::size_t>(i)]));
-        CHECK(sides[static_cast<std::size_t>(i)].before == vec2{0.0f, -1.0f});
+    for (const std::size_t i : {1u, 2u}) {
+        CHECK_FALSE(hard(sides[i]));
+        CHECK(sides[i].before == vec2{0.0f, -1.0f});
     }
 }

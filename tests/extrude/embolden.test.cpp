@@ -17,7 +17,6 @@
 
 #include "capped.hpp"
 #include "support/catch.hpp"
-#include "support/counting_memory.hpp"
 #include "support/emboldened.hpp"
 
 using namespace typemesh;
@@ -33,17 +32,10 @@ static_assert(part_count_of<test::emboldened<>> == 3 && part_count_of<test::embo
 
 constexpr double cells = 512000.0;  // in an em
 
-shapes::shape star()
-{
-    return {
-        "star",
-        {shapes::polygon({{0, 0}, {250, 100}, {500, 0}, {400, 250}, {500, 500}, {250, 400}, {0, 500}, {100, 250}})}};
-}
-
 std::vector<shapes::shape> all_shapes()
 {
     auto s = shapes::all();
-    s.push_back(star());
+    s.push_back(shapes::star());
     s.push_back(shapes::ring(16));
     s.push_back(shapes::letter_d(16));
     for (auto& one : s) one.loops.tolerance = 100.0;
@@ -100,7 +92,8 @@ bolder bolder_of(const shapes::shape& s, const E& how)
 
 }  // namespace
 
-TEST_CASE("emboldened solids are closed and lit from outside, bolder and thinner, whatever makes them", "[emboldened]")
+TEST_CASE("emboldened solids of every extruder are closed and lit from outside, both bolder and thinner",
+          "[emboldened]")
 {
     for (const auto& s : all_shapes())
         for (const float by : {0.003f, 0.02f, 0.05f, 0.4f, -0.003f, -0.01f}) {
@@ -119,7 +112,7 @@ TEST_CASE("emboldened solids are closed and lit from outside, bolder and thinner
         }
 }
 
-TEST_CASE("a bolder letter holds what lies within the distance, and no more beyond the mitre limit", "[emboldened]")
+TEST_CASE("a bolder letter contains all within the distance, and nothing beyond the mitre limit", "[emboldened]")
 {
     for (const auto& s : all_shapes())
         for (const float limit : {1.0f, 2.0f, 4.0f})
@@ -158,9 +151,7 @@ TEST_CASE("a bolder ring has the area between two circles, and its walls are lit
         const double outer = 0.3 + double(by), inner = 0.15 - double(by);
         CHECK(volume_of(m) == Approx(0.2 * pi * (outer * outer - inner * inner)).epsilon(0.005));
         CHECK(m.sizes().vertices[part::side] == 2 * (m.sizes().vertices[part::front] + 2));  // a seam each
-        const std::uint32_t first = m.sizes().starts().vertices[part::side];
-        for (std::uint32_t i = 0; i < m.sizes().vertices[part::side]; ++i) {
-            const auto& v = m.vertices[first + i];
+        for (const auto& v : vertices_of(m, part::side)) {
             const point away{double(v.position.x) - 0.4, double(v.position.y) - 0.3};
             const double r = typemesh::length(away), turned = r > 0.225 ? 1.0 : -1.0;
             CHECK(r == Approx(turned > 0.0 ? outer : inner).epsilon(0.003));
@@ -169,14 +160,12 @@ TEST_CASE("a bolder ring has the area between two circles, and its walls are lit
     }
 }
 
-TEST_CASE("an edge that is cut short is lit like the part of its curve that is left", "[emboldened]")
+TEST_CASE("an edge that is cut short is lit like the rest of its curve", "[emboldened]")
 {
     const shapes::shape drop = shapes::drop(12);  // thinner, its pointed end is cut short
     const auto m = capped(drop, test::emboldened<>{.by = -0.02f, .solid = {.texture = texture_mapping::box}});
     const curve whole = drop.curves[0];
-    const std::uint32_t first = m.sizes().starts().vertices[part::side];
-    for (std::uint32_t i = 0; i < m.sizes().vertices[part::side]; ++i) {
-        const auto& v = m.vertices[first + i];
+    for (const auto& v : vertices_of(m, part::side)) {
         const point at{1000.0 * double(v.position.x), 1000.0 * double(v.position.y)};
         double best = -1.0;  // of the curve's normals where it is as near as the letter has moved
         for (int k = 0; k <= 20000; ++k) {
@@ -190,9 +179,9 @@ TEST_CASE("an edge that is cut short is lit like the part of its curve that is l
     }
 }
 
-TEST_CASE("a sharp corner that grows becomes round and shades round, a blunt one stays a corner", "[emboldened]")
+TEST_CASE("a sharp corner that grows becomes round and shades smoothly, and a blunt one stays a corner", "[emboldened]")
 {
-    shapes::shape spike{"spike", {shapes::polygon({{0, 0}, {800, 0}, {800, 100}})}};
+    shapes::shape spike = shapes::spike();
     spike.loops.tolerance = 20.0;
     for (const auto joins : {bevel_joins::round, bevel_joins::bevelled}) {
         const auto m =
@@ -209,8 +198,7 @@ TEST_CASE("a sharp corner that grows becomes round and shades round, a blunt one
     CHECK(capped(shapes::rectangle(), test::emboldened<>{.by = 0.05f}).data.loops.points.size() == 4);
 }
 
-TEST_CASE("a bolder letter's narrow counters close, and of a thinner one thin parts vanish, or all of it",
-          "[emboldened]")
+TEST_CASE("narrow counters close in a bolder letter, and thin parts vanish from a thinner one", "[emboldened]")
 {
     const auto euler = [](const auto& m) {
         const auto indices = indices_of(m);
@@ -227,23 +215,14 @@ TEST_CASE("a bolder letter's narrow counters close, and of a thinner one thin pa
     CHECK(build_capped(shapes::rectangle(), test::emboldened<>{.by = -0.21f}, none) == error::nothing_left);
 }
 
-TEST_CASE("a letter that is moved less than four cells is the letter itself", "[emboldened]")
+TEST_CASE("a letter moved by less than four cells stays the same", "[emboldened]")
 {
     const auto s = shapes::letter_d(8);
     const auto plain = build(s, extruded<>{});
-    for (const float by : {0.0f, 5e-6f, -5e-6f}) {
-        const auto m = capped(s, test::emboldened<>{.by = by});
-        REQUIRE(m.vertices.size() == plain.vertices.size());
-        CHECK(m.triangles.size() == plain.triangles.size());
-        for (std::size_t i = 0; i < plain.vertices.size(); ++i) {
-            CHECK(m.vertices[i].position == plain.vertices[i].position);
-            CHECK(m.vertices[i].normal == plain.vertices[i].normal);
-            CHECK(m.vertices[i].uv == plain.vertices[i].uv);
-        }
-    }
+    for (const float by : {0.0f, 5e-6f, -5e-6f}) check_same_vertices(capped(s, test::emboldened<>{.by = by}), plain);
 }
 
-TEST_CASE("letters whose loops touch in a point grow together there, or part", "[emboldened]")
+TEST_CASE("loops that touch in a point grow together when bolder, and part when thinner", "[emboldened]")
 {
     for (const float by : {0.0f, 0.02f, -0.02f}) {
         INFO("by " << by);
@@ -274,14 +253,12 @@ TEST_CASE("letters whose loops touch in a point grow together there, or part", "
     }
 }
 
-TEST_CASE("an emboldened solid obeys its laws in every frame, and its box holds what has grown", "[emboldened]")
+TEST_CASE("an emboldened solid obeys its laws in every frame, and its box contains the growth", "[emboldened]")
 {
     for (const frame& f : frames())
         for (const auto texture : {texture_mapping::em, texture_mapping::box}) {
-            placement at = in_em(f);
-            at.texture_per_cell = {1.0 / cells, 1.0 / cells};
             const test::emboldened<> how{.by = 0.03f, .solid = {.centred = true, .texture = texture}};
-            const auto m = capped(shapes::letter_d(8), how, at);
+            const auto m = capped(shapes::letter_d(8), how, with_box_texture(in_em(f)));
             check_laws(m, f);
             CHECK(m.plan.around.low.x == Approx(-0.03 * cells).margin(2.0));
             CHECK(m.plan.around.high.y == Approx((0.7 + 0.03) * cells).margin(2.0));
@@ -289,7 +266,7 @@ TEST_CASE("an emboldened solid obeys its laws in every frame, and its box holds 
     CHECK(test::emboldened<>{.solid = {.depth = 0.5f}}.heights().low == -0.5);
 }
 
-TEST_CASE("bold letters may be made bolder again", "[emboldened]")
+TEST_CASE("a bolder letter can be made bolder again", "[emboldened]")
 {
     const auto s = shapes::ring(16);
     const auto twice = capped(s, test::emboldened<test::emboldened<>>{.by = 0.02f, .solid = {.by = 0.03f}});
@@ -298,35 +275,23 @@ TEST_CASE("bold letters may be made bolder again", "[emboldened]")
     CHECK(volume_of(twice) == Approx(volume_of(once)).epsilon(1e-4));
 }
 
-TEST_CASE("emboldened refuses options out of range by their names, its own and the other extruder's", "[emboldened]")
+TEST_CASE("emboldened refuses options out of range by name, both its own and the other extruder's", "[emboldened]")
 {
     const float infinite = std::numeric_limits<float>::infinity(), nowhere = std::numeric_limits<float>::quiet_NaN();
-    const auto check = [](const char* name, const auto& how) {
-        INFO(name);
-        capped_mesh<std::remove_cvref_t<decltype(how)>> m;
-        const error refusals[] = {refused_options(how), build_capped(shapes::rectangle(), how, m)};
-        for (const error& e : refusals) {
-            CHECK(e == error::bad_option);
-            REQUIRE(e.option != nullptr);
-            CHECK(std::string{e.option} == name);
-        }
-    };
     for (const float v : {infinite, -infinite, nowhere}) {
-        check("by", test::emboldened<>{.by = v});
-        check("embolden::mitre_limit", test::emboldened<>{.mitre_limit = v});
+        check_refused("by", test::emboldened<>{.by = v});
+        check_refused("embolden::mitre_limit", test::emboldened<>{.mitre_limit = v});
     }
-    for (const float v : {0.5f, -1.0f}) check("embolden::mitre_limit", test::emboldened<>{.mitre_limit = v});
-    check("depth", test::emboldened<>{.solid = {.depth = 0.0f}});
-    check("width", test::emboldened<bevelled>{.solid = {.width = -1.0f}});
-    check("mitre_limit", test::emboldened<bevelled>{.solid = {.mitre_limit = 0.5f}});
+    for (const float v : {0.5f, -1.0f}) check_refused("embolden::mitre_limit", test::emboldened<>{.mitre_limit = v});
+    check_refused("depth", test::emboldened<>{.solid = {.depth = 0.0f}});
+    check_refused("width", test::emboldened<bevelled>{.solid = {.width = -1.0f}});
+    check_refused("mitre_limit", test::emboldened<bevelled>{.solid = {.mitre_limit = 0.5f}});
     CHECK_FALSE(refused_options(test::emboldened<>{.mitre_limit = 0.0f}));
 
+    check_refused_size("by", test::emboldened<>{.by = 600.0f});
     capped_mesh<test::emboldened<>> far;
-    CHECK(std::string{build_capped(shapes::rectangle(), test::emboldened<>{.by = 600.0f}, far).option} == "by");
     CHECK(build_capped(shapes::rectangle(), test::emboldened<>{.by = 500.0f}, far) == error::outline_beyond_grid);
-    shapes::shape unknown = shapes::rectangle();
-    unknown.loops.grid.units_per_em = 0.0;
-    CHECK(std::string{build_capped(unknown, test::emboldened<>{}, far).option} == "units_per_em");
+    check_unknown_em<test::emboldened<>>();
 }
 
 TEST_CASE("emboldened letters that differ have different keys", "[emboldened]")
@@ -339,78 +304,29 @@ TEST_CASE("emboldened letters that differ have different keys", "[emboldened]")
     others[3].joins = bevel_joins::bevelled;
     others[4].solid.side = false;
     others[5].solid.normals.crease_degrees = 20.0f;
-    for (std::size_t i = 0; i < others.size(); ++i) {
-        INFO(i);
-        CHECK_FALSE(others[i].cache_key() == plain.cache_key());
-        for (std::size_t k = 0; k < i; ++k) CHECK_FALSE(others[i].cache_key() == others[k].cache_key());
-    }
+    check_different_keys(plain, others);
     test::emboldened<> deeper = plain;
     deeper.solid.depth = 0.3f;
     CHECK(deeper.cache_key() == plain.cache_key());
 }
 
-TEST_CASE("an empty region is emboldened to nothing, and memory that runs out is reported", "[emboldened]")
+TEST_CASE("an empty region stays empty when emboldened, and a lack of memory is reported", "[emboldened]")
 {
-    plan_data_of<test::emboldened<>> data;
-    no_caps nothing;
-    const auto empty = plan_solid(test::emboldened<>{}, region{}, data, nothing);
-    REQUIRE(empty);
-    CHECK(empty->sizes.total() == mesh_size{});
-
-    const auto s = shapes::letter_d(8);
-    for (const float by : {0.03f, -0.03f}) {
-        bool done = false;
-        for (std::size_t allowed = 0; !done && allowed < 100; ++allowed) {
-            test::counting_memory memory;
-            memory.fail_at = allowed + 1;
-            plan_data_of<test::emboldened<>> scarce{memory.source()};
-            caps_by<> caps{s.made()};
-            auto maker = caps.maker();
-            const auto plan = plan_solid(test::emboldened<>{.by = by}, s.made(), scarce, maker);
-            done = static_cast<bool>(plan);
-            if (!done) CHECK(plan.error() == error::out_of_memory);
-            CHECK((done || allowed < 60));
-        }
-        CHECK(done);
-    }
+    check_empty_region(test::emboldened<>{});
+    for (const float by : {0.03f, -0.03f}) check_scarce_memory(test::emboldened<>{.by = by}, 60);
 }
 
-TEST_CASE("a bolder letter is planned anew into the memory of the last one", "[emboldened]")
+TEST_CASE("a bolder letter can be planned in the memory of the last one", "[emboldened]")
 {
-    plan_data_of<test::emboldened<bevelled>> data;
-    const test::emboldened<bevelled> how{.by = 0.01f};
-    const auto large = shapes::ring(8), small = shapes::rectangle();
-    caps_by<> of_large{large.made()}, of_small{small.made()};
-    auto large_caps = of_large.maker();
-    auto small_caps = of_small.maker();
-    const auto first = plan_solid(how, small.made(), data, small_caps);
-    REQUIRE(first);
-    data.clear();
-    REQUIRE(plan_solid(how, large.made(), data, large_caps));
-    data.clear();
-    const auto again = plan_solid(how, small.made(), data, small_caps);
-    REQUIRE(again);
-    CHECK(again->sizes == first->sizes);
+    check_planned_anew(test::emboldened<bevelled>{.by = 0.01f});
 }
 
-TEST_CASE("where new edges are not proven, a letter grows by half as much, and the plan says so", "[emboldened]")
+TEST_CASE("a letter grows by half as much if its new edges are refused, and the plan reports it", "[emboldened]")
 {
-    const auto s = shapes::letter_d(8);
-    caps_by<> caps{s.made()};
-    auto maker = caps.maker();
-    const auto narrow = plan_solid_of(s, test::emboldened<>{.by = 0.01f}, maker);
-    CHECK_FALSE(narrow.plan.narrowed);
-    refusing_caps<decltype(maker)> refusing{maker, 1};
-    const auto narrowed = plan_solid_of(s, test::emboldened<>{.by = 0.02f}, refusing);
-    CHECK(narrowed.plan.narrowed);
-    CHECK(narrowed.plan.sizes == narrow.plan.sizes);
-    CHECK(narrowed.plan.around.low == narrow.plan.around.low);
-    refusing.refusals = 1000;
-    plan_data_of<test::emboldened<>> data;
-    CHECK(plan_solid(test::emboldened<>{}, s.made(), data, refusing).error() == error::edges_not_moved);
+    check_refused_edges(test::emboldened<>{.by = 0.01f}, test::emboldened<>{.by = 0.02f});
 }
 
-TEST_CASE("with a mitre limit of 1 nested solids have not many more triangles than with one of 2", "[emboldened]")
+TEST_CASE("nested solids with a mitre limit of 1 have less than 5 times as many triangles as with 2", "[emboldened]")
 {
     std::vector<point> spikes;
     for (int i = 0; i < 40; ++i) {
@@ -420,7 +336,7 @@ TEST_CASE("with a mitre limit of 1 nested solids have not many more triangles th
     shapes::shape s{"spikes", {shapes::polygon(spikes)}};
     s.loops.tolerance = 640.0;
     using nested = test::emboldened<bevelled>;
-    for (const float by : {-0.0003f, 0.02f}) {
+    for (const float by : {-0.0003f, 0.02f})
         for (const bevel_joins joins : {bevel_joins::round, bevel_joins::bevelled}) {
             std::uint64_t triangles[2];
             for (const float limit : {1.0f, 2.0f}) {
@@ -438,10 +354,9 @@ TEST_CASE("with a mitre limit of 1 nested solids have not many more triangles th
             CAPTURE(by, triangles[0], triangles[1]);
             CHECK(triangles[0] < 5 * triangles[1]);
         }
-    }
 }
 
-TEST_CASE("needles whose corners have no mitre limit are moved as far as they should be", "[emboldened]")
+TEST_CASE("needles are moved by the full distance, with and without a mitre limit", "[emboldened]")
 {
     // The crescents between two circles that are nearly the same end in needles, and these grow spikes.
     const double c = 1.0 / 512.0;

@@ -7,7 +7,7 @@
 
 using namespace typemesh;
 
-TEST_CASE("the number of a set of edges depends on their points and directions, not on their order", "[exact_fill]")
+TEST_CASE("the number of a set of edges depends on their points and directions, but not on their order", "[exact_fill]")
 {
     contours a, b, c, d;
     const grid_point p[] = {{0, 0}, {10, 0}, {10, 10}, {100, 0}, {110, 0}, {110, 10}};
@@ -41,7 +41,7 @@ contours loop_of(std::initializer_list<grid_point> points)
 
 }  // namespace
 
-TEST_CASE("loops that bound a region are filled as they are, all others are refused", "[exact_fill]")
+TEST_CASE("loops that bound a region are filled unchanged, and all others are refused", "[exact_fill]")
 {
     meshes::caps_by<> caps{shapes::rectangle().made()};
     auto maker = caps.maker();

@@ -3,11 +3,11 @@
 #include <typemesh/extrude/extruded.hpp>
 #include <typemesh/inspect/normal_check.hpp>
 
-#include <iterator>
 #include <limits>
 
 #include "mesh.hpp"
 #include "support/catch.hpp"
+#include "support/counting_memory.hpp"
 
 using namespace typemesh;
 using namespace meshes;
@@ -40,10 +40,10 @@ std::uint32_t expected_side_vertices(const shapes::shape& s, const built& b, tex
 
 }  // namespace
 
-TEMPLATE_TEST_CASE("extruded has exactly the vertices and triangles of its style, for all switches", "[extrude]",
-                   shared_normals, averaged_normals, creased_normals, curve_normals)
+TEMPLATE_TEST_CASE("extruded has exactly the vertices and triangles of its style, for every choice of parts",
+                   "[extrude]", shared_normals, averaged_normals, creased_normals, curve_normals)
 {
-    for (const auto& s : shapes::all()) {
+    for (const auto& s : shapes::all())
         for (unsigned bits = 0; bits < 16; ++bits) {
             const auto texture = (bits & 8u) != 0 ? texture_mapping::em : texture_mapping::box;
             const extruded<TestType> how{
@@ -66,14 +66,12 @@ TEMPLATE_TEST_CASE("extruded has exactly the vertices and triangles of its style
             CHECK(b.in_order);
             CHECK(b.vertices.size() == b.announced.vertices);
             CHECK(b.triangles.size() == b.announced.triangles);
-            for (const auto& t : b.triangles) {
+            for (const auto& t : b.triangles)
                 for (const auto v : t) REQUIRE(v < b.vertices.size());
-            }
         }
-    }
 }
 
-TEST_CASE("the four styles have 2N, 4N, 4N + 2H and 4N + 2H vertices, and 2 for each seam", "[extrude]")
+TEST_CASE("the four styles have 2N, 4N, 4N + 2H and 4N + 2H vertices, and 2 more for each seam", "[extrude]")
 {
     const auto total = [](const built& b) { return b.announced.vertices; };
     // 12 corners, all hard
@@ -98,11 +96,11 @@ TEST_CASE("the four styles have 2N, 4N, 4N + 2H and 4N + 2H vertices, and 2 for 
     CHECK(total(build(d, extruded<shared_normals>{.texture = texture_mapping::box})) == 44);
 }
 
-TEMPLATE_TEST_CASE("extruded is closed, faces outward and turns as the frame asks", "[extrude]", shared_normals,
+TEMPLATE_TEST_CASE("extruded is closed, faces outward and has the frame's winding", "[extrude]", shared_normals,
                    averaged_normals, creased_normals, curve_normals)
 {
-    for (const frame& f : frames()) {
-        for (const auto& s : shapes::all()) {
+    for (const frame& f : frames())
+        for (const auto& s : shapes::all())
             for (const auto texture : texture_mappings) {
                 INFO(s.name << " in a frame whose right is " << f.right.x << " " << f.right.y << ", winding "
                             << int(f.winding));
@@ -114,11 +112,9 @@ TEMPLATE_TEST_CASE("extruded is closed, faces outward and turns as the frame ask
                 CHECK(normals.is_right());
                 CHECK(normals.triangles == b.triangles.size());
             }
-        }
-    }
 }
 
-TEMPLATE_TEST_CASE("caps are flat and at their heights, walls stand straight between them", "[extrude]",
+TEMPLATE_TEST_CASE("caps are flat and at their heights, and walls stand straight between them", "[extrude]",
                    averaged_normals, creased_normals, curve_normals)
 {
     for (const bool centred : {false, true}) {
@@ -139,7 +135,7 @@ TEMPLATE_TEST_CASE("caps are flat and at their heights, walls stand straight bet
                 CHECK(b.vertices[n + i].normal == vec3{0.0f, 0.0f, -1.0f});
             }
             std::uint32_t v = side;
-            for (std::uint32_t i = 0; i < n; ++i) {
+            for (std::uint32_t i = 0; i < n; ++i)
                 for (int k = 0; k <= int(b.sides[i].doubled); ++k, v += 2) {
                     CHECK(b.vertices[v].position == b.vertices[i].position);
                     CHECK(b.vertices[v + 1].position == b.vertices[n + i].position);
@@ -148,13 +144,12 @@ TEMPLATE_TEST_CASE("caps are flat and at their heights, walls stand straight bet
                     const vec2 kept = k == 0 ? b.sides[i].before : b.sides[i].after;
                     CHECK(b.vertices[v].normal == vec3{kept.x, kept.y, 0.0f});
                 }
-            }
             CHECK(v == b.vertices.size());
         }
     }
 }
 
-TEST_CASE("each wall runs between the pairs that belong to it", "[extrude]")
+TEST_CASE("each wall lies between its own pairs of vertices", "[extrude]")
 {
     for (const auto& s : shapes::all()) {
         INFO(s.name);
@@ -174,19 +169,21 @@ TEST_CASE("each wall runs between the pairs that belong to it", "[extrude]")
     }
 }
 
-TEST_CASE("heights follow the parts that are switched on", "[extrude]")
+TEST_CASE("heights cover the parts that are switched on", "[extrude]")
 {
-    const auto heights = [](bool front, bool back, bool side) {
-        return extruded<>{.depth = 0.5f, .front = front, .back = back, .side = side}.heights();
-    };
-    CHECK(heights(true, false, false).low == 0.0);
-    CHECK(heights(true, false, false).high == 0.0);
-    CHECK(heights(false, true, false).low == -0.5);
-    CHECK(heights(false, true, false).high == -0.5);
-    CHECK(heights(false, false, true).low == -0.5);
-    CHECK(heights(false, false, true).high == 0.0);
-    CHECK(heights(true, true, false).low == -0.5);
-    CHECK(heights(true, true, false).high == 0.0);
+    const struct {
+        bool front, back, side;
+        double low, high;
+    } cases[] = {{true, false, false, 0.0, 0.0},
+                 {false, true, false, -0.5, -0.5},
+                 {false, false, true, -0.5, 0.0},
+                 {true, true, false, -0.5, 0.0}};
+    for (const auto& [front, back, side, low, high] : cases) {
+        CAPTURE(front, back, side);
+        const auto heights = extruded<>{.depth = 0.5f, .front = front, .back = back, .side = side}.heights();
+        CHECK(heights.low == low);
+        CHECK(heights.high == high);
+    }
 }
 
 TEST_CASE("a depth that is not positive and finite is a bad option", "[extrude]")
@@ -224,11 +221,10 @@ TEST_CASE("an empty region extrudes to nothing", "[extrude]")
     CHECK(extrude(region::proven(none, 0, 0), {}, extruded<>{.texture = texture_mapping::em}, in_em(), sides, m));
 }
 
-TEST_CASE("memory that fails in plan() is reported", "[extrude]")
+TEST_CASE("plan() reports that memory has run out", "[extrude]")
 {
-    const memory nothing = {nullptr, [](void*, std::size_t, std::size_t) noexcept -> void* { return nullptr; },
-                            [](void*, void*, std::size_t, std::size_t) noexcept {}};
-    extruded<>::plan_data sides{nothing};
+    test::counting_memory nothing{.fail_at = 1};
+    extruded<>::plan_data sides{nothing.source()};
     CHECK(extruded<>{}.plan(shapes::rectangle().made(), sides).error() == error::out_of_memory);
     CHECK(sides.of<side_point>().empty());
     mesh<> m;
@@ -250,20 +246,15 @@ TEST_CASE("fewer attributes give the same positions", "[extrude]")
     CHECK(bare.triangles == full.triangles);
 }
 
-TEST_CASE("the key of extruded{} tells apart what is planned apart, and nothing else", "[extrude]")
+TEST_CASE("the key of extruded changes with every option that is planned, and with no other", "[extrude]")
 {
     const extruded<> plain;
-    const extruded<> others[] = {{.depth = 0.0f},
-                                 {.front = false},
-                                 {.back = false},
-                                 {.side = false},
-                                 {.texture = texture_mapping::box},
-                                 {.normals = {.crease_degrees = 20.0f}}};
-    for (std::size_t i = 0; i < std::size(others); ++i) {
-        INFO(i);
-        CHECK_FALSE(others[i].cache_key() == plain.cache_key());
-        for (std::size_t k = 0; k < i; ++k) CHECK_FALSE(others[i].cache_key() == others[k].cache_key());
-    }
+    check_different_keys<extruded<>>(plain, {{.depth = 0.0f},
+                                             {.front = false},
+                                             {.back = false},
+                                             {.side = false},
+                                             {.texture = texture_mapping::box},
+                                             {.normals = {.crease_degrees = 20.0f}}});
     CHECK(extruded<>{.depth = 0.7f}.cache_key() == plain.cache_key());
     CHECK(extruded<>{.centred = true}.cache_key() == plain.cache_key());
 }

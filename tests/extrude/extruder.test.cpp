@@ -25,7 +25,7 @@ struct rest {
     }
 };
 
-struct alone : rest {
+struct plain : rest {
     result<part_sizes> plan(const region&) const noexcept { return part_sizes{}; }
 };
 struct with_box : rest {
@@ -51,10 +51,10 @@ struct with_caps : rest {
         return sizes;
     }
 };
-struct of_nine_parts : alone {
+struct of_nine_parts : plain {
     static constexpr std::size_t part_count = 9;
 };
-struct of_no_parts : alone {
+struct of_no_parts : plain {
     static constexpr std::size_t part_count = 0;
 };
 struct asks_for_sides : rest {
@@ -76,20 +76,20 @@ struct one_triangle : no_caps {
 
 }  // namespace
 
-static_assert(extruder<alone> && extruder<with_box> && extruder<with_data> && extruder<with_caps>);
+static_assert(extruder<plain> && extruder<with_box> && extruder<with_data> && extruder<with_caps>);
 static_assert(!extruder<rest> && !extruder<of_nine_parts> && !extruder<of_no_parts>);
 static_assert(!extruder<asks_for_sides> && !extruder<may_throw>);
-static_assert(capping_extruder<with_caps> && !capping_extruder<with_data> && !capping_extruder<alone>);
+static_assert(capping_extruder<with_caps> && !capping_extruder<with_data> && !capping_extruder<plain>);
 static_assert(cap_maker<one_triangle> && !cap_maker<rest>);
 static_assert(has_hard_edges<extruded<>> && !has_hard_edges<flat>);
 static_assert(part_count_of<flat> == 3 && part_count_of<with_caps> == 8);
 
-TEST_CASE("an extruder is planned in whichever way it takes", "[extrude]")
+TEST_CASE("an extruder is planned by the parameters that its plan() takes", "[extrude]")
 {
     one_triangle caps;
     const region empty;
     detail::no_plan_data none;
-    CHECK(plan_solid(alone{}, empty, none, caps)->around.empty());
+    CHECK(plan_solid(plain{}, empty, none, caps)->around.empty());
     CHECK(plan_solid(with_box{}, empty, none, caps)->around.high == point{3.0, 4.0});
     with_data::plan_data numbers;
     CHECK(plan_solid(with_data{}, empty, numbers, caps));
@@ -113,15 +113,12 @@ TEST_CASE("the parts of an extruder are the first ones", "[extrude]")
     for (std::size_t p = 0; p < max_parts; ++p) CHECK(parts_of<with_caps>[p] == part{static_cast<std::uint8_t>(p)});
 }
 
-TEST_CASE("extrude() without data of the caller's writes the same", "[extrude]")
+TEST_CASE("extrude() writes the same mesh without the caller's plan data", "[extrude]")
 {
     const auto s = shapes::letter_d();
-    meshes::mesh<> alone_there, with_scratch;
+    meshes::mesh<> without_scratch, with_scratch;
     extruded<>::plan_data data;
     REQUIRE(extrude(s.made(), s.cap, extruded<>{}, meshes::in_em(), data, with_scratch));
-    REQUIRE(extrude(s.made(), s.cap, extruded<>{}, meshes::in_em(), alone_there));
-    REQUIRE(alone_there.vertices.size() == with_scratch.vertices.size());
-    for (std::size_t i = 0; i < alone_there.vertices.size(); ++i)
-        CHECK(alone_there.vertices[i].position == with_scratch.vertices[i].position);
-    CHECK(alone_there.triangles == with_scratch.triangles);
+    REQUIRE(extrude(s.made(), s.cap, extruded<>{}, meshes::in_em(), without_scratch));
+    meshes::check_same(without_scratch, with_scratch);
 }

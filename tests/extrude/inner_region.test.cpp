@@ -10,7 +10,7 @@
 using namespace typemesh;
 using namespace meshes;
 
-TEST_CASE("an inner region is what its loops bound, with its triangles, and is emptied", "[extrude][inner_region]")
+TEST_CASE("an inner region is filled with triangles, and clear() empties it", "[extrude][inner_region]")
 {
     for (const shapes::shape& s : shapes::all()) {
         INFO(s.name);

@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "shapes.hpp"
+#include "support/catch.hpp"
 #include "support/mesh_laws.hpp"
 
 namespace meshes {
@@ -29,6 +30,17 @@ inline placement in_em(const frame& f = right_handed_y_up)
     placement at;
     at.unit_per_cell = at.em_per_cell = 1.0 / 512000.0;
     at.frame = f;
+    return at;
+}
+
+/// Box mapping over the shape's own box, which holds this many tiles.
+inline placement over_box(const shapes::shape& s, const frame& f, point tiles = {1.0, 1.0})
+{
+    box b;
+    for (const grid_point g : s.loops.points) b.add(point{static_cast<double>(g.x), static_cast<double>(g.y)});
+    placement at = in_em(f);
+    at.texture_pen = -1.0 * b.low;
+    at.texture_per_cell = {tiles.x / b.width(), tiles.y / b.height()};
     return at;
 }
 
@@ -67,22 +79,8 @@ struct built : mesh<everything> {
     part_sizes sizes;
     std::vector<side_point> sides;
 
-    std::uint32_t first_vertex(part p) const
-    {
-        std::uint32_t first = 0;
-        for (const part q : all_parts) {
-            if (q < p) first += sizes.vertices[q];
-        }
-        return first;
-    }
-    std::uint32_t first_triangle(part p) const
-    {
-        std::uint32_t first = 0;
-        for (const part q : all_parts) {
-            if (q < p) first += sizes.triangles[q];
-        }
-        return first;
-    }
+    std::uint32_t first_vertex(part p) const { return sum_before(p, sizes.vertices); }
+    std::uint32_t first_triangle(part p) const { return sum_before(p, sizes.triangles); }
     /// The last triangle of one part, and one more.
     std::uint32_t end_triangle(part p) const { return first_triangle(p) + sizes.triangles[p]; }
     std::uint32_t doubled() const
@@ -90,6 +88,15 @@ struct built : mesh<everything> {
         std::uint32_t n = 0;
         for (const side_point& s : sides) n += s.doubled;
         return n;
+    }
+
+private:
+    template <class Counts>
+    static std::uint32_t sum_before(part p, const Counts& counts)
+    {
+        std::uint32_t sum = 0;
+        for (const part q : all_parts) sum += q < p ? counts[q] : 0;
+        return sum;
     }
 };
 
@@ -112,25 +119,68 @@ built build(const shapes::shape& s, const E& how, const placement& at = in_em())
     return b;
 }
 
-inline std::array<double, 3> wide(vec3 v) { return {v.x, v.y, v.z}; }
-inline double dot(std::array<double, 3> a, std::array<double, 3> b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+inline placement with_box_texture(placement at)
+{
+    at.texture_per_cell = {1.0 / 512000.0, 1.0 / 512000.0};
+    return at;
+}
+
+/// Two meshes have equal vertices, to the bit, and equally many triangles.
+template <class A, class B>
+void check_same_vertices(const A& a, const B& b)
+{
+    REQUIRE(a.vertices.size() == b.vertices.size());
+    CHECK(a.triangles.size() == b.triangles.size());
+    for (std::size_t i = 0; i < a.vertices.size(); ++i) {
+        CHECK(a.vertices[i].position == b.vertices[i].position);
+        CHECK(a.vertices[i].normal == b.vertices[i].normal);
+        CHECK(a.vertices[i].uv == b.vertices[i].uv);
+        CHECK(a.vertices[i].tangent == b.vertices[i].tangent);
+    }
+}
+
+/// Two meshes are equal to the bit.
+template <class A, class B>
+void check_same(const A& a, const B& b)
+{
+    check_same_vertices(a, b);
+    CHECK(a.triangles == b.triangles);
+}
+
+/// A vector in double precision.
+using wide_vec = std::array<double, 3>;
+
+inline wide_vec wide(vec3 v) { return {v.x, v.y, v.z}; }
+inline wide_vec wide(vec4 v) { return {v.x, v.y, v.z}; }
+inline wide_vec minus(wide_vec a, wide_vec b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
+inline wide_vec scaled(double s, wide_vec a) { return {s * a[0], s * a[1], s * a[2]}; }
+inline wide_vec cross(wide_vec a, wide_vec b)
+{
+    return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+inline double dot(wide_vec a, wide_vec b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+inline wide_vec unit(wide_vec a) { return scaled(1.0 / std::sqrt(dot(a, a)), a); }
 inline double length(vec3 v) { return std::sqrt(dot(wide(v), wide(v))); }
+inline wide_vec bitangent(const surface_point<everything>& v)
+{
+    return scaled(v.tangent.w, cross(wide(v.normal), wide(v.tangent)));
+}
+
+/// The tangent has unit length and a sign, and is at right angles to the normal.
+inline void check_tangent(const surface_point<everything>& v, double margin)
+{
+    REQUIRE(length(vec3{v.tangent.x, v.tangent.y, v.tangent.z}) == Catch::Approx(1.0).margin(margin));
+    REQUIRE(std::abs(dot(wide(v.tangent), wide(v.normal))) < margin);
+    REQUIRE(std::abs(v.tangent.w) == 1.0f);  // NOLINT
+}
 
 /// The triangle's own normal by its winding, of unit length.
 template <class Mesh>
-std::array<double, 3> face_normal(const Mesh& m, const std::array<std::uint32_t, 3>& t)
+wide_vec face_normal(const Mesh& m, const std::array<std::uint32_t, 3>& t)
 {
-    std::array<double, 3> p[3];
+    wide_vec p[3];
     for (std::size_t k = 0; k < 3; ++k) p[k] = wide(m.vertices[t[k]].position);
-    std::array<double, 3> u, v;
-    for (std::size_t k = 0; k < 3; ++k) {
-        u[k] = p[1][k] - p[0][k];
-        v[k] = p[2][k] - p[0][k];
-    }
-    std::array<double, 3> n = {u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]};
-    const double l = std::sqrt(dot(n, n));
-    for (double& x : n) x /= l;
-    return n;
+    return unit(cross(minus(p[1], p[0]), minus(p[2], p[0])));
 }
 
 /// The mesh's triangles as one array of indices.
@@ -147,6 +197,23 @@ template <class Mesh>
 std::size_t open_edges(const Mesh& m)
 {
     return check_closedness(inspect::mesh_view{m.vertices, indices_of(m)}).unmatched_edges;
+}
+
+/// These keys all differ.
+template <class E>
+void check_different_keys(const E& plain, const std::vector<E>& others)
+{
+    for (std::size_t i = 0; i < others.size(); ++i) {
+        INFO(i);
+        CHECK_FALSE(others[i].cache_key() == plain.cache_key());
+        for (std::size_t k = 0; k < i; ++k) CHECK_FALSE(others[i].cache_key() == others[k].cache_key());
+    }
+}
+
+inline frame with_origin(frame f, uv_origin origin)
+{
+    f.uv = origin;
+    return f;
 }
 
 inline std::vector<frame> frames()

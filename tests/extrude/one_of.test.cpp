@@ -65,13 +65,13 @@ static_assert(plain_choice::part_count == 3 && has_hard_edges<plain_choice>);
 static_assert(!has_heights<plain_choice> && !has_front_triangles<plain_choice> && !has_outline<plain_choice> &&
               !refitting_extruder<plain_choice>);
 
-TEMPLATE_TEST_CASE("a solid chosen at run time makes what it makes alone", "[extrude][one_of]", flat,
+TEMPLATE_TEST_CASE("a solid chosen at run time makes the same mesh as by itself", "[extrude][one_of]", flat,
                    extruded<creased_normals>, extruded<>, bevelled, bold_letters, hollow_letters)
 {
     test::toy_font font;
     const text_options how{.size = 2.0, .merge = GENERATE(false, true)};
-    text_mesher alone{font, odd_options<TestType>()};
-    const auto expected = alone.plan(chosen_word, how);
+    text_mesher single{font, odd_options<TestType>()};
+    const auto expected = single.plan(chosen_word, how);
     REQUIRE(expected);
     const test::lit_mesh mesh = test::written(*expected);
     REQUIRE(mesh.indices.size() > 100);
@@ -107,7 +107,7 @@ TEMPLATE_TEST_CASE("a solid chosen at run time makes what it makes alone", "[ext
     }
 }
 
-TEST_CASE("a cache tells the choices apart, and keeps no more bytes for a chosen solid", "[extrude][one_of][cache]")
+TEST_CASE("a cache distinguishes the choices, and keeps no more bytes for a chosen solid", "[extrude][one_of][cache]")
 {
     test::toy_font font;
     glyph_cache<> cache;
@@ -137,14 +137,14 @@ TEST_CASE("a cache tells the choices apart, and keeps no more bytes for a chosen
     CHECK(chosen_cache.statistics().bytes == own_cache.statistics().bytes);
 }
 
-TEST_CASE("letters that meet when a chosen solid has grown are merged as those of it alone", "[extrude][one_of]")
+TEST_CASE("letters that meet when a chosen solid grows are merged as for the solid by itself", "[extrude][one_of]")
 {
     test::toy_font font;  // o is 0.5 em wide, its advance 0.6
     const text_options how{.merge = true};
     const auto check = [&](const auto& solid, std::size_t apart) {
-        text_mesher alone{font, solid};
+        text_mesher single{font, solid};
         text_mesher<any_solid> chosen{font, solid};
-        const auto a = alone.plan("oooo", how);
+        const auto a = single.plan("oooo", how);
         const auto b = chosen.plan("oooo", how);
         REQUIRE(a);
         REQUIRE(b);
@@ -157,7 +157,7 @@ TEST_CASE("letters that meet when a chosen solid has grown are merged as those o
     check(hollow_letters{.width = 0.06f, .place = outline_place::outer}, 1);
 }
 
-TEST_CASE("a plan goes on with the solid that it was made with", "[extrude][one_of]")
+TEST_CASE("a plan keeps the solid that it was made with", "[extrude][one_of]")
 {
     test::toy_font font;
     text_mesher<any_solid> mesher{font, bevelled{}};

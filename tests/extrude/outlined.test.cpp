@@ -15,7 +15,6 @@
 
 #include "capped.hpp"
 #include "support/catch.hpp"
-#include "support/counting_memory.hpp"
 #include "support/emboldened.hpp"
 
 using namespace typemesh;
@@ -37,37 +36,30 @@ constexpr outline_place places[] = {outline_place::inner, outline_place::centre,
 std::vector<shapes::shape> all_shapes()
 {
     auto s = shapes::all();
-    s.push_back(
-        {"star",
-         {shapes::polygon({{0, 0}, {250, 100}, {500, 0}, {400, 250}, {500, 500}, {250, 400}, {0, 500}, {100, 250}})}});
+    s.push_back(shapes::star());
     for (auto& one : s) one.loops.tolerance = 100.0;
     return s;
+}
+
+using edge = std::array<std::int32_t, 4>;  // from x, y to x, y
+
+std::multiset<edge> edges_of(const solid& s)
+{
+    std::multiset<edge> all;
+    for (std::size_t k = 0; k + 1 < s.starts.size(); ++k)
+        for (std::uint32_t i = s.starts[k]; i < s.starts[k + 1]; ++i) {
+            const grid_point a = s.points[i], b = s.points[i + 1 == s.starts[k + 1] ? s.starts[k] : i + 1];
+            all.insert({a.x, a.y, b.x, b.y});
+        }
+    return all;
 }
 
 /// Twice the area, in cells: exact.
 std::int64_t area_of(const solid& s)
 {
     std::int64_t twice = 0;
-    for (std::size_t k = 0; k + 1 < s.starts.size(); ++k)
-        for (std::uint32_t i = s.starts[k]; i < s.starts[k + 1]; ++i) {
-            const grid_point a = s.points[i], b = s.points[i + 1 == s.starts[k + 1] ? s.starts[k] : i + 1];
-            twice += std::int64_t{a.x} * b.y - std::int64_t{a.y} * b.x;
-        }
+    for (const auto& [ax, ay, bx, by] : edges_of(s)) twice += std::int64_t{ax} * by - std::int64_t{ay} * bx;
     return twice;
-}
-
-std::multiset<std::array<std::int32_t, 4>> edges_of(const solid& s, bool reversed)
-{
-    std::multiset<std::array<std::int32_t, 4>> all;
-    for (std::size_t k = 0; k + 1 < s.starts.size(); ++k)
-        for (std::uint32_t i = s.starts[k]; i < s.starts[k + 1]; ++i) {
-            const grid_point a = s.points[i], b = s.points[i + 1 == s.starts[k + 1] ? s.starts[k] : i + 1];
-            if (reversed)
-                all.insert({b.x, b.y, a.x, a.y});
-            else
-                all.insert({a.x, a.y, b.x, b.y});
-        }
-    return all;
 }
 
 /// The letter whose edges have moved, as emboldened has it.
@@ -79,8 +71,7 @@ std::int64_t area_moved(const shapes::shape& s, double by)
 
 }  // namespace
 
-TEST_CASE("hollow letters are closed and lit from outside, with and without the letter, whatever makes them",
-          "[outlined]")
+TEST_CASE("hollow letters of every extruder are closed and lit from outside, with and without the letter", "[outlined]")
 {
     for (const auto& s : all_shapes())
         for (const float width : {0.01f, 0.05f, 0.3f})
@@ -98,7 +89,7 @@ TEST_CASE("hollow letters are closed and lit from outside, with and without the 
             }
 }
 
-TEST_CASE("ring and letter together are the letter as far as the ring reaches, to the cell", "[outlined]")
+TEST_CASE("ring and letter together have the area of the letter grown to the ring's edge, to the cell", "[outlined]")
 {
     for (const auto& s : all_shapes())
         for (const double width : {0.015625, 0.0625})  // in halves still whole cells
@@ -111,16 +102,17 @@ TEST_CASE("ring and letter together are the letter as far as the ring reaches, t
                 const bool is_left = !view.letter.points.empty();
                 if (is_left) CHECK(area_of(view.letter) == area_moved(s, (around - 1.0) * width));
                 // The letter's edges are edges of the ring, which they bound from the other side.
-                auto of_ring = edges_of(view.ring, false);
-                for (const auto& e : edges_of(view.letter, true)) {
-                    REQUIRE(of_ring.count(e) == 1);
-                    of_ring.erase(e);
+                auto of_ring = edges_of(view.ring);
+                for (const auto& [ax, ay, bx, by] : edges_of(view.letter)) {
+                    const edge turned{bx, by, ax, ay};
+                    REQUIRE(of_ring.count(turned) == 1);
+                    of_ring.erase(turned);
                 }
                 CHECK(of_ring.size() + view.letter.points.size() == view.ring.points.size());
             }
 }
 
-TEST_CASE("a ring fills strokes that are thinner than what is taken off", "[outlined]")
+TEST_CASE("a ring fills strokes that are thinner than the ring on both sides", "[outlined]")
 {
     const auto bar = shapes::rectangle();  // 0.4 em wide
     const auto m = capped(bar, filled_outline{.width = 0.25f});
@@ -146,13 +138,12 @@ TEST_CASE("ring and letter have parts and heights of their own", "[outlined]")
         const part own = all_parts[p];
         REQUIRE(m.sizes().vertices[own] != 0);
         const float half = p < 3 ? 0.15f : 0.05f;
-        for (std::uint32_t i = 0; i < m.sizes().vertices[own]; ++i) {
-            const auto& v = m.vertices[first.vertices[own] + i];
+        for (const auto& v : vertices_of(m, own)) {
             CHECK(v.part == own);
             CHECK(std::abs(v.position.z) == Approx(half));
         }
-        for (std::uint32_t t = 0; t < m.sizes().triangles[own]; ++t)
-            for (const std::uint32_t corner : m.triangles[first.triangles[own] + t]) {
+        for (const auto& t : triangles_of(m, own))
+            for (const std::uint32_t corner : t) {
                 CHECK(corner >= first.vertices[own]);
                 CHECK(corner < first.vertices[own] + m.sizes().vertices[own]);
             }
@@ -170,51 +161,33 @@ TEST_CASE("hollow letters obey their laws in every frame", "[outlined]")
 {
     for (const frame& f : frames())
         for (const auto texture : texture_mappings) {
-            placement at = in_em(f);
-            at.texture_per_cell = {1.0 / 512000.0, 1.0 / 512000.0};
-            check_laws(
-                capped(shapes::letter_d(8),
-                       filled_outline{.width = 0.03f, .ring = {.texture = texture}, .letter = {.texture = texture}},
-                       at),
-                f);
+            const filled_outline how{.width = 0.03f, .ring = {.texture = texture}, .letter = {.texture = texture}};
+            check_laws(capped(shapes::letter_d(8), how, with_box_texture(in_em(f))), f);
         }
 }
 
-TEST_CASE("outlined refuses options out of range by their names, its own and the other extruders'", "[outlined]")
+TEST_CASE("outlined refuses options out of range by name, both its own and the other extruders'", "[outlined]")
 {
     const float infinite = std::numeric_limits<float>::infinity(), nowhere = std::numeric_limits<float>::quiet_NaN();
-    const auto check = [](const char* name, const auto& how) {
-        INFO(name);
-        capped_mesh<std::remove_cvref_t<decltype(how)>> m;
-        const error refusals[] = {refused_options(how), build_capped(shapes::rectangle(), how, m)};
-        for (const error& e : refusals) {
-            CHECK(e == error::bad_option);
-            REQUIRE(e.option != nullptr);
-            CHECK(std::string{e.option} == name);
-        }
-    };
-    for (const float v : {infinite, -infinite, nowhere, -0.01f, 0.0f}) check("outlined::width", outlined<>{.width = v});
-    for (const float v : {infinite, nowhere, 0.5f, -1.0f}) check("outlined::mitre_limit", outlined<>{.mitre_limit = v});
-    check("depth", outlined<>{.ring = {.depth = 0.0f}});
-    check("depth", filled_outline{.letter = {.depth = -1.0f}});
+    for (const float v : {infinite, -infinite, nowhere, -0.01f, 0.0f})
+        check_refused("outlined::width", outlined<>{.width = v});
+    for (const float v : {infinite, nowhere, 0.5f, -1.0f})
+        check_refused("outlined::mitre_limit", outlined<>{.mitre_limit = v});
+    check_refused("depth", outlined<>{.ring = {.depth = 0.0f}});
+    check_refused("depth", filled_outline{.letter = {.depth = -1.0f}});
     using nested = test::emboldened<outlined<bevelled>>;
-    check("embolden::mitre_limit", nested{.mitre_limit = 0.5f});
-    check("outlined::mitre_limit", nested{.solid = {.mitre_limit = 0.5f}});
-    check("mitre_limit", nested{.solid = {.ring = {.mitre_limit = 0.5f}}});
-    check("outlined::width", nested{.solid = {.width = -1.0f}});
-    check("width", nested{.solid = {.ring = {.width = -1.0f}}});
+    check_refused("embolden::mitre_limit", nested{.mitre_limit = 0.5f});
+    check_refused("outlined::mitre_limit", nested{.solid = {.mitre_limit = 0.5f}});
+    check_refused("mitre_limit", nested{.solid = {.ring = {.mitre_limit = 0.5f}}});
+    check_refused("outlined::width", nested{.solid = {.width = -1.0f}});
+    check_refused("width", nested{.solid = {.ring = {.width = -1.0f}}});
 
+    for (const float width : {5e-6f, 600.0f}) check_refused_size("outlined::width", outlined<>{.width = width});
+    check_refused_size("outlined::width", outlined<>{.width = 12e-6f, .place = outline_place::centre});
     capped_mesh<outlined<>> m;
-    for (const float width : {5e-6f, 600.0f})
-        CHECK(std::string{build_capped(shapes::rectangle(), outlined<>{.width = width}, m).option} ==
-              "outlined::width");
-    CHECK(std::string{build_capped(shapes::rectangle(), outlined<>{.width = 12e-6f, .place = outline_place::centre}, m)
-                          .option} == "outlined::width");
     CHECK(build_capped(shapes::rectangle(), outlined<>{.width = 500.0f, .place = outline_place::outer}, m) ==
           error::outline_beyond_grid);
-    shapes::shape unknown = shapes::rectangle();
-    unknown.loops.grid.units_per_em = 0.0;
-    CHECK(std::string{build_capped(unknown, outlined<>{}, m).option} == "units_per_em");
+    check_unknown_em<outlined<>>();
 }
 
 TEST_CASE("hollow letters that differ have different keys", "[outlined]")
@@ -228,70 +201,21 @@ TEST_CASE("hollow letters that differ have different keys", "[outlined]")
     others[4].joins = bevel_joins::bevelled;
     others[5].ring.side = false;
     others[6].letter.side = false;
-    for (std::size_t i = 0; i < others.size(); ++i) {
-        INFO(i);
-        CHECK_FALSE(others[i].cache_key() == plain.cache_key());
-        for (std::size_t k = 0; k < i; ++k) CHECK_FALSE(others[i].cache_key() == others[k].cache_key());
-    }
+    check_different_keys(plain, others);
 }
 
-TEST_CASE("an empty region is outlined to nothing, and memory that runs out is reported", "[outlined]")
+TEST_CASE("an empty region has an empty outline, and a lack of memory is reported", "[outlined]")
 {
-    plan_data_of<filled_outline> data;
-    no_caps nothing;
-    const auto empty = plan_solid(filled_outline{}, region{}, data, nothing);
-    REQUIRE(empty);
-    CHECK(empty->sizes.total() == mesh_size{});
-
-    const auto s = shapes::letter_d(8);
-    for (const outline_place place : places) {
-        bool done = false;
-        for (std::size_t allowed = 0; !done && allowed < 200; ++allowed) {
-            test::counting_memory memory;
-            memory.fail_at = allowed + 1;
-            plan_data_of<filled_outline> scarce{memory.source()};
-            caps_by<> caps{s.made()};
-            auto maker = caps.maker();
-            const auto plan = plan_solid(filled_outline{.place = place}, s.made(), scarce, maker);
-            done = static_cast<bool>(plan);
-            if (!done) CHECK(plan.error() == error::out_of_memory);
-            CHECK((done || allowed < 120));
-        }
-        CHECK(done);
-    }
+    check_empty_region(filled_outline{});
+    for (const outline_place place : places) check_scarce_memory(filled_outline{.place = place}, 120);
 }
 
-TEST_CASE("a hollow letter is planned anew into the memory of the last one", "[outlined]")
+TEST_CASE("a hollow letter can be planned in the memory of the last one", "[outlined]")
 {
-    plan_data_of<filled_outline> data;
-    const filled_outline how;
-    const auto large = shapes::ring(8), small = shapes::rectangle();
-    caps_by<> of_large{large.made()}, of_small{small.made()};
-    auto large_caps = of_large.maker();
-    auto small_caps = of_small.maker();
-    const auto first = plan_solid(how, small.made(), data, small_caps);
-    REQUIRE(first);
-    data.clear();
-    REQUIRE(plan_solid(how, large.made(), data, large_caps));
-    data.clear();
-    const auto again = plan_solid(how, small.made(), data, small_caps);
-    REQUIRE(again);
-    CHECK(again->sizes == first->sizes);
+    check_planned_anew(filled_outline{});
 }
 
-TEST_CASE("where new edges are not proven, a ring is half as wide, and the plan says so", "[outlined]")
+TEST_CASE("a ring is half as wide if its new edges are refused, and the plan reports it", "[outlined]")
 {
-    const auto s = shapes::letter_d(8);
-    caps_by<> caps{s.made()};
-    auto maker = caps.maker();
-    const auto narrow = plan_solid_of(s, filled_outline{.width = 0.01f}, maker);
-    CHECK_FALSE(narrow.plan.narrowed);
-    refusing_caps<decltype(maker)> refusing{maker, 1};
-    const auto narrowed = plan_solid_of(s, filled_outline{.width = 0.02f}, refusing);
-    CHECK(narrowed.plan.narrowed);
-    CHECK(narrowed.plan.sizes == narrow.plan.sizes);
-    CHECK(narrowed.plan.around.low == narrow.plan.around.low);
-    refusing.refusals = 1000;
-    plan_data_of<filled_outline> data;
-    CHECK(plan_solid(filled_outline{}, s.made(), data, refusing).error() == error::edges_not_moved);
+    check_refused_edges(filled_outline{.width = 0.01f}, filled_outline{.width = 0.02f});
 }

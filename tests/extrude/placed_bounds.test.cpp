@@ -8,10 +8,10 @@
 
 using namespace typemesh;
 
-TEST_CASE("placed bounds hold whatever stands over the box, and touch it on all sides", "[extrude][placed_bounds]")
+TEST_CASE("placed bounds contain all that stands over the box, and touch it on all sides", "[extrude][placed_bounds]")
 {
     test::dice d{29};
-    for (const frame& f : meshes::frames()) {
+    for (const frame& f : meshes::frames())
         for (int round = 0; round < 200; ++round) {
             placement at;
             at.frame = f;
@@ -38,10 +38,9 @@ TEST_CASE("placed bounds hold whatever stands over the box, and touch it on all 
                 CHECK(all.holds(at.position(at.foot(p), at.height(h))));
             }
         }
-    }
 }
 
-TEST_CASE("promised bounds without a box are those of the points", "[extrude][placed_bounds]")
+TEST_CASE("promised bounds without a box are the bounds of the points", "[extrude][placed_bounds]")
 {
     const placement at = meshes::in_em();
     const grid_point points[] = {{0, 512'000}, {-512'000, 0}, {1024, 1024}};

@@ -10,15 +10,25 @@
 using namespace typemesh;
 using Catch::Approx;
 
-TEST_CASE("a place is the frame's sum of what the unit makes of the cell", "[extrude][placement]")
+namespace {
+
+placement any_placement(const frame& f, test::dice& d)
+{
+    placement at;
+    at.frame = f;
+    at.pen = {1e6 * (d.fraction() - 0.5), 1e6 * (d.fraction() - 0.5)};
+    at.unit_per_cell = d.fraction() / 512.0;
+    return at;
+}
+
+}  // namespace
+
+TEST_CASE("a position is the frame's sum of the cell in output units", "[extrude][placement]")
 {
     test::dice d{17};
-    for (const frame& f : meshes::frames()) {
+    for (const frame& f : meshes::frames())
         for (int round = 0; round < 500; ++round) {
-            placement at;
-            at.frame = f;
-            at.pen = {1e6 * (d.fraction() - 0.5), 1e6 * (d.fraction() - 0.5)};
-            at.unit_per_cell = d.fraction() / 512.0;
+            const placement at = any_placement(f, d);
             const grid_point p{d.roll(1 << 20) - (1 << 19), d.roll(1 << 20) - (1 << 19)};
             const float z = static_cast<float>(d.fraction());
             const double x = (p.x + at.pen.x) * at.unit_per_cell, y = (p.y + at.pen.y) * at.unit_per_cell;
@@ -32,11 +42,9 @@ TEST_CASE("a place is the frame's sum of what the unit makes of the cell", "[ext
             is(made.z, f.right.z, f.up.z, f.toward.z);
             CHECK(at.position(at.foot(p), z) == made);
         }
-    }
 }
 
-TEST_CASE("places that are equal in exact numbers are equal floats, whichever pen and cell they come from",
-          "[extrude][placement]")
+TEST_CASE("positions that are equal in exact numbers are equal floats, from any pen and cell", "[extrude][placement]")
 {
     test::dice d{18};
     placement a, b;
@@ -48,7 +56,7 @@ TEST_CASE("places that are equal in exact numbers are equal floats, whichever pe
     }
 }
 
-TEST_CASE("a flat place is rounded once, to the nearest float", "[extrude][placement]")
+TEST_CASE("a position with height 0 is rounded once, to the nearest float", "[extrude][placement]")
 {
     test::dice d{19};
     placement at;
@@ -62,7 +70,7 @@ TEST_CASE("a flat place is rounded once, to the nearest float", "[extrude][place
     }
 }
 
-TEST_CASE("a flat place half-way between two floats is rounded to the even one", "[extrude][placement]")
+TEST_CASE("a position half-way between two floats is rounded to the even one", "[extrude][placement]")
 {
     placement at;
     for (std::int32_t i = -200; i < 200; ++i) {
@@ -73,7 +81,7 @@ TEST_CASE("a flat place half-way between two floats is rounded to the even one",
     }
 }
 
-TEST_CASE("heights follow the unit of depths, and a wall's normal the frame", "[extrude][placement]")
+TEST_CASE("heights follow the unit of depths, and wall normals follow the frame", "[extrude][placement]")
 {
     placement at;
     at.unit_per_depth = 2.5;
@@ -86,15 +94,12 @@ TEST_CASE("heights follow the unit of depths, and a wall's normal the frame", "[
     }
 }
 
-TEST_CASE("any point goes where a grid point goes, to the bit", "[extrude][placement]")
+TEST_CASE("a point is placed like the grid point with its coordinates, to the bit", "[extrude][placement]")
 {
     test::dice d{23};
-    for (const frame& f : meshes::frames()) {
+    for (const frame& f : meshes::frames())
         for (int round = 0; round < 500; ++round) {
-            placement at;
-            at.frame = f;
-            at.pen = {1e6 * (d.fraction() - 0.5), 1e6 * (d.fraction() - 0.5)};
-            at.unit_per_cell = d.fraction() / 512.0;
+            placement at = any_placement(f, d);
             at.unit_per_depth = 10.0 * d.fraction();
             const grid_point p{d.roll(1 << 28) - (1 << 27), d.roll(1 << 28) - (1 << 27)};
             const double x = p.x, y = p.y, z = d.fraction() - 0.5;
@@ -110,7 +115,6 @@ TEST_CASE("any point goes where a grid point goes, to the bit", "[extrude][place
                        here = at.position({x, y, z});
             CHECK(((here.x <= half.x && half.x <= next.x) || (here.x >= half.x && half.x >= next.x)));
         }
-    }
     placement at;
     at.unit_per_cell = 1.0 / 512.0;
     at.unit_per_depth = 2.0;

@@ -2,7 +2,7 @@
 #pragma once
 
 // What a sweep inwards gives as long as nothing meets: every corner moves along its bisector. For tests of bevels that
-// rest on no other stage. Corners turned away from the interior get joins, if asked for.
+// rest on no other stage. Corners turned away from the interior get joins, if these are on.
 
 #include <typemesh/extrude/impl/wall_normal.hpp>
 #include <typemesh/offset/sweep_inwards.hpp>

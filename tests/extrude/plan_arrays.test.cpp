@@ -41,7 +41,7 @@ bool alike(const arrays::view& a, const arrays::view& b)
 
 }  // namespace
 
-TEST_CASE("plan arrays come back from their bytes as they were, of whatever lengths and alignments",
+TEST_CASE("plan arrays are read back unchanged from their bytes, for all lengths and alignments",
           "[extrude][plan_arrays]")
 {
     test::dice d{6};
@@ -61,7 +61,7 @@ TEST_CASE("plan arrays come back from their bytes as they were, of whatever leng
     }
 }
 
-TEST_CASE("plan arrays take their memory from where they are told to", "[extrude][plan_arrays]")
+TEST_CASE("plan arrays take their memory from their memory source", "[extrude][plan_arrays]")
 {
     test::counting_memory memory;
     {

@@ -11,7 +11,7 @@
 
 using namespace typemesh;
 
-TEST_CASE("scratch of one type is used again, that of another takes its place", "[extrude][plan_scratch]")
+TEST_CASE("scratch of one type is used again, and scratch of another type replaces it", "[extrude][plan_scratch]")
 {
     using numbers = plan_arrays<double>;
     using letters = plan_arrays<char>;
@@ -48,7 +48,7 @@ TEST_CASE("scratch of one type is used again, that of another takes its place", 
     CHECK(memory.bytes_held == 0);
 }
 
-TEST_CASE("scratch that gets no memory is null, and holds nothing", "[extrude][plan_scratch]")
+TEST_CASE("scratch that gets no memory is null and empty", "[extrude][plan_scratch]")
 {
     test::counting_memory failing{.fail_at = 1};
     plan_scratch scratch{failing.source()};

@@ -23,7 +23,7 @@ struct listing {
 
 }  // namespace
 
-TEST_CASE("what was planned goes through to the sink as it came", "[extrude]")
+TEST_CASE("planned vertices and triangles reach the sink unchanged", "[extrude]")
 {
     // What was not planned is asserted: tests/asserts/policies.test.cpp.
     listing sink;

@@ -35,7 +35,7 @@ void check_levels(const profile_points& points, const profile_scale& scale,
 
 }  // namespace
 
-TEST_CASE("a profile's points are levels, equal distances are risers", "[profile_levels]")
+TEST_CASE("a profile's points become levels, and equal distances become risers", "[profile_levels]")
 {
     const profile_scale large{10000.0, 10000.0};
     check_levels({{0, 0}, {1, 1}}, large, {{0, 0, 0}, {10000, 1, 1}});
@@ -45,7 +45,7 @@ TEST_CASE("a profile's points are levels, equal distances are risers", "[profile
                  {{0, 0, 0.5f}, {2500, 1, 0.25f}, {10000, 0.5f, 0.5f}});
 }
 
-TEST_CASE("levels closer than four cells are merged, a riser where it is high", "[profile_levels]")
+TEST_CASE("levels closer than four cells are merged, into a riser where they differ in height", "[profile_levels]")
 {
     // 100 cells wide and deep: 0.03 are three cells
     const profile_scale small{100.0, 100.0};
@@ -94,7 +94,7 @@ TEST_CASE("levels of any profile rise by four cells or more and keep the profile
     }
 }
 
-TEST_CASE("risers lean by four cells, before or after, where there is room", "[profile_levels]")
+TEST_CASE("leaning risers are four cells wide, before or after, where there is room", "[profile_levels]")
 {
     const profile_scale leaning{1000.0, 1000.0, 0.0, true};
     check_levels({{0, 0}, {0.5f, 0.25f}, {0.5f, 0.75f}, {1, 1}}, leaning,
@@ -107,7 +107,7 @@ TEST_CASE("risers lean by four cells, before or after, where there is room", "[p
                  {{0, 0, 0}, {5, 0.4f, 0.4f}, {10, 1, 1}, {1000, 1, 1}});
 }
 
-TEST_CASE("leaning levels are four cells apart, without risers, and as far and as high as before", "[profile_levels]")
+TEST_CASE("leaning levels are four cells apart and have no risers, and their ends stay the same", "[profile_levels]")
 {
     std::mt19937 random{5};
     for (int run = 0; run < 20000; ++run) {

@@ -16,7 +16,7 @@ constexpr float no_number = std::numeric_limits<float>::quiet_NaN();
 
 }  // namespace
 
-TEST_CASE("a profile runs from (0, 0) to t = 1, never back, within the bevel's depth", "[profile_points]")
+TEST_CASE("a valid profile runs from (0, 0) to t = 1 within the bevel's depth, and never back", "[profile_points]")
 {
     const profile_points good[] = {{{0, 0}, {1, 1}},
                                    {{0, 0}, {1, 0}},

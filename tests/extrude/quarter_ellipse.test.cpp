@@ -41,7 +41,7 @@ double chord_error(profile_point a, profile_point b, bool convex, const profile_
 
 }  // namespace
 
-TEST_CASE("quarter ellipses have their points on the ellipse, and as many steps as are asked for", "[quarter_ellipse]")
+TEST_CASE("quarter ellipses have their points on the ellipse, and the requested number of steps", "[quarter_ellipse]")
 {
     const bool convex = GENERATE(true, false);
     for (std::uint32_t steps = 1; steps < profile_points::most; ++steps) {
@@ -64,7 +64,7 @@ TEST_CASE("quarter ellipses have their points on the ellipse, and as many steps 
     CHECK_FALSE(ready_points(ellipse(convex, 0xFFFF'FFFFu)).is_valid());
 }
 
-TEST_CASE("quarter ellipses by tolerance keep it, with few steps more than they need", "[quarter_ellipse]")
+TEST_CASE("quarter ellipses keep their tolerance, with few unnecessary steps", "[quarter_ellipse]")
 {
     const bool convex = GENERATE(true, false);
     for (const double width : {500.0, 10000.0, 40000.0})
@@ -85,8 +85,7 @@ TEST_CASE("quarter ellipses by tolerance keep it, with few steps more than they 
             }
 }
 
-TEST_CASE("the sines of all quarter ellipses are far from where a float would be rounded the other way",
-          "[quarter_ellipse]")
+TEST_CASE("the sines of all quarter ellipses round to one float, even 1e-15 off", "[quarter_ellipse]")
 {
     // So that every C library, off by an ulp or two, gives the same floats.
     for (int steps = 1; steps < 64; ++steps)

@@ -66,7 +66,7 @@ struct boxes {
 
 static_assert(region_step<embolden> && region_step<boxes> && !region_step<no_step> && !region_step<bevelled>);
 
-TEST_CASE("a step of one's own stands before any solid", "[extrude][region_step]")
+TEST_CASE("a user's own step works before any solid", "[extrude][region_step]")
 {
     test::toy_font font;
     text_mesher mesher{font, boxes{}, flat{}};

@@ -29,7 +29,7 @@ public:
     contours loops;
     std::vector<triangle> cap;
 
-    /// Outer contours first told by their area: a contour that runs the wrong way round is turned.
+    /// Outer contours first. A contour whose area has the wrong sign is turned.
     shape(std::string n, std::vector<std::vector<curve>> outers, std::vector<std::vector<curve>> holes = {},
           int pieces = 4)
         : name{std::move(n)},
@@ -138,7 +138,7 @@ private:
             lines.push_back({i, next(i)});
             joined[i][next(i)] = joined[next(i)][i] = true;
         }
-        for (std::uint32_t i = 0; i < n; ++i) {
+        for (std::uint32_t i = 0; i < n; ++i)
             for (std::uint32_t j = i + 1; j < n; ++j) {
                 const grid_point a = loops.points[i], b = loops.points[j];
                 if (joined[i][j] || !leaves_inside(i, b) || !leaves_inside(j, a)) continue;
@@ -150,7 +150,6 @@ private:
                 inner.push_back({i, j});
                 joined[i][j] = joined[j][i] = true;
             }
-        }
         std::vector<triangle> found;
         const auto face = [&](std::uint32_t a, std::uint32_t b) {
             std::uint32_t best = n;
@@ -218,6 +217,34 @@ inline std::vector<curve> quadratic_circle(point m, double r)
     return c;
 }
 
+/// Four tips, and four corners turned inwards between them.
+inline shape star()
+{
+    return {"star",
+            {polygon({{0, 0}, {250, 100}, {500, 0}, {400, 250}, {500, 500}, {250, 400}, {0, 500}, {100, 250}})}};
+}
+
+/// A corner of 7 degrees.
+inline shape spike() { return {"spike", {polygon({{0, 0}, {800, 0}, {800, 100}})}}; }
+
+/// A notch with its tip inside the letter.
+inline shape notch()
+{
+    return {"notch", {polygon({{0, 0}, {600, 0}, {600, 600}, {330, 600}, {300, 200}, {270, 600}, {0, 600}})}};
+}
+
+/// The area that contours enclose, in cells.
+inline double area_of(const contours& loops)
+{
+    double twice = 0.0;
+    for (std::uint32_t k = 0; k < loops.contour_count(); ++k)
+        for (std::uint32_t i = loops.starts[k], end = loops.starts[k + 1]; i < end; ++i) {
+            const grid_point a = loops.points[i], b = loops.points[i + 1 == end ? loops.starts[k] : i + 1];
+            twice += double(a.x) * b.y - double(a.y) * b.x;
+        }
+    return twice / 2.0;
+}
+
 inline shape rectangle() { return {"rectangle", {polygon({{100, 0}, {500, 0}, {500, 700}, {100, 700}})}}; }
 
 inline shape letter_e()
@@ -281,18 +308,18 @@ inline shape pair(int pieces = 3)
             pieces};
 }
 
+/// Shapes, moved into a vector: they cannot be copied.
+template <class... Shapes>
+std::vector<shape> several(Shapes... s)
+{
+    std::vector<shape> all;
+    (all.push_back(std::move(s)), ...);
+    return all;
+}
+
 inline std::vector<shape> all()
 {
-    std::vector<shape> s;
-    s.push_back(rectangle());
-    s.push_back(letter_e());
-    s.push_back(ring());
-    s.push_back(letter_d());
-    s.push_back(ribbon());
-    s.push_back(cusp());
-    s.push_back(drop());
-    s.push_back(pair());
-    return s;
+    return several(rectangle(), letter_e(), ring(), letter_d(), ribbon(), cusp(), drop(), pair());
 }
 
 }  // namespace shapes

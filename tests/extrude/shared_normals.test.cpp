@@ -7,9 +7,9 @@
 using namespace typemesh;
 using namespace meshes;
 
-TEST_CASE("shared normals sum a cap and two walls, of the parts that are there", "[extrude]")
+TEST_CASE("shared normals are the sum of a cap and two walls, as far as these parts are on", "[extrude]")
 {
-    for (const auto& s : shapes::all()) {
+    for (const auto& s : shapes::all())
         for (unsigned bits = 0; bits < 8; ++bits) {
             const extruded<shared_normals> how{
                 .front = (bits & 1u) != 0, .back = (bits & 2u) != 0, .side = (bits & 4u) != 0};
@@ -23,5 +23,4 @@ TEST_CASE("shared normals sum a cap and two walls, of the parts that are there",
                     check_equal(b.vertices[b.first_vertex(part::back) + i].normal, sum, how.back ? -1.0 : 0.0);
             }
         }
-    }
 }

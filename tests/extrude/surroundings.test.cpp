@@ -14,20 +14,18 @@ using namespace typemesh;
 
 namespace {
 
-double area_of(const contours& loops)
+/// The points, from the first one that is given, lie on the curves of their edges.
+void check_on_curves(const contours& loops, std::uint32_t first)
 {
-    double twice = 0.0;
-    for (std::uint32_t k = 0; k < loops.contour_count(); ++k)
-        for (std::uint32_t i = loops.starts[k], end = loops.starts[k + 1]; i < end; ++i) {
-            const grid_point a = loops.points[i], b = loops.points[i + 1 == end ? loops.starts[k] : i + 1];
-            twice += double(a.x) * b.y - double(a.y) * b.x;
-        }
-    return twice / 2.0;
+    for (std::uint32_t i = first; i < loops.points.size(); ++i) {
+        const contour_edge& e = loops.edges[i];
+        CHECK(length(loops.curves[e.curve].at(double(e.t0)) - loops.grid.place(loops.points[i])) < 0.01);
+    }
 }
 
 }  // namespace
 
-TEST_CASE("around a region lies a frame with the region as its hole, each edge on its curve in reverse",
+TEST_CASE("the surroundings are a frame with the region as its hole, and each edge runs along its curve in reverse",
           "[surroundings]")
 {
     for (const auto& s : shapes::all()) {
@@ -38,12 +36,8 @@ TEST_CASE("around a region lies a frame with the region as its hole, each edge o
         REQUIRE(around.contour_count() == s.contour_count() + 1);
         const double frame =
             double(around.points[2].x - around.points[0].x) * (around.points[2].y - around.points[0].y);
-        CHECK(area_of(around) == Catch::Approx(frame - area_of(s.loops)));
-        for (std::uint32_t i = 4; i < around.points.size(); ++i) {
-            const contour_edge& e = around.edges[i];
-            const double off = length(around.curves[e.curve].at(double(e.t0)) - around.grid.place(around.points[i]));
-            CHECK(off < 0.01);
-        }
+        CHECK(shapes::area_of(around) == Catch::Approx(frame - shapes::area_of(s.loops)));
+        check_on_curves(around, 4);
 
         workspace space;
         const auto filled = fill(around, fill_rule::non_zero, space);
@@ -54,21 +48,18 @@ TEST_CASE("around a region lies a frame with the region as its hole, each edge o
         for (std::uint32_t i = 0; i < 4; ++i) lowest.y = (std::min)(lowest.y, filled->points()[first + i].y);
         for (const grid_point p : filled->points()) CHECK(p.y >= lowest.y);
 
-        const double whole = area_of(around);
+        const double whole = shapes::area_of(around);
         leave_frame(around);
         CHECK(around.contour_count() == s.contour_count());
         CHECK(around.points.size() == s.points());
         CHECK(around.edges.size() == s.points());
-        CHECK(area_of(around) == Catch::Approx(frame - whole));
-        CHECK(area_of(around) == Catch::Approx(area_of(s.loops)));
-        for (std::uint32_t i = 0; i < around.points.size(); ++i) {
-            const contour_edge& e = around.edges[i];
-            CHECK(length(around.curves[e.curve].at(double(e.t0)) - around.grid.place(around.points[i])) < 0.01);
-        }
+        CHECK(shapes::area_of(around) == Catch::Approx(frame - whole));
+        CHECK(shapes::area_of(around) == Catch::Approx(shapes::area_of(s.loops)));
+        check_on_curves(around, 0);
     }
 }
 
-TEST_CASE("a loop that is turned twice is what it was", "[surroundings]")
+TEST_CASE("a loop that is turned twice is unchanged", "[surroundings]")
 {
     for (const auto& s : shapes::all()) {
         contours loops;
@@ -83,7 +74,7 @@ TEST_CASE("a loop that is turned twice is what it was", "[surroundings]")
     }
 }
 
-TEST_CASE("corners move as far as their mitres, or to the limit, rounded up to whole distances", "[surroundings]")
+TEST_CASE("corners move as far as their mitres or the limit, rounded up to whole distances", "[surroundings]")
 {
     const auto with_tip = [](double half_width) {  // at the height of 100
         return shapes::shape{"tip", {shapes::polygon({{-half_width, 0}, {half_width, 0}, {0, 100}})}};
@@ -98,7 +89,7 @@ TEST_CASE("corners move as far as their mitres, or to the limit, rounded up to w
     CHECK(farthest_way(region{}, 7.0, 0.0) == 7.0 * 2.0);                    // NOLINT
 }
 
-TEST_CASE("surroundings beyond the grid are refused, those of an empty region are empty", "[surroundings]")
+TEST_CASE("surroundings beyond the grid are refused, and an empty region has empty surroundings", "[surroundings]")
 {
     contours around;
     CHECK(surround(shapes::rectangle().made(), grid::reach / 2.0, around) == error::outline_beyond_grid);

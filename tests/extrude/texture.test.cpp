@@ -13,35 +13,31 @@ using Catch::Approx;
 
 namespace {
 
-/// Box mapping over the shape's own box.
-placement over_box(const shapes::shape& s, uv_origin origin)
+placement em_texture(uv_origin origin)
 {
-    box b;
-    for (const grid_point g : s.loops.points) b.add(point{static_cast<double>(g.x), static_cast<double>(g.y)});
-    placement at = in_em();
-    at.frame.uv = origin;
-    at.texture_pen = -1.0 * b.low;
-    at.texture_per_cell = {1.0 / b.width(), 1.0 / b.height()};
-    return at;
-}
-
-placement with_origin(uv_origin origin)
-{
-    placement at = in_em();
-    at.frame.uv = origin;
+    placement at = in_em(with_origin(right_handed_y_up, origin));
     at.em_pen = {1000.0, -300.0};
     return at;
 }
 
+/// The length of a contour in em.
+double length_of(const shapes::shape& s, std::uint32_t contour)
+{
+    double length = 0.0;
+    for (std::uint32_t i = s.loops.starts[contour]; i < s.loops.starts[contour + 1]; ++i)
+        length += typemesh::length(delta(s.loops.points[i], s.loops.points[s.next(i)])) / 512000.0;
+    return length;
+}
+
 }  // namespace
 
-TEMPLATE_TEST_CASE("box mapping runs from exactly 0 to exactly 1, on walls by the place of their edge", "[extrude]",
-                   shared_normals, averaged_normals, curve_normals)
+TEMPLATE_TEST_CASE("box mapping runs from exactly 0 to exactly 1, and walls take the coordinates of their edge",
+                   "[extrude]", shared_normals, averaged_normals, curve_normals)
 {
-    for (const auto origin : {uv_origin::top_left, uv_origin::bottom_left}) {
+    for (const auto origin : {uv_origin::top_left, uv_origin::bottom_left})
         for (const auto& s : shapes::all()) {
             INFO(s.name);
-            const placement at = over_box(s, origin);
+            const placement at = over_box(s, with_origin(right_handed_y_up, origin));
             const built b = build(s, extruded<TestType>{.texture = texture_mapping::box}, at);
             vec2 low{2, 2}, high{-1, -1};
             for (const auto& v : b.vertices) {
@@ -55,7 +51,6 @@ TEMPLATE_TEST_CASE("box mapping runs from exactly 0 to exactly 1, on walls by th
             CHECK(low == vec2{0.0f, 0.0f});
             CHECK(high == vec2{1.0f, 1.0f});
         }
-    }
 }
 
 TEST_CASE("a box without extent gives one coordinate, not NaN", "[extrude]")
@@ -66,7 +61,7 @@ TEST_CASE("a box without extent gives one coordinate, not NaN", "[extrude]")
         CHECK(v.uv == vec2{0.0f, 1.0f});
 }
 
-TEMPLATE_TEST_CASE("em mapping has one tile an em on caps and walls, within 1 %", "[extrude]", averaged_normals,
+TEMPLATE_TEST_CASE("em mapping has one tile per em on caps and walls, within 1 %", "[extrude]", averaged_normals,
                    creased_normals, curve_normals)
 {
     for (const auto origin : {uv_origin::top_left, uv_origin::bottom_left}) {
@@ -74,7 +69,7 @@ TEMPLATE_TEST_CASE("em mapping has one tile an em on caps and walls, within 1 %"
         for (const auto& s : shapes::all()) {
             INFO(s.name);
             const built b =
-                build(s, extruded<TestType>{.depth = 0.25f, .texture = texture_mapping::em}, with_origin(origin));
+                build(s, extruded<TestType>{.depth = 0.25f, .texture = texture_mapping::em}, em_texture(origin));
             for (std::uint32_t i = 0; i < 2 * s.points(); ++i) {
                 const auto& v = b.vertices[i];
                 const double up = v.position.y - 300.0 / 512000.0;
@@ -90,8 +85,8 @@ TEMPLATE_TEST_CASE("em mapping has one tile an em on caps and walls, within 1 %"
                     CHECK(std::abs(du) == Approx(along).epsilon(0.01));
                     CHECK(dv == Approx(flip * (q.position.z - p.position.z)).epsilon(0.01));
                 }
-                const auto& upper =
-                    b.triangles[t];  // front of the first point, back of the first, ...: u grows in walking direction
+                // Front of the first point, back of the first, ...: u grows in walking direction.
+                const auto& upper = b.triangles[t];
                 if ((t - b.first_triangle(part::side)) % 2 == 0)
                     CHECK(b.vertices[upper[2]].uv.x > b.vertices[upper[0]].uv.x);
             }
@@ -99,7 +94,7 @@ TEMPLATE_TEST_CASE("em mapping has one tile an em on caps and walls, within 1 %"
     }
 }
 
-TEMPLATE_TEST_CASE("by default no triangle's texture is drawn out into a line", "[extrude]", flat,
+TEMPLATE_TEST_CASE("no triangle's texture is stretched into a line by default", "[extrude]", flat,
                    extruded<averaged_normals>, extruded<creased_normals>, extruded<curve_normals>)
 {
     for (const auto& s : shapes::all()) {
@@ -112,7 +107,7 @@ TEMPLATE_TEST_CASE("by default no triangle's texture is drawn out into a line", 
     }
 }
 
-TEST_CASE("the seam of em mapping lies in a hard point where there is one, and u runs once along each contour",
+TEST_CASE("the seam of em mapping lies in a hard point if there is one, and u runs once along each contour",
           "[extrude]")
 {
     for (const auto& s : shapes::all()) {
@@ -121,11 +116,9 @@ TEST_CASE("the seam of em mapping lies in a hard point where there is one, and u
                     plain = build(s, extruded<>{.texture = texture_mapping::box});
         std::uint32_t v = b.first_vertex(part::side);
         for (std::uint32_t k = 0; k < s.contour_count(); ++k) {
-            double length = 0.0;
             std::uint32_t seams = 0, hard = 0;
             float least = 1e9f, most = -1.0f;
             for (std::uint32_t i = s.loops.starts[k]; i < s.loops.starts[k + 1]; ++i) {
-                length += typemesh::length(delta(s.loops.points[i], s.loops.points[s.next(i)])) / 512000.0;
                 seams += b.sides[i].seam;
                 hard += plain.sides[i].doubled;
                 if (b.sides[i].seam) CHECK(b.sides[i].doubled);
@@ -138,7 +131,7 @@ TEST_CASE("the seam of em mapping lies in a hard point where there is one, and u
             }
             CHECK(seams == 1);
             CHECK(least == 0.0f);
-            CHECK(most == Approx(length));
+            CHECK(most == Approx(length_of(s, k)));
             for (std::uint32_t i = s.loops.starts[k]; i < s.loops.starts[k + 1]; ++i) {
                 if (b.sides[i].seam && hard != 0) CHECK(plain.sides[i].doubled);
                 CHECK(b.sides[i].before == plain.sides[i].before);
@@ -148,7 +141,7 @@ TEST_CASE("the seam of em mapping lies in a hard point where there is one, and u
     }
 }
 
-TEST_CASE("shared normals keep planar coordinates on their walls in em mapping too", "[extrude]")
+TEST_CASE("shared normals keep planar coordinates on their walls in em mapping", "[extrude]")
 {
     const auto s = shapes::letter_d();
     const built b = build(s, extruded<shared_normals>{.texture = texture_mapping::em});
@@ -160,18 +153,19 @@ TEST_CASE("shared normals keep planar coordinates on their walls in em mapping t
     }
 }
 
-TEST_CASE("any point gets the texture coordinates of a grid point, to the bit, and walls theirs by length and depth",
+TEST_CASE("points get the texture coordinates of grid points, to the bit, and walls get theirs by length and depth",
           "[extrude]")
 {
     for (const auto origin : {uv_origin::top_left, uv_origin::bottom_left}) {
         for (const auto mapping : texture_mappings) {
             const auto s = shapes::letter_d();
-            const placement at = mapping == texture_mapping::box ? over_box(s, origin) : with_origin(origin);
+            const placement at = mapping == texture_mapping::box ? over_box(s, with_origin(right_handed_y_up, origin))
+                                                                 : em_texture(origin);
             const planar_texture texture{mapping, at};
             for (const grid_point g : s.loops.points)
                 CHECK(texture(point{static_cast<double>(g.x), static_cast<double>(g.y)}) == texture(g));
         }
-        placement at = with_origin(origin);
+        placement at = em_texture(origin);
         at.em_per_depth = 2.0;
         const wall_texture walls{at};
         const bool down = origin == uv_origin::top_left;
@@ -189,11 +183,11 @@ TEST_CASE("any point gets the texture coordinates of a grid point, to the bit, a
     }
 }
 
-TEST_CASE("cylindrical mapping runs once from 0 to 1 along each contour, and is em mapping otherwise", "[extrude]")
+TEST_CASE("cylindrical mapping runs once from 0 to 1 along each contour, and equals em mapping otherwise", "[extrude]")
 {
     for (const auto& s : shapes::all()) {
         INFO(s.name);
-        const placement at = with_origin(uv_origin::bottom_left);
+        const placement at = em_texture(uv_origin::bottom_left);
         const built b = build(s, extruded<>{.texture = texture_mapping::cylindrical}, at),
                     em = build(s, extruded<>{.texture = texture_mapping::em}, at);
         REQUIRE(b.vertices.size() == em.vertices.size());
@@ -201,9 +195,7 @@ TEST_CASE("cylindrical mapping runs once from 0 to 1 along each contour, and is 
         for (std::uint32_t v = 0; v < 2 * s.points(); ++v) CHECK(b.vertices[v].uv == em.vertices[v].uv);
         std::uint32_t v = b.first_vertex(part::side);
         for (std::uint32_t k = 0; k < s.contour_count(); ++k) {
-            double length = 0.0;
-            for (std::uint32_t i = s.loops.starts[k]; i < s.loops.starts[k + 1]; ++i)
-                length += typemesh::length(delta(s.loops.points[i], s.loops.points[s.next(i)])) / 512000.0;
+            const double length = length_of(s, k);
             float least = 2.0f, most = -1.0f;
             for (std::uint32_t i = s.loops.starts[k]; i < s.loops.starts[k + 1]; ++i)
                 for (int twice = 0; twice < 2 * (1 + int(b.sides[i].doubled)); ++twice, ++v) {

@@ -13,18 +13,7 @@ using Catch::Approx;
 
 namespace {
 
-using wide_vec = std::array<double, 3>;
-
-wide_vec wide(vec4 v) { return {v.x, v.y, v.z}; }
-wide_vec cross(wide_vec a, wide_vec b)
-{
-    return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
-wide_vec minus(wide_vec a, wide_vec b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
-wide_vec scaled(double s, wide_vec a) { return {s * a[0], s * a[1], s * a[2]}; }
-wide_vec unit(wide_vec a) { return scaled(1.0 / std::sqrt(dot(a, a)), a); }
-
-/// Where u and v grow on a triangle, from its places and texture coordinates alone; `known` unless these lie on a line.
+/// Where u and v grow on a triangle, from its positions and texture coordinates; `known` unless these lie on a line.
 struct gradient {
     wide_vec u, v;
     bool known;
@@ -33,8 +22,7 @@ struct gradient {
 gradient gradient_of(const built& b, const std::array<std::uint32_t, 3>& t)
 {
     const auto &p = b.vertices[t[0]], &q = b.vertices[t[1]], &r = b.vertices[t[2]];
-    const wide_vec e = minus(meshes::wide(q.position), meshes::wide(p.position)),
-                   f = minus(meshes::wide(r.position), meshes::wide(p.position));
+    const wide_vec e = minus(wide(q.position), wide(p.position)), f = minus(wide(r.position), wide(p.position));
     const double eu = double(q.uv.x) - p.uv.x, ev = double(q.uv.y) - p.uv.y, fu = double(r.uv.x) - p.uv.x,
                  fv = double(r.uv.y) - p.uv.y;
     const double area = eu * fv - ev * fu;
@@ -46,54 +34,32 @@ gradient gradient_of(const built& b, const std::array<std::uint32_t, 3>& t)
 /// Every frame, with v upwards and downwards, box mapping over the shape's box.
 std::vector<placement> placements(const shapes::shape& s)
 {
-    box around;
-    for (const grid_point g : s.loops.points) around.add(point{static_cast<double>(g.x), static_cast<double>(g.y)});
     std::vector<placement> all;
-    for (frame f : frames()) {
-        for (const auto origin : {uv_origin::top_left, uv_origin::bottom_left}) {
-            f.uv = origin;
-            placement at = in_em(f);
-            at.texture_pen = -1.0 * around.low;
-            at.texture_per_cell = {1.0 / around.width(), 0.5 / around.height()};
-            all.push_back(at);
-        }
-    }
+    for (const frame& f : frames())
+        for (const auto origin : {uv_origin::top_left, uv_origin::bottom_left})
+            all.push_back(over_box(s, with_origin(f, origin), {1.0, 0.5}));
     return all;
-}
-
-/// Unit length, at right angles to the normal, a sign for w.
-void obeys_the_laws_of_one_vertex(const surface_point<everything>& v)
-{
-    CHECK(length(vec3{v.tangent.x, v.tangent.y, v.tangent.z}) == Approx(1.0).margin(1e-6));
-    CHECK(std::abs(dot(wide(v.tangent), meshes::wide(v.normal))) < 1e-6);
-    CHECK((v.tangent.w == 1.0f || v.tangent.w == -1.0f));
-}
-
-wide_vec bitangent(const surface_point<everything>& v)
-{
-    return scaled(v.tangent.w, cross(meshes::wide(v.normal), wide(v.tangent)));
 }
 
 }  // namespace
 
-TEMPLATE_TEST_CASE(
-    "tangents lie where u grows and bitangents where v grows, on every triangle that tells, in every frame",
-    "[extrude]", shared_normals, averaged_normals, creased_normals, curve_normals)
+TEMPLATE_TEST_CASE("tangents point where u grows and bitangents where v grows, on every triangle in every frame",
+                   "[extrude]", shared_normals, averaged_normals, creased_normals, curve_normals)
 {
     for (const auto& s : shapes::all()) {
         INFO(s.name);
-        for (const placement& at : placements(s)) {
+        for (const placement& at : placements(s))
             for (const auto mapping : texture_mappings) {
                 const built b = build(s, extruded<TestType>{.depth = 0.25f, .texture = mapping}, at);
-                for (const auto& v : b.vertices) obeys_the_laws_of_one_vertex(v);
-                std::size_t told = 0;
+                for (const auto& v : b.vertices) check_tangent(v, 1e-6);
+                std::size_t known = 0;
                 const bool shared = TestType::shares_caps;
                 for (std::uint32_t t = 0; t < b.triangles.size(); ++t) {
                     const bool wall = t >= b.first_triangle(part::side);
                     if (wall && shared) continue;  // planar coordinates on walls: their tangents are the caps'
                     const gradient grows = gradient_of(b, b.triangles[t]);
                     if (!grows.known) continue;
-                    ++told;
+                    ++known;
                     const wide_vec flat = face_normal(b, b.triangles[t]);
                     for (const std::uint32_t i : b.triangles[t]) {
                         const auto& v = b.vertices[i];
@@ -101,15 +67,14 @@ TEMPLATE_TEST_CASE(
                         CHECK(dot(bitangent(v), grows.v) > 0.0);
                         if (shared) continue;
                         // As far from the triangle's own as the normal is from the triangle's.
-                        const double lean = std::abs(dot(meshes::wide(v.normal), flat));
+                        const double lean = std::abs(dot(wide(v.normal), flat));
                         CHECK(dot(wide(v.tangent), grows.u) == Approx(lean).margin(2e-3));
                         CHECK(dot(bitangent(v), grows.v) == Approx(1.0).margin(2e-3));
                     }
                 }
-                CHECK(told > 0);
-                if (mapping != texture_mapping::box && !shared) CHECK(told == b.triangles.size());
+                CHECK(known > 0);
+                if (mapping != texture_mapping::box && !shared) CHECK(known == b.triangles.size());
             }
-        }
     }
 }
 
@@ -128,20 +93,20 @@ TEST_CASE("box mapping gives walls the tangents of em mapping, since u and v do 
     }
 }
 
-TEST_CASE("flat text has one tangent: along the text", "[extrude]")
+TEST_CASE("flat text has one tangent, along the text", "[extrude]")
 {
     for (const frame& f : frames()) {
         const built b = build(shapes::letter_d(), flat{}, in_em(f));
         const bool down = f.uv == uv_origin::top_left;
         for (const auto& v : b.vertices) {
-            obeys_the_laws_of_one_vertex(v);
+            check_tangent(v, 1e-6);
             CHECK(vec3{v.tangent.x, v.tangent.y, v.tangent.z} == f.right);
-            CHECK(dot(bitangent(v), meshes::wide(f.up)) == Approx(down ? -1.0 : 1.0));
+            CHECK(dot(bitangent(v), wide(f.up)) == Approx(down ? -1.0 : 1.0));
         }
     }
 }
 
-TEST_CASE("a rim that leans all the way along the text has a tangent all the same", "[extrude]")
+TEST_CASE("a rim whose normal lies along the text still has a tangent", "[extrude]")
 {
     const texture_tangent tangents{right_handed_y_up};
     const free_axes axes{in_em()};
@@ -153,7 +118,7 @@ TEST_CASE("a rim that leans all the way along the text has a tangent all the sam
     CHECK(tangents.on_rim(axes, {0.0f, 0.0f, -1.0f}, -1.0f) == vec4{1.0f, 0.0f, 0.0f, 1.0f});
 }
 
-TEST_CASE("every vertex knows its part, and its glyph and cluster from its placement", "[extrude]")
+TEST_CASE("every vertex has its part, and the glyph and cluster of its placement", "[extrude]")
 {
     placement at = in_em();
     CHECK(build(shapes::letter_d(), flat{}, at).vertices[0].glyph == no_glyph);
@@ -171,7 +136,7 @@ TEST_CASE("every vertex knows its part, and its glyph and cluster from its place
     }
 }
 
-TEST_CASE("tangents of surfaces of any kind are those of caps and walls where these are meant", "[extrude]")
+TEST_CASE("the tangent of a general surface equals that of a cap or a wall with the same normal", "[extrude]")
 {
     for (const frame& f : frames()) {
         placement at = in_em(f);

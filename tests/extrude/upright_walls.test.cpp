@@ -13,8 +13,7 @@
 using namespace typemesh;
 using namespace meshes;
 
-TEST_CASE("walls between other heights are those of extruded, with v from the front that they are given",
-          "[upright_walls]")
+TEST_CASE("walls between other heights equal those of extruded, and v begins at the given front", "[upright_walls]")
 {
     constexpr attribute wants = attribute::position | attribute::normal | attribute::uv | attribute::tangent;
     const placement at = in_em();
@@ -45,7 +44,8 @@ TEST_CASE("walls between other heights are those of extruded, with v from the fr
     }
 }
 
-TEST_CASE("sides are measured along each contour from a doubled point, and counted", "[upright_walls]")
+TEST_CASE("sides are measured along each contour from a doubled point, and doubled points are counted",
+          "[upright_walls]")
 {
     for (const auto& s : shapes::all()) {
         INFO(s.name);

@@ -33,7 +33,7 @@ TEST_CASE("a joint's normal is the normalised sum of its walls' normals", "[extr
 
 TEST_CASE("the tip of the sharpest needle on the grid has a unit normal along it", "[extrude]")
 {
-    // The walls' normals are opposite to the last bit; only the exact turn tells a tip from a notch.
+    // The walls' normals are opposite to the last bit; only the exact turn distinguishes a tip from a notch.
     const grid_point a{-(1 << 28), 0}, tip{1 << 28, 1}, c{-(1 << 28) + 1, 0}, d{-(1 << 28), 1};
     const point out = joint_normal(a, tip, d, wall_normal(a, tip), wall_normal(tip, d));
     CHECK(out.x == Approx(1.0));

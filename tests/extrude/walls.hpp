@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The walls beside a point, from the polygon alone, and normals to compare with.
+// The walls beside a point, from the polygon only, and normals to compare with.
 
 #include "mesh.hpp"
 #include "support/catch.hpp"
@@ -13,7 +13,7 @@ struct walls {
     double degrees;
 };
 
-/// The two walls at a point, from the polygon alone.
+/// The two walls at a point, from the polygon only.
 inline walls at(const shapes::shape& s, std::uint32_t i)
 {
     const auto normal = [&](std::uint32_t a, std::uint32_t b) {

@@ -10,7 +10,7 @@
 
 using namespace typemesh;
 
-TEST_CASE("a built glyph is a copy of its draft in one block, whatever becomes of the draft", "[glyph][built_glyph]")
+TEST_CASE("a built glyph is a copy of its draft in one block, and independent of the draft", "[glyph][built_glyph]")
 {
     test::dice d{12};
     for (int round = 0; round < 300; ++round) {
@@ -26,7 +26,7 @@ TEST_CASE("a built glyph is a copy of its draft in one block, whatever becomes o
     }
 }
 
-TEST_CASE("a built glyph's box is that of its points, in cells and in font units", "[glyph][built_glyph]")
+TEST_CASE("a built glyph's box is the box of its points, in cells and in font units", "[glyph][built_glyph]")
 {
     test::dice d{13};
     for (int round = 0; round < 300; ++round) {
@@ -46,7 +46,7 @@ TEST_CASE("a built glyph's box is that of its points, in cells and in font units
     }
 }
 
-TEST_CASE("a glyph is blank without points, unless it was refused", "[glyph][built_glyph]")
+TEST_CASE("a glyph without points is blank, unless it was refused", "[glyph][built_glyph]")
 {
     std::vector<std::uint64_t> block(64);
     glyph_draft draft;

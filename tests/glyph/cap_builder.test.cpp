@@ -20,6 +20,40 @@ namespace {
 
 using triangulators = std::tuple<monotone, constrained_delaunay>;
 
+/// Each request for memory fails once. The builder works again after that, and a warm one requests nothing.
+template <class Make>
+void check_memory(const std::vector<test::polyline>& given, const Make& make, bool keeps_loops)
+{
+    for (std::size_t nth = 1;; ++nth) {
+        test::counting_memory memory;
+        cap_builder caps{memory.source()};
+        caps.loops() = test::contours_of(given, memory.source());
+        const std::size_t before = memory.requests;
+        memory.fail_at = before + nth;
+        memory.fail_once = true;
+        const auto made = make(caps);
+        const bool has_failed = memory.requests >= before + nth;
+        memory.fail_at = 0;
+        INFO("request " << nth);
+        if (!made) {
+            CHECK(made.error() == error::out_of_memory);
+            CHECK(caps.triangles().empty());
+            if (keeps_loops) CHECK(test::oracle::loops_of(caps.loops()).size() == given.size());
+        }
+        for (int again = 0; again < 3; ++again) {
+            const contours fresh = test::contours_of(given);
+            contours& loops = caps.loops();
+            loops.clear();
+            REQUIRE((loops.points.append(fresh.points.view()) && loops.edges.append(fresh.edges.view()) &&
+                     loops.starts.append(fresh.starts.view())));
+            const std::size_t warm = memory.requests;
+            REQUIRE(make(caps));
+            if (again == 2) CHECK(memory.requests == warm);
+        }
+        if (!has_failed) break;
+    }
+}
+
 /// Whether no two edges of the loops meet otherwise than in common ends, and no contour has fewer than 3 points.
 bool only_touch(const std::vector<test::oracle::loop>& loops)
 {
@@ -140,7 +174,7 @@ std::string mistake_in_any_position(const test::shape& s)
 
 }  // namespace
 
-TEMPLATE_LIST_TEST_CASE("random polylines on tiny grids that only touch in points are the region that resolve() makes",
+TEMPLATE_LIST_TEST_CASE("random polylines that only touch in points are proven to be the region that resolve() makes",
                         "[glyph][cap_builder]", triangulators)
 {
     test::dice d{311};
@@ -154,14 +188,13 @@ TEMPLATE_LIST_TEST_CASE("random polylines on tiny grids that only touch in point
             s.loops.push_back(l);
         }
         if (i % 16 != 0 && !only_touch(test::loops_of(s))) continue;
-        const std::string mistake = mistake_on<TestType>(s);
         INFO(s);
-        REQUIRE(mistake == "");
+        REQUIRE(mistake_on<TestType>(s) == "");
     }
     CHECK(touched > 100);
 }
 
-TEMPLATE_LIST_TEST_CASE("patterns of squares and rhombs that touch in corners are the region that resolve() makes",
+TEMPLATE_LIST_TEST_CASE("squares and rhombs that touch in corners are proven to be the region that resolve() makes",
                         "[glyph][cap_builder]", triangulators)
 {
     test::dice d{312};
@@ -174,7 +207,7 @@ TEMPLATE_LIST_TEST_CASE("patterns of squares and rhombs that touch in corners ar
         test::shape s{"board " + std::to_string(i), {}};
         std::vector<char> taken(static_cast<std::size_t>(size * size), 0);
         const auto place = [&](int x, int y) { return grid_point{4 * x + skew * y, 4 * y}; };
-        for (int y = 0; y < size; ++y) {
+        for (int y = 0; y < size; ++y)
             for (int x = 0; x < size; ++x) {
                 const auto at = static_cast<std::size_t>(y * size + x);
                 if ((x > 0 && taken[at - 1]) || (y > 0 && taken[at - std::size_t(size)]) || d.roll(3) == 0) continue;
@@ -184,24 +217,22 @@ TEMPLATE_LIST_TEST_CASE("patterns of squares and rhombs that touch in corners ar
                 std::rotate(l.begin(), l.begin() + d.roll(4), l.end());
                 s.loops.push_back(holes ? test::reversed(l) : l);
             }
-        }
         if (holes) {  // round all of them, touching some
             test::polyline frame{place(-3, -1), place(size + 3, -1)};
             frame.push_back(place(size, 0)), frame.push_back(place(size + 3, size + 1));
             frame.push_back(place(-3, size + 1)), frame.push_back(place(0, size));
             s.loops.insert(s.loops.begin() + d.roll(static_cast<int>(s.loops.size()) + 1), frame);
         }
-        const std::string mistake = mistake_in_any_position<TestType>(s);
         INFO(s);
-        REQUIRE(mistake == "");
+        REQUIRE(mistake_in_any_position<TestType>(s) == "");
     }
     CHECK(touched > 20'000);
 }
 
-TEMPLATE_LIST_TEST_CASE("any number of sectors round one point is proven, as one loop or as many",
+TEMPLATE_LIST_TEST_CASE("any number of sectors round one point is proven, both as one loop and as separate loops",
                         "[glyph][cap_builder]", triangulators)
 {
-    for (int sectors = 2; sectors <= 40; ++sectors) {
+    for (int sectors = 2; sectors <= 40; ++sectors)
         for (const bool one_loop : {true, false}) {
             test::shape s{"sectors " + std::to_string(sectors), {}};
             if (one_loop) s.loops.emplace_back();
@@ -212,20 +243,20 @@ TEMPLATE_LIST_TEST_CASE("any number of sectors round one point is proven, as one
                 test::polyline& l = s.loops.back();
                 l.insert(l.end(), {{0, 0}, a, b});
             }
-            INFO(s);
-            touched = proven_fast = 0;
-            CHECK(mistake_in_any_position<TestType>(s) == "");
-            CHECK(touched == 24);
+            const auto check = [&s] {
+                INFO(s);
+                touched = proven_fast = 0;
+                CHECK(mistake_in_any_position<TestType>(s) == "");
+                CHECK(touched == 24);
+            };
+            check();
             s.loops.push_back(test::square(-300'000, -300'000, 600'000));  // the sectors become holes
             for (std::size_t k = 0; k + 1 < s.loops.size(); ++k) s.loops[k] = test::reversed(s.loops[k]);
-            touched = proven_fast = 0;
-            CHECK(mistake_in_any_position<TestType>(s) == "");
-            CHECK(touched == 24);
+            check();
         }
-    }
 }
 
-TEST_CASE("nested loops of one direction that touch are no hole", "[glyph][cap_builder]")
+TEST_CASE("a nested loop of the same direction is not a hole if it touches the outer one", "[glyph][cap_builder]")
 {
     const test::shape s{"in a corner", {{{0, 0}, {90, 0}, {90, 90}, {0, 90}}, {{0, 0}, {60, 20}, {20, 60}}}};
     for (const fill_rule rule : {fill_rule::non_zero, fill_rule::even_odd}) {
@@ -240,7 +271,7 @@ TEST_CASE("nested loops of one direction that touch are no hole", "[glyph][cap_b
     CHECK(mistake_in_any_position<monotone>(s) == "");
 }
 
-TEMPLATE_LIST_TEST_CASE("shapes of the corpus are proven by touching points alone, or left as they were",
+TEMPLATE_LIST_TEST_CASE("shapes of the corpus are proven if they only touch in points, and are else left unchanged",
                         "[glyph][cap_builder]", triangulators)
 {
     for (const test::corpus_shape& c : test::corpus("regions.txt")) {
@@ -249,51 +280,18 @@ TEMPLATE_LIST_TEST_CASE("shapes of the corpus are proven by touching points alon
     }
 }
 
-TEST_CASE("prove() without memory says so and leaves the contours as they were, warm it asks for none",
+TEST_CASE("prove() reports a lack of memory and keeps the contours, and a warm builder requests no memory",
           "[glyph][cap_builder]")
 {
     test::shape s{"holes in rows", {{{-8, -8}, {808, -8}, {808, 808}, {-8, 808}}}};
     for (std::int32_t y = 0; y < 20; ++y)
         for (std::int32_t x = y % 2; x < 20; x += 2)
             s.loops.push_back(test::reversed(test::square(40 * x, 40 * y, 40)));
-    for (std::size_t nth = 1;; ++nth) {
-        test::counting_memory memory;
-        cap_builder caps{memory.source()};
-        caps.loops() = test::contours_of(s.loops, memory.source());
-        const std::size_t before = memory.requests;
-        memory.fail_at = before + nth;
-        memory.fail_once = true;
-        const auto made = caps.prove(monotone{});
-        const bool was_asked = memory.requests >= before + nth;
-        memory.fail_at = 0;
-        INFO("request " << nth);
-        if (!made) {
-            CHECK(made.error() == error::out_of_memory);
-            CHECK(caps.triangles().empty());
-            CHECK(test::oracle::loops_of(caps.loops()).size() == s.loops.size());
-        }
-        const auto again = [&]() noexcept {
-            contours& loops = caps.loops();
-            loops.clear();
-            bool fits = loops.starts.push_back(0);
-            for (const test::polyline& l : s.loops) {
-                for (const grid_point p : l) fits = fits && loops.points.push_back(p) && loops.edges.push_back({});
-                fits = fits && loops.starts.push_back(static_cast<std::uint32_t>(loops.points.size()));
-            }
-            return fits && caps.prove(monotone{});
-        };
-        REQUIRE(again());
-        REQUIRE(again());
-        const std::size_t warm = memory.requests;
-        REQUIRE(again());
-        CHECK(memory.requests == warm);
-        if (!was_asked) break;
-    }
+    check_memory(s.loops, [](cap_builder& caps) { return caps.prove(monotone{}); }, true);
 }
 
-TEMPLATE_LIST_TEST_CASE(
-    "fill() makes the same with a triangulator that takes the points as sorted and one that sorts them",
-    "[glyph][cap_builder]", triangulators)
+TEMPLATE_LIST_TEST_CASE("fill() makes the same region with triangulators that do and do not take sorted points",
+                        "[glyph][cap_builder]", triangulators)
 {
     test::dice d{52};
     int crossing = 0;
@@ -314,47 +312,19 @@ TEMPLATE_LIST_TEST_CASE(
         REQUIRE(a->holes() == b->holes());
         REQUIRE(taken.size() == sorted.size());
         if (!a->is_touching())  // else one may have been relinked, from other first points
-            CHECK(std::equal(taken.begin(), taken.end(), sorted.begin(), [](const triangle& s, const triangle& t) {
-                return s.a == t.a && s.b == t.b && s.c == t.c;
-            }));
+            CHECK(std::equal(taken.begin(), taken.end(), sorted.begin()));
         crossing += a->points().size() != test::contours_of(given).points.size();
-        const std::string broken = test::oracle::broken_law(*a, taken.view());
-        REQUIRE(broken == "");
+        REQUIRE(test::oracle::broken_law(*a, taken.view()) == "");
     }
     CHECK(crossing > 500);
 }
 
-TEST_CASE("fill() of contours that cross says when memory fails, warm it asks for none", "[glyph][cap_builder]")
+TEST_CASE("fill() of crossing contours reports a lack of memory, and a warm builder requests no memory",
+          "[glyph][cap_builder]")
 {
     std::vector<test::polyline> given;
     for (std::int32_t i = 0; i < 30; ++i) given.push_back(test::square(7 * i, 5 * (i % 6), 40));
-    for (std::size_t nth = 1;; ++nth) {
-        test::counting_memory memory;
-        cap_builder caps{memory.source()};
-        caps.loops() = test::contours_of(given, memory.source());
-        const std::size_t before = memory.requests;
-        memory.fail_at = before + nth;
-        memory.fail_once = true;
-        const auto made = caps.fill({}, monotone{});
-        const bool was_asked = memory.requests >= before + nth;
-        memory.fail_at = 0;
-        INFO("request " << nth);
-        if (!made) {
-            CHECK(made.error() == error::out_of_memory);
-            CHECK(caps.triangles().empty());
-        }
-        for (int again = 0; again < 3; ++again) {
-            const contours fresh = test::contours_of(given);
-            contours& loops = caps.loops();
-            loops.clear();
-            REQUIRE((loops.points.append(fresh.points.view()) && loops.edges.append(fresh.edges.view()) &&
-                     loops.starts.append(fresh.starts.view())));
-            const std::size_t warm = memory.requests;
-            REQUIRE(caps.fill({}, monotone{}));
-            if (again == 2) CHECK(memory.requests == warm);
-        }
-        if (!was_asked) break;
-    }
+    check_memory(given, [](cap_builder& caps) { return caps.fill({}, monotone{}); }, false);
 }
 
 TEMPLATE_TEST_CASE("fill() refuses contours that cross more often than its settings allow", "[glyph][cap_builder]",
@@ -375,7 +345,7 @@ TEMPLATE_TEST_CASE("fill() refuses contours that cross more often than its setti
     CHECK_FALSE(is_filled({.max_pieces = 7}));
 }
 
-TEST_CASE("cap() cuts a region of others, beside the builder's own or in its place", "[glyph][cap_builder]")
+TEST_CASE("cap() cuts another builder's region, beside the builder's own or instead of it", "[glyph][cap_builder]")
 {
     cap_builder caps, other;
     caps.loops() = test::contours_of({test::square(0, 0, 8)});
@@ -393,7 +363,7 @@ TEST_CASE("cap() cuts a region of others, beside the builder's own or in its pla
     CHECK(test::oracle::broken_law(*made, caps.triangles().view()) == "");
 }
 
-TEMPLATE_TEST_CASE("points may be moved in loops() between two caps", "[glyph][cap_builder]", monotone, test::unproving)
+TEMPLATE_TEST_CASE("points in loops() can be moved between two caps", "[glyph][cap_builder]", monotone, test::unproving)
 {
     cap_builder caps;
     caps.loops() = test::contours_of({test::square(0, 0, 8)});

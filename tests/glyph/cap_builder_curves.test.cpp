@@ -26,6 +26,7 @@ namespace {
 using path = std::vector<curve>;
 
 constexpr double pi = 3.14159265358979323846;
+constexpr double usual_tolerance = 2.5;  // of an em of 1000 units
 
 outline outline_of(const std::vector<path>& contours)
 {
@@ -86,8 +87,7 @@ path box_path(double left, double bottom, double right, double top)
 path bow(const quadratic& q, double base)
 {
     const point r{q.p2.x, base}, l{q.p0.x, base};
-    path p{curve::from(q), curve::from(q.p2, r), curve::from(r, l), curve::from(l, q.p0)};
-    return p;
+    return {curve::from(q), curve::from(q.p2, r), curve::from(r, l), curve::from(l, q.p0)};
 }
 
 struct segment {
@@ -121,27 +121,28 @@ double distance(point q, const segment& s)
     return length(q - s.from - t * along);
 }
 
+/// What a builder makes of an outline.
 struct capped {
     cap_builder builder;
     region made;
     double cells = 0;
 
+    template <class Discretiser = certified, class Triangulator = monotone>
+    capped(const outline& o, fill_rule rule, double tolerance = usual_tolerance, const Discretiser& how = {},
+           const Triangulator& cut = {})
+    {
+        no_observer nobody;
+        const auto fitting = grid::fitting(1000, o.bounds);
+        REQUIRE(fitting);
+        cells = fitting->cells;
+        const auto filled = builder.build(o, tolerance, *fitting, {rule}, cap_policies{how, cut, nobody});
+        REQUIRE(filled);
+        made = *filled;
+    }
+
     const triangle_list& triangles() const { return builder.triangles(); }
     const refinement_effort& effort() const { return builder.effort(); }
 };
-
-template <class Discretiser = certified, class Triangulator = monotone>
-void build(capped& c, const outline& o, double tolerance, fill_rule rule, const Discretiser& how = {},
-           const Triangulator& cut = {})
-{
-    no_observer nobody;
-    const auto fitting = grid::fitting(1000, o.bounds);
-    REQUIRE(fitting);
-    c.cells = fitting->cells;
-    const auto made = c.builder.build(o, tolerance, *fitting, {rule}, cap_policies{how, cut, nobody});
-    REQUIRE(made);
-    c.made = *made;
-}
 
 /// What is broken of the laws that hold for all curves; empty: nothing.
 std::string broken_law(const capped& c, const outline& o, double tolerance, fill_rule rule)
@@ -208,20 +209,18 @@ std::vector<point> changes(const capped& c, const outline& o)
     return all;
 }
 
-constexpr double usual_tolerance = 2.5;  // of an em of 1000 units
 constexpr double angles[] = {0.0, 0.3, 1.1, 2.0, pi / 2};
 
 }  // namespace
 
-TEST_CASE("a circle just inside another never crosses it, from 1/10 tolerance of room on", "[cap_builder]")
+TEST_CASE("a circle inside another one never crosses it if they are at least 1/10 tolerance apart", "[cap_builder]")
 {
-    for (const double room : {0.1, 0.2, 0.35, 0.5, 0.8, 1.0, 1.4, 2.0, 3.0}) {
-        for (const double angle : angles) {
+    for (const double room : {0.1, 0.2, 0.35, 0.5, 0.8, 1.0, 1.4, 2.0, 3.0})
+        for (const double angle : angles)
             for (const int pieces : {3, 4, 7}) {
                 const path inner = circle({0, 0}, 400 - room * usual_tolerance, pieces, angle);
                 const outline o = outline_of({circle({0, 0}, 400), inner});
-                capped c;
-                build(c, o, usual_tolerance, fill_rule::even_odd);
+                const capped c{o, fill_rule::even_odd};
                 INFO(room << " tolerances, turned by " << angle << ", " << pieces << " pieces");
                 // Cubics are off a circle by up to 400 * 0.0014 units (3 pieces) or 400 * 0.00028 (4): not all pairs
                 // are nested.
@@ -233,17 +232,14 @@ TEST_CASE("a circle just inside another never crosses it, from 1/10 tolerance of
                 CHECK(broken_law(c, o, usual_tolerance, fill_rule::even_odd) == "");
                 CHECK(c.effort().rounds <= 6);
             }
-        }
-    }
 }
 
-TEST_CASE("arcs that pass each other at less than the tolerance stay apart, and arcs that cross cross once each",
-          "[cap_builder]")
+TEST_CASE("two bows stay apart even if they pass each other at less than the tolerance", "[cap_builder]")
 {
     // Two bows, one from below, one from above: between their crowns there is `gap`.
-    for (const double gap : {0.1, 0.3, 0.6, 1.0, 1.7, 3.0}) {
-        for (const double height : {20.0, 60.0, 200.0}) {
-            for (const double shift : {0.0, 13.0, 90.0}) {
+    for (const double gap : {0.1, 0.3, 0.6, 1.0, 1.7, 3.0})
+        for (const double height : {20.0, 60.0, 200.0})
+            for (const double shift : {0.0, 13.0, 90.0})
                 for (const double angle : angles) {
                     const quadratic below{{500, 0}, {250, 2 * height}, {0, 0}};
                     const double top = height + gap * usual_tolerance;
@@ -251,16 +247,12 @@ TEST_CASE("arcs that pass each other at less than the tolerance stay apart, and 
                         {shift, top + height}, {250 + shift, top - height}, {500 + shift, top + height}};
                     const outline o = outline_of({turned(bow(below, -100), angle, false),
                                                   turned(bow(above, top + 2 * height + 100), angle, false)});
-                    capped c;
-                    build(c, o, usual_tolerance, fill_rule::non_zero);
+                    const capped c{o, fill_rule::non_zero};
                     INFO("gap " << gap << ", height " << height << ", shift " << shift << ", angle " << angle);
                     CHECK(c.made.outers() == 2);
                     CHECK(c.made.holes() == 0);
                     CHECK(broken_law(c, o, usual_tolerance, fill_rule::non_zero) == "");
                 }
-            }
-        }
-    }
 }
 
 TEST_CASE("a shallow crossing is found within four tolerances of where the curves cross", "[cap_builder]")
@@ -268,15 +260,14 @@ TEST_CASE("a shallow crossing is found within four tolerances of where the curve
     // Equal circles whose centres lie left and right of x = 0 cross on x = 0 only.
     for (const double degrees : {1.0, 2.0, 4.0, 10.0, 25.0, 60.0, 120.0}) {
         const double radius = 400, apart = radius * std::sin(degrees * pi / 360);
-        for (const int pieces : {2, 3, 4, 6, 9}) {
+        for (const int pieces : {2, 3, 4, 6, 9})
             for (const double start : {0.0, 0.2, 0.9}) {
                 const path right = circle({apart, 0}, radius, pieces, start);
                 path left = reversed(right);
                 for (curve& q : left)
                     for (point& p : q.p) p.x = -p.x;  // mirrored
                 const outline o = outline_of({right, left});
-                capped c;
-                build(c, o, usual_tolerance, fill_rule::non_zero);
+                const capped c{o, fill_rule::non_zero};
                 INFO(degrees << " degrees, " << pieces << " pieces from " << start);
                 CHECK(broken_law(c, o, usual_tolerance, fill_rule::non_zero) == "");
                 std::vector<double> crossings;  // y where the right circle comes through x = 0
@@ -290,18 +281,12 @@ TEST_CASE("a shallow crossing is found within four tolerances of where the curve
                 if (pieces < 4 && degrees < 10) continue;
                 const auto found = changes(c, o);
                 const double allowed = 4 * usual_tolerance + 3 / c.cells;
-                for (const point p : found) {  // near a crossing chords may cross three times
-                    double nearest = 1e300;
-                    for (const double y : crossings) nearest = (std::min)(nearest, length(p - point{0, y}));
-                    CHECK(nearest <= allowed);
-                }
-                for (const double y : crossings) {
-                    double nearest = 1e300;
-                    for (const point p : found) nearest = (std::min)(nearest, length(p - point{0, y}));
-                    CHECK(nearest <= allowed);
-                }
+                const auto is_near = [&](point p, double y) { return length(p - point{0, y}) <= allowed; };
+                for (const point p : found)  // near a crossing chords may cross three times
+                    CHECK(std::any_of(crossings.begin(), crossings.end(), [&](double y) { return is_near(p, y); }));
+                for (const double y : crossings)
+                    CHECK(std::any_of(found.begin(), found.end(), [&](point p) { return is_near(p, y); }));
             }
-        }
     }
 }
 
@@ -317,22 +302,19 @@ TEST_CASE("tangent circles, kissing quadratics and a line on a circle obey the l
             {bow({{500, 0}, {250, 200}, {0, 0}}, -50), bow({{0, 200 + gap}, {250, 0 + gap}, {500, 200 + gap}}, 300)},
             {bow({{500, 0}, {250, 200}, {0, 0}}, -50), bow({{500, gap}, {250, 200 + gap}, {0, gap}}, -60)},
         };
-        for (std::size_t k = 0; k < shapes.size(); ++k) {
-            for (const double angle : angles) {
+        for (std::size_t k = 0; k < shapes.size(); ++k)
+            for (const double angle : angles)
                 for (const bool mirrored : {false, true}) {
                     std::vector<path> paths;
                     for (const path& p : shapes[k]) paths.push_back(turned(p, angle, mirrored));
                     const outline o = outline_of(paths);
                     for (const fill_rule rule : {fill_rule::non_zero, fill_rule::even_odd}) {
-                        capped c;
-                        build(c, o, usual_tolerance, rule);
+                        const capped c{o, rule};
                         INFO("shape " << k << " at " << d << " tolerances, " << angle << ", mirrored " << mirrored);
                         CHECK(broken_law(c, o, usual_tolerance, rule) == "");
                         if (d >= 0.1 && k != 1 && k != 5) CHECK(c.made.outers() == 2);
                     }
                 }
-            }
-        }
     }
 }
 
@@ -358,8 +340,7 @@ TEST_CASE("random pairs of curves that run close to each other obey the laws", "
         }
         const outline o = outline_of({a, i % 2 == 0 ? b : reversed(b)});
         for (const fill_rule rule : {fill_rule::non_zero, fill_rule::even_odd}) {
-            capped c;
-            build(c, o, usual_tolerance, rule);
+            const capped c{o, rule};
             refined += c.effort().rounds != 0;
             CHECK(c.effort().rounds <= 12);
             INFO("pair " << i);
@@ -369,19 +350,18 @@ TEST_CASE("random pairs of curves that run close to each other obey the laws", "
     CHECK(refined > 20);
 }
 
-TEST_CASE("curves that truly coincide are not made finer", "[cap_builder]")
+TEST_CASE("curves that coincide are not made finer", "[cap_builder]")
 {
     const path a = circle({0, 0}, 300), shifted = circle({300, 100}, 300, 4, 0.3);
     for (const auto& shape : {std::vector<path>{a, a, shifted}, std::vector<path>{a, reversed(a), shifted}}) {
         const outline o = outline_of(shape);
-        capped c;
-        build(c, o, usual_tolerance, fill_rule::non_zero);
+        const capped c{o, fill_rule::non_zero};
         CHECK(c.effort().rounds == 0);
         CHECK(broken_law(c, o, usual_tolerance, fill_rule::non_zero) == "");
     }
 }
 
-TEST_CASE("ninety-six copies of a contour, each moved a little, are made finer in a few rounds only", "[cap_builder]")
+TEST_CASE("ninety-six slightly moved copies of a contour are made finer in at most five rounds", "[cap_builder]")
 {
     // The chords of each two copies cross where the curves pass each other; to make them finer makes new ones do so.
     for (const double shift : {0.02, 0.05}) {
@@ -426,63 +406,57 @@ TEST_CASE("a corner just beside a curve stays apart from it at every tolerance",
     const outline o = outline_of({below, box_path(200, 19, 372, 478)});
     for (int i = 0; i < 1000; ++i) {
         const double coarse = 1.25 + 0.01 * i;
-        capped c;
-        build(c, o, coarse, fill_rule::non_zero);
+        const capped c{o, fill_rule::non_zero, coarse};
         INFO("tolerance " << coarse);
         CHECK(c.made.outers() == 2);
         CHECK(changes(c, o).empty());
     }
 }
 
-TEST_CASE("steep crossings and crossing lines cost no finer curve, wherever on their chords they lie", "[cap_builder]")
+TEST_CASE("steep crossings and crossing lines make no curve finer, anywhere on their chords", "[cap_builder]")
 {
     for (int i = 0; i < 200; ++i) {
         const double x = 200 + 0.9 * i;
         const outline o =
             outline_of({circle({0, 0}, 300, 4, 0.01 * i), circle({x, 40}, 300), box_path(-350, -20, 700, 20)});
-        capped c;
-        build(c, o, usual_tolerance, fill_rule::non_zero);
+        const capped c{o, fill_rule::non_zero};
         CHECK(c.effort().rounds == 0);
     }
 }
 
-TEST_CASE("a contour whose curves have an area is never lost, however coarse the tolerance", "[cap_builder]")
+TEST_CASE("a contour whose curves have an area is kept at every tolerance", "[cap_builder]")
 {
     for (const double coarse : {1.0, 10.0, 100.0, 1000.0}) {
-        for (const int pieces : {2, 3, 4}) {
+        for (const int pieces : {2, 3, 4})
             for (const double radius : {0.05, 1.0, 30.0}) {
                 const outline o = outline_of({circle({10, 20}, radius, pieces, 0.7)});
-                capped c;
-                build(c, o, coarse, fill_rule::non_zero);
+                const capped c{o, fill_rule::non_zero, coarse};
                 INFO("tolerance " << coarse << ", radius " << radius << ", pieces " << pieces);
                 CHECK(c.made.outers() == 1);
                 CHECK(c.made.triangle_count() >= 1);
             }
-        }
         const outline lens = outline_of(
             {{curve::from(quadratic{{0, 0}, {50, 1}, {100, 0}}), curve::from(quadratic{{100, 0}, {50, -1}, {0, 0}})}});
-        capped c;
-        build(c, lens, coarse, fill_rule::non_zero);
+        const capped c{lens, fill_rule::non_zero, coarse};
         CHECK(c.made.outers() == 1);
     }
     const curve there = curve::from(quadratic{{0, 0}, {50, 100}, {100, 0}});
     const outline nothing = outline_of({{there, reversed({there})[0]}});  // there and back
-    capped c;
-    build(c, nothing, 100.0, fill_rule::non_zero);
+    const capped c{nothing, fill_rule::non_zero, 100.0};
     CHECK(c.made.points().empty());
 }
 
-TEST_CASE("what keeps no tolerance is not asked twice, and triangulators that prove nothing get the same region",
-          "[cap_builder]")
+TEST_CASE(
+    "a discretiser without a tolerance is not called again, and triangulators that prove nothing get the same region",
+    "[cap_builder]")
 {
     const outline o = outline_of({circle({0, 0}, 400), circle({0, 0}, 399, 5, 0.3)});
-    capped lines, halves, proving, plain;
-    build(lines, o, usual_tolerance, fill_rule::even_odd, two_lines{});
-    build(halves, o, usual_tolerance, fill_rule::even_odd, adaptive_subdivision{.distance = 0.5});
+    constexpr auto rule = fill_rule::even_odd;
+    const capped lines{o, rule, usual_tolerance, two_lines{}}, proving{o, rule};
+    const capped halves{o, rule, usual_tolerance, adaptive_subdivision{.distance = 0.5}};
+    const capped plain{o, rule, usual_tolerance, certified{}, test::unproving{}};
     CHECK(lines.effort().rounds == 0);
     CHECK(halves.effort().rounds == 0);
-    build(proving, o, usual_tolerance, fill_rule::even_odd);
-    build(plain, o, usual_tolerance, fill_rule::even_odd, certified{}, test::unproving{});
     CHECK(proving.effort().rounds > 0);
     CHECK(test::oracle::doubled_area(test::oracle::loops_of(proving.made)) ==
           test::oracle::doubled_area(test::oracle::loops_of(plain.made)));

@@ -8,7 +8,7 @@
 
 using namespace typemesh;
 
-TEST_CASE("a glyph's policies serve for its caps", "[glyph]")
+TEST_CASE("a glyph's policies can be used for its caps", "[glyph]")
 {
     test::toy_font font;
     outline drawn;

@@ -75,12 +75,11 @@ double nearest_beside(const curve& a, const curve& b, point place, double reach)
 {
     std::vector<point> of_a, of_b;
     constexpr int n = 4000;
-    for (int i = 0; i <= n; ++i) {
+    for (int i = 0; i <= n; ++i)
         for (auto& [c, all] : {std::pair{&a, &of_a}, std::pair{&b, &of_b}}) {
             const point p = cells.cells * c->at(double(i) / n);
             if (length(p - place) <= reach) all->push_back(p);
         }
-    }
     double nearest = 1e300;
     for (std::size_t i = 0; i + 1 < of_a.size(); ++i) {
         const point along = of_a[i + 1] - of_a[i];
@@ -100,7 +99,7 @@ double nearest_beside(const curve& a, const curve& b, point place, double reach)
 
 }  // namespace
 
-TEST_CASE("lines cross where they are drawn, and so does a line that begins on a curve", "[glyph][crossing_refinement]")
+TEST_CASE("a crossing of lines stands, and so does the end of a line on a curve", "[glyph][crossing_refinement]")
 {
     const curve up = curve::from(point{0, 0}, point{500, 1}), down = curve::from(point{0, 1}, point{500, 0});
     refinement lines{up, down};
@@ -111,8 +110,7 @@ TEST_CASE("lines cross where they are drawn, and so does a line that begins on a
     CHECK(ends.filter({whole_chord(ends.shape, 0), whole_chord(ends.shape, 2), {500 * 512, 0}}));
 }
 
-TEST_CASE("a curve drawn twice, in either direction, lies on itself wherever its chords meet",
-          "[glyph][crossing_refinement]")
+TEST_CASE("all intersections of a curve that is drawn twice stand, in both directions", "[glyph][crossing_refinement]")
 {
     const cubic c{{0, 0}, {100, 400}, {400, -300}, {500, 10}};
     for (const cubic& again : {c, cubic{c.p3, c.p2, c.p1, c.p0}}) {
@@ -130,7 +128,7 @@ TEST_CASE("a curve drawn twice, in either direction, lies on itself wherever its
     CHECK(moved.filter.effort().unsettled == 0);
 }
 
-TEST_CASE("an intersection that stands has a common point of the curves near by, and a clear one stands",
+TEST_CASE("every clear intersection stands, and those that stand lie near a common point of the curves",
           "[glyph][crossing_refinement]")
 {
     test::dice d{77};
@@ -150,14 +148,13 @@ TEST_CASE("an intersection that stands has a common point of the curves near by,
         contours chords;
         REQUIRE(discretise(r.shape, certified{}, font_tolerance, cells, chords));
         std::vector<intersection::edge> of[2];
-        for (std::uint32_t contour = 0; contour < 2; ++contour) {
+        for (std::uint32_t contour = 0; contour < 2; ++contour)
             for (std::uint32_t i = chords.starts[contour]; i < chords.starts[contour + 1]; ++i) {
                 const std::uint32_t next = i + 1 == chords.starts[contour + 1] ? chords.starts[contour] : i + 1;
                 if (chords.edges[i].curve % 2 == 0)
                     of[contour].push_back({chords.points[i], chords.points[next], chords.edges[i]});
             }
-        }
-        for (const auto& e : of[0]) {
+        for (const auto& e : of[0])
             for (const auto& f : of[1]) {
                 point at;
                 if (!cross_inside(e, f, at)) continue;
@@ -174,14 +171,13 @@ TEST_CASE("an intersection that stands has a common point of the curves near by,
                     clear += is_clear;
                 }
             }
-        }
     }
     CHECK(stood > 300);
     CHECK(refused > 100);
     CHECK(clear == 0);
 }
 
-TEST_CASE("curves that pass each other are wanted finer until no chords can cross, six times at most",
+TEST_CASE("curves that pass each other are halved until no chords can cross, at most six times",
           "[glyph][crossing_refinement]")
 {
     // Two bows 0.3 units apart; the intersection is one that chords of a coarse polygon would have.
@@ -208,7 +204,7 @@ TEST_CASE("curves that pass each other are wanted finer until no chords can cros
     CHECK(r.filter.is_content());
 }
 
-TEST_CASE("a wide gap asks for fewer halvings than a narrow one", "[glyph][crossing_refinement]")
+TEST_CASE("a wide gap needs no more halvings than a narrow one", "[glyph][crossing_refinement]")
 {
     std::uint32_t last = crossing_refinement::max_halvings;
     for (const double gap : {0.05, 0.1, 0.25, 0.5, 1.0, 2.0, 3.9}) {

@@ -28,7 +28,7 @@ struct kept_parts {
 
 }  // namespace
 
-TEST_CASE("a trimmed builder holds nothing, and builds the same glyph again", "[glyph]")
+TEST_CASE("a trimmed builder holds no memory, and builds the same glyph again", "[glyph]")
 {
     test::toy_font font;
     test::counting_memory memory;

@@ -47,19 +47,33 @@ glyph_draft draft_of(const std::vector<grid_point>& points)
     return parts;
 }
 
+/// A glyph that is in the cache, and not pinned.
+void keep_unpinned(glyph_cache<>& cache, glyph_id id, const std::vector<grid_point>& points)
+{
+    const built_glyph* s = cache.keep({}, id, draft_of(points));
+    REQUIRE(s != nullptr);
+    cache.release({&s, 1});
+}
+
+/// Finds a glyph that is not pinned, and pins it only meanwhile.
+const built_glyph* found_in(glyph_cache<>& cache, glyph_id id)
+{
+    const built_glyph* s = cache.find({}, id);
+    if (s != nullptr) cache.release({&s, 1});
+    return s;
+}
+
 /// How many bytes a shape of `points` points takes in a cache.
 std::size_t bytes_of(std::size_t points)
 {
-    const std::vector<grid_point> some(points);
     glyph_cache cache;
-    const built_glyph* s = cache.keep({}, 0, draft_of(some));
-    cache.release({&s, 1});
+    keep_unpinned(cache, 0, std::vector<grid_point>(points));
     return cache.statistics().bytes;
 }
 
 }  // namespace
 
-TEST_CASE("what is kept is found under its own key and no other", "[text]")
+TEST_CASE("a kept glyph is found by its own key and no other", "[text]")
 {
     glyph_cache cache;
     const std::vector<grid_point> points{{1, 2}, {3, 4}, {-5, 6}};
@@ -85,7 +99,7 @@ TEST_CASE("what is kept is found under its own key and no other", "[text]")
     CHECK(cache.statistics().pinned == 0);
 }
 
-TEST_CASE("contexts whose hashes are equal are told apart", "[text]")
+TEST_CASE("contexts with equal hashes are distinguished", "[text]")
 {
     glyph_cache cache;
     glyph_context here, there;
@@ -102,7 +116,7 @@ TEST_CASE("contexts whose hashes are equal are told apart", "[text]")
     cache.release(pinned);
 }
 
-TEST_CASE("the bound holds for what is not pinned, and what was released longest ago goes first", "[text]")
+TEST_CASE("the bound limits glyphs that are not pinned, and the one released first is dropped first", "[text]")
 {
     const std::size_t each = bytes_of(10);
     const std::vector<grid_point> points(10);
@@ -120,33 +134,22 @@ TEST_CASE("the bound holds for what is not pinned, and what was released longest
     CHECK(cache.find({}, 0) == nullptr);
     CHECK(cache.find({}, 1) == nullptr);
 
-    const built_glyph* two = cache.find({}, 2);  // used again: now 3 is the oldest
-    REQUIRE(two != nullptr);
-    cache.release({&two, 1});
-    const built_glyph* nine = cache.keep({}, 9, draft_of(points));
-    cache.release({&nine, 1});
+    REQUIRE(found_in(cache, 2) != nullptr);  // used again: now 3 is the oldest
+    keep_unpinned(cache, 9, points);
     CHECK(cache.find({}, 3) == nullptr);
-    for (const glyph_id id : {2u, 4u, 9u}) {
-        const built_glyph* s = cache.find({}, id);
-        CHECK(s != nullptr);
-        cache.release({&s, 1});
-    }
+    for (const glyph_id id : {2u, 4u, 9u}) CHECK(found_in(cache, id) != nullptr);
     cache.set_bound(each);
     CHECK(cache.statistics().entries == 1);
     cache.set_bound(0);
     CHECK(cache.statistics().entries == 0);
 }
 
-TEST_CASE("a pinned shape stays where it is while all others go", "[text]")
+TEST_CASE("a pinned glyph stays in place while all others are dropped", "[text]")
 {
     const std::vector<grid_point> points(10, grid_point{3, 4});
     glyph_cache cache{0};
     const built_glyph* first = cache.keep({}, 0, draft_of(points));
-    for (glyph_id id = 1; id < 2000; ++id) {
-        const built_glyph* s = cache.keep({}, id, draft_of(points));
-        REQUIRE(s != nullptr);
-        cache.release({&s, 1});
-    }
+    for (glyph_id id = 1; id < 2000; ++id) keep_unpinned(cache, id, points);
     cache.clear();
     CHECK(cache.statistics().entries == 1);
     CHECK(first->form().points[9] == grid_point{3, 4});
@@ -158,7 +161,7 @@ TEST_CASE("a pinned shape stays where it is while all others go", "[text]")
     CHECK(cache.statistics().entries == 0);
 }
 
-TEST_CASE("of two who build the same glyph the second gets the first one's", "[text]")
+TEST_CASE("the second caller who keeps the same glyph gets the first one's", "[text]")
 {
     const std::vector<grid_point> points(10);
     glyph_cache cache;
@@ -169,7 +172,7 @@ TEST_CASE("of two who build the same glyph the second gets the first one's", "[t
     CHECK(cache.statistics().pinned == 0);
 }
 
-TEST_CASE("memory that fails at any request leaves a cache as it was", "[text]")
+TEST_CASE("a failed request for memory leaves a cache unchanged", "[text]")
 {
     const std::vector<grid_point> points(10);
     for (std::size_t n = 1; n < 1100; n += n < 20 ? 1 : 37) {
@@ -182,11 +185,8 @@ TEST_CASE("memory that fails at any request leaves a cache as it was", "[text]")
                 if (s != nullptr) kept.push_back(s);
             }
             CHECK(cache.statistics().entries == kept.size());
-            for (std::size_t id = 0; id < kept.size(); ++id) {
-                const built_glyph* s = cache.find({}, static_cast<glyph_id>(id));
-                CHECK(s == kept[id]);
-                cache.release({&s, 1});
-            }
+            for (std::size_t id = 0; id < kept.size(); ++id)
+                CHECK(found_in(cache, static_cast<glyph_id>(id)) == kept[id]);
             counted.fail_at = 0;
             const built_glyph* late = cache.keep({}, 5000, draft_of(points));
             CHECK(late != nullptr);
@@ -197,7 +197,7 @@ TEST_CASE("memory that fails at any request leaves a cache as it was", "[text]")
     }
 }
 
-TEST_CASE("meshes are the same to the last bit with and without reuse and cache", "[text]")
+TEST_CASE("meshes are the same to the bit with and without reuse and a cache", "[text]")
 {
     const char* text = "oEi xooE~q\nEoixio";
     const auto unit = GENERATE(output_unit::em, output_unit::unit_box);
@@ -227,7 +227,7 @@ TEST_CASE("meshes are the same to the last bit with and without reuse and cache"
     CHECK(cache.statistics().pinned == 0);
 }
 
-TEST_CASE("a refusal out of the cache is reported with its own place", "[text]")
+TEST_CASE("a refusal from the cache is reported with its own place in the text", "[text]")
 {
     test::toy_font font;
     glyph_cache cache;
@@ -265,23 +265,23 @@ TEST_CASE("settings and policies that shape glyphs differently never share them"
     CHECK(drawn_by(plain(), {.tolerance = 0.01}) == 2);
     CHECK(drawn_by(plain(), {.fill = fill_rule::even_odd}) == 2);
     CHECK(drawn_by(plain(), {.fill = fill_rule::non_zero}) == 2);  // not known to be the font's own
-    CHECK(drawn_by(plain().with(two_lines{})) == 2);
-    CHECK(drawn_by(plain().with(adaptive_subdivision{.distance = 0.5})) == 2);
+    const auto check_drawn_by_each = [&](const auto&... policies) {
+        int row = 0;
+        const auto check = [&](const auto& policy) {
+            INFO("policy " << row++);
+            CHECK(drawn_by(plain().with(policy)) == 2);
+        };
+        (check(policies), ...);
+    };
+    check_drawn_by_each(two_lines{}, adaptive_subdivision{.distance = 0.5},
+                        adaptive_subdivision{.levels = 2, .distance = 0.5}, adaptive_subdivision{.distance = 30.0},
+                        adaptive_subdivision{.distance = 0.5, .angle = 0.5});
     for (const auto preset : {thesis_quality::low, thesis_quality::normal, thesis_quality::high, thesis_quality::best})
         CHECK(drawn_by(plain().with(thesis_quality{preset, 1000.0})) == 2);
-    CHECK(drawn_by(plain().with(thesis_quality{thesis_quality::high, 2048.0})) == 2);
-    CHECK(drawn_by(plain().with(adaptive_subdivision{.levels = 2, .distance = 0.5})) == 2);
-    CHECK(drawn_by(plain().with(adaptive_subdivision{.distance = 30.0})) == 2);
-    CHECK(drawn_by(plain().with(adaptive_subdivision{.distance = 0.5, .angle = 0.5})) == 2);
-    CHECK(drawn_by(plain().with(constrained_delaunay{})) == 2);
-    CHECK(drawn_by(plain().with(flat{})) == 2);
-    CHECK(drawn_by(plain().with(extruded<shared_normals>{})) == 2);
-    CHECK(drawn_by(plain().with(extruded<creased_normals>{})) == 2);
-    CHECK(drawn_by(plain().with(extruded<>{.front = false})) == 2);
-    CHECK(drawn_by(plain().with(extruded<>{.back = false})) == 2);
-    CHECK(drawn_by(plain().with(extruded<>{.side = false})) == 2);
-    CHECK(drawn_by(plain().with(extruded<>{.texture = texture_mapping::box})) == 2);
-    CHECK(drawn_by(plain().with(extruded<>{.normals = {.crease_degrees = 100.0f}})) == 2);
+    check_drawn_by_each(thesis_quality{thesis_quality::high, 2048.0}, constrained_delaunay{}, flat{},
+                        extruded<shared_normals>{}, extruded<creased_normals>{}, extruded<>{.front = false},
+                        extruded<>{.back = false}, extruded<>{.side = false},
+                        extruded<>{.texture = texture_mapping::box}, extruded<>{.normals = {.crease_degrees = 100.0f}});
     font.axes = 9;
     CHECK(drawn_by(plain()) == 2);
     font.axes = 0;
@@ -292,7 +292,7 @@ TEST_CASE("settings and policies that shape glyphs differently never share them"
     CHECK(drawn_by(plain(), {.unit = output_unit::pixels, .size = 3.0, .frame = left_handed_z_up}) == 0);
 }
 
-TEST_CASE("an option that is refused is refused with a full cache as well", "[text]")
+TEST_CASE("a bad option is refused even if the glyphs are cached", "[text]")
 {
     test::toy_font font;
     glyph_cache cache;
@@ -308,7 +308,7 @@ TEST_CASE("an option that is refused is refused with a full cache as well", "[te
     CHECK(mesher.plan("o"));
 }
 
-TEST_CASE("a plan pins its glyphs until it ends, and only so long", "[text]")
+TEST_CASE("a plan pins its glyphs exactly until it ends", "[text]")
 {
     test::toy_font font;
     glyph_cache cache{0};  // nothing stays but what is pinned
@@ -343,7 +343,7 @@ TEST_CASE("a plan pins its glyphs until it ends, and only so long", "[text]")
     CHECK(cache.statistics().entries == 0);
 }
 
-TEST_CASE("a mesher that is moved takes its pins along", "[text]")
+TEST_CASE("a moved mesher keeps its pins", "[text]")
 {
     test::toy_font font;
     glyph_cache cache{0};
@@ -363,7 +363,7 @@ TEST_CASE("a mesher that is moved takes its pins along", "[text]")
     CHECK(cache.statistics().entries == 0);
 }
 
-TEST_CASE("a run whose glyphs are all cached is planned without memory and without the font", "[text]")
+TEST_CASE("a run of cached glyphs is planned without memory and without the font", "[text]")
 {
     counted_font font;
     test::counting_memory kept, used;
@@ -384,7 +384,7 @@ TEST_CASE("a run whose glyphs are all cached is planned without memory and witho
     CHECK(font.drawn == drawn);
 }
 
-TEST_CASE("memory of the cache that fails at any request fails the plan and nothing more", "[text]")
+TEST_CASE("a lack of memory in the cache fails only the plan", "[text]")
 {
     test::toy_font font;
     text_mesher plain{font};
@@ -404,7 +404,7 @@ TEST_CASE("memory of the cache that fails at any request fails the plan and noth
     }
 }
 
-TEST_CASE("a cache is of use without a mesher", "[text]")
+TEST_CASE("a cache can be used without a mesher", "[text]")
 {
     test::toy_font font;
     glyph_cache cache;

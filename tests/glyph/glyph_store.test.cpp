@@ -24,7 +24,7 @@ std::vector<test::draft> drafts(std::uint64_t seed, int count)
 
 }  // namespace
 
-TEST_CASE("a store keeps every glyph where it is, however many follow", "[glyph][glyph_store]")
+TEST_CASE("a store keeps every glyph in its place when more follow", "[glyph][glyph_store]")
 {
     test::counting_memory memory;
     {
@@ -47,7 +47,7 @@ TEST_CASE("a store keeps every glyph where it is, however many follow", "[glyph]
     CHECK(memory.bytes_held == 0);
 }
 
-TEST_CASE("a store asks for nothing more once it has held as much", "[glyph][glyph_store]")
+TEST_CASE("a cleared store requests no memory until it holds more than before", "[glyph][glyph_store]")
 {
     test::counting_memory memory;
     glyph_store store{memory.source()};
@@ -61,7 +61,7 @@ TEST_CASE("a store asks for nothing more once it has held as much", "[glyph][gly
     }
 }
 
-TEST_CASE("a store that gets no memory says so, and what it kept stays", "[glyph][glyph_store]")
+TEST_CASE("a store reports a lack of memory and keeps its glyphs", "[glyph][glyph_store]")
 {
     test::counting_memory memory{.fail_at = 3};
     {

@@ -34,7 +34,7 @@ int calls() { return std::exchange(counting_lock::calls, 0); }
 
 }  // namespace
 
-TEST_CASE("every pin is given back once: by release, clear, another text, or the end", "[glyph][pinned_glyphs]")
+TEST_CASE("every pin is returned once: by release, by another text, or at the end", "[glyph][pinned_glyphs]")
 {
     cache_type cache;
     {
@@ -59,7 +59,7 @@ TEST_CASE("every pin is given back once: by release, clear, another text, or the
     CHECK(cache.statistics().pinned == 0);
 }
 
-TEST_CASE("glyphs that nobody pins are given back to nobody", "[glyph][pinned_glyphs]")
+TEST_CASE("unpinned glyphs are not returned to a cache", "[glyph][pinned_glyphs]")
 {
     cache_type cache;
     pinned_glyphs held;
@@ -75,7 +75,7 @@ TEST_CASE("glyphs that nobody pins are given back to nobody", "[glyph][pinned_gl
     cache.release({&one, 1});
 }
 
-TEST_CASE("room that the memory does not give pins nothing", "[glyph][pinned_glyphs]")
+TEST_CASE("nothing is pinned if memory has run out", "[glyph][pinned_glyphs]")
 {
     cache_type cache;
     test::counting_memory failing{.fail_at = 1};

@@ -23,7 +23,7 @@ struct stage_list {
 
 }  // namespace
 
-TEST_CASE("policies refer to what they are made of", "[glyph]")
+TEST_CASE("policies refer to the objects that they are made of", "[glyph]")
 {
     const certified flatten;
     const monotone cut;

@@ -14,7 +14,7 @@
 
 using namespace typemesh;
 
-TEMPLATE_TEST_CASE("caps that an extruder asks for are cut by the glyph's own triangulator", "[glyph]", monotone,
+TEMPLATE_TEST_CASE("an extruder's caps are cut by the glyph's own triangulator", "[glyph]", monotone,
                    constrained_delaunay)
 {
     test::toy_font font;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "support/catch.hpp"
+#include "support/counting_memory.hpp"
 #include "support/toy_font.hpp"
 
 #include <typemesh/extrude/embolden.hpp>
@@ -9,7 +10,7 @@
 
 using namespace typemesh;
 
-TEST_CASE("a reference to no step is none, and has a key of its own", "[glyph]")
+TEST_CASE("an empty reference to a step is none, and has a key of its own", "[glyph]")
 {
     const region_step_ref none;
     const embolden bolder, boldest{.by = 0.03f};
@@ -26,12 +27,11 @@ TEST_CASE("a reference to no step is none, and has a key of its own", "[glyph]")
     CHECK(region_step_ref{bad}.refused_options() == error::bad_option);
 }
 
-TEST_CASE("where memory gives no scratch, a step tells so", "[glyph]")
+TEST_CASE("a step reports a lack of memory for its scratch", "[glyph]")
 {
     const embolden bolder;
-    const memory nothing = {nullptr, [](void*, std::size_t, std::size_t) noexcept -> void* { return nullptr; },
-                            [](void*, void*, std::size_t, std::size_t) noexcept {}};
-    plan_scratch scratch{nothing};
+    test::counting_memory nothing{.fail_at = 1};
+    plan_scratch scratch{nothing.source()};
     cap_builder caps, further;
     const monotone cut;
     region_caps maker{caps, further, cut};

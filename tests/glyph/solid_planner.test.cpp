@@ -31,7 +31,7 @@ struct ring {
 
 }  // namespace
 
-TEST_CASE("without a step the draft is the region's own, and what was parted is counted", "[glyph]")
+TEST_CASE("without a step the draft has the region's own points, and parted corners are counted", "[glyph]")
 {
     no_observer nobody;
     const policies with{certified{}, monotone{}, flat{}, nobody};
@@ -50,7 +50,7 @@ TEST_CASE("without a step the draft is the region's own, and what was parted is 
     CHECK(made->draft.plan.touching);
 }
 
-TEST_CASE("after a step the draft is the new region's, and tells the drawn one", "[glyph]")
+TEST_CASE("after a step the draft has the new region's points, and refers to the drawn region", "[glyph]")
 {
     no_observer nobody;
     for (const float by : {0.02f, -0.02f}) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "support/catch.hpp"
+#include "support/counting_memory.hpp"
 #include "support/emboldened.hpp"
 #include "support/toy_font.hpp"
 
@@ -11,8 +12,8 @@
 
 using namespace typemesh;
 
-TEMPLATE_TEST_CASE("a solid is planned through its reference as by itself", "[glyph]", flat, extruded<>, bevelled,
-                   test::emboldened<>, outlined<>)
+TEMPLATE_TEST_CASE("a reference to a solid has the solid's own key, heights and errors", "[glyph]", flat, extruded<>,
+                   bevelled, test::emboldened<>, outlined<>)
 {
     const TestType how;
     const solid_ref refers{how};
@@ -23,16 +24,15 @@ TEMPLATE_TEST_CASE("a solid is planned through its reference as by itself", "[gl
     CHECK(refers.has_heights_of_each() == has_heights<TestType>);
 }
 
-TEST_CASE("where memory gives no plan data, planning a region tells so", "[glyph]")
+TEST_CASE("planning a region reports a lack of memory for plan data", "[glyph]")
 {
     no_observer nobody;
     const certified flatten;
     const monotone cut;
     const extruded<> raise;
     const policies with{flatten, cut, raise, nobody};
-    const memory nothing = {nullptr, [](void*, std::size_t, std::size_t) noexcept -> void* { return nullptr; },
-                            [](void*, void*, std::size_t, std::size_t) noexcept {}};
-    plan_scratch data{nothing};
+    test::counting_memory nothing{.fail_at = 1};
+    plan_scratch data{nothing.source()};
     cap_builder caps, further;
     CHECK(with.raise.plan(region{}, data, {caps, further, with.cut}).error() == error::out_of_memory);
 }

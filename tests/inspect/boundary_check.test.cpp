@@ -19,7 +19,7 @@ std::string broken(const std::vector<test::polyline>& loops)
 
 }  // namespace
 
-TEST_CASE("boundary cycles that keep to their sectors pass, and each fault that is planted in one shows", "[inspect]")
+TEST_CASE("boundary cycles that stay in their sectors pass, and each planted fault is found", "[inspect]")
 {
     const test::polyline box = test::square(0, 0, 10), beside = test::square(10, 10, 10);
     CHECK(broken({box, beside}) == "");  // a common corner

@@ -11,7 +11,7 @@
 using namespace typemesh;
 using namespace typemesh::inspect;
 
-TEST_CASE("the close pairs of edges are those whose boxes have a point in common, each once", "[inspect][boxed_edge]")
+TEST_CASE("the close pairs of edges are the pairs whose boxes have a common point, each once", "[inspect][boxed_edge]")
 {
     test::dice d{15};
     for (int round = 0; round < 300; ++round) {

@@ -38,7 +38,7 @@ struct ring {
 
 }  // namespace
 
-TEST_CASE("a cap that covers its region passes, and each fault that is planted in one shows", "[inspect]")
+TEST_CASE("a cap that covers its region passes, and each planted fault is found", "[inspect]")
 {
     const ring right;
     CHECK(right.broken() == "");

@@ -6,7 +6,7 @@
 
 using namespace typemesh::inspect;
 
-TEST_CASE("meshes of texts are closed, and each fault that is planted in one shows", "[inspect]")
+TEST_CASE("meshes of texts are closed, and each planted fault is found", "[inspect]")
 {
     const test::full_mesh right = solids::of("oEx");
     const std::size_t triangles = right.indices.size() / 3;
@@ -38,7 +38,7 @@ TEST_CASE("meshes of texts are closed, and each fault that is planted in one sho
     CHECK(check_closedness(solids::seen(twice)).unmatched_edges == 3);
 }
 
-TEST_CASE("edges of more than two faces are counted, and which of them are not upright", "[inspect]")
+TEST_CASE("edges of more than two faces are counted, and slanted ones separately", "[inspect]")
 {
     // Two boxes that share an upright edge; lying down, it is not along the depth any more.
     const auto box = [](double x, double y, std::vector<place>& at, std::vector<int>& indices) {
@@ -62,7 +62,7 @@ TEST_CASE("edges of more than two faces are counted, and which of them are not u
     CHECK(lying.crowded_slanted == 1);
 }
 
-TEST_CASE("an edge is crowded from three faces on, whichever way they run along it", "[inspect]")
+TEST_CASE("an edge of three or more faces is crowded, in whichever directions they run", "[inspect]")
 {
     const std::vector<place> at{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}};
     const auto crowded = [&](std::vector<int> indices) {

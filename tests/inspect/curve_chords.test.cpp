@@ -26,7 +26,7 @@ outline closed(std::initializer_list<curve> curves)
 
 }  // namespace
 
-TEST_CASE("chords stay within the error of their curve, end to end", "[inspect][curve_chords]")
+TEST_CASE("chords follow each other and stay within the error of their curve", "[inspect][curve_chords]")
 {
     test::dice d{27};
     const auto any = [&] { return point{1000.0 * d.fraction(), 1000.0 * d.fraction()}; };
@@ -52,7 +52,7 @@ TEST_CASE("chords stay within the error of their curve, end to end", "[inspect][
     }
 }
 
-TEST_CASE("a line is one chord, and what was taken before is forgotten", "[inspect][curve_chords]")
+TEST_CASE("a line is one chord, and take() replaces the chords from before", "[inspect][curve_chords]")
 {
     const outline o = closed({curve::from({0, 0}, {10, 0}), curve::from({10, 0}, {0, 5}), curve::from({0, 5}, {0, 0})});
     curve_chords chords{closed({curve::from(quadratic{{0, 0}, {5, 9}, {0, 0}})}), 1.0, 0.01};
@@ -65,7 +65,7 @@ TEST_CASE("a line is one chord, and what was taken before is forgotten", "[inspe
     CHECK(curve_chords::squared_distance({3, 4}, {}) == 1e300);
 }
 
-TEST_CASE("curves run round a place as often as the angle they sweep says", "[inspect][curve_chords]")
+TEST_CASE("the winding number of curves is the angle that they sweep, in turns", "[inspect][curve_chords]")
 {
     test::dice d{28};
     const auto any = [&] { return point{100.0 * d.fraction(), 100.0 * d.fraction()}; };

@@ -43,7 +43,7 @@ struct curved_ring {
 
 }  // namespace
 
-TEST_CASE("the boundary keeps its tolerance, and a point beyond it shows", "[inspect]")
+TEST_CASE("a boundary within its tolerance passes, and a point beyond the tolerance is found", "[inspect]")
 {
     curved_ring r;
     const auto right = inspect::check_distance(r.filled, r.curves, r.allowed);
@@ -63,7 +63,7 @@ TEST_CASE("the boundary keeps its tolerance, and a point beyond it shows", "[ins
     }
 }
 
-TEST_CASE("a region fills what its curves do, and another does not", "[inspect]")
+TEST_CASE("a region is filled like its curves, and another region is not", "[inspect]")
 {
     const curved_ring r;
     const auto kept = inspect::loops_of(r.filled);
@@ -76,17 +76,16 @@ TEST_CASE("a region fills what its curves do, and another does not", "[inspect]"
     CHECK(inspect::check_fill(inspect::curve_chords{}, r.drawn.rule, kept, r.allowed).places == 0);
 }
 
-TEST_CASE("chords stand for their curves within the error that was asked for", "[inspect]")
+TEST_CASE("chords stay within the requested error of their curves", "[inspect]")
 {
     const curved_ring r;
     const auto fine = inspect::curve_chords{r.drawn, r.cells, 1.0};
     CHECK(fine.all().size() > inspect::curve_chords(r.drawn, r.cells, 100.0).all().size());
-    for (std::uint32_t k = 0; k < r.drawn.curves.size(); ++k) {
+    for (std::uint32_t k = 0; k < r.drawn.curves.size(); ++k)
         for (int i = 0; i <= 100; ++i) {
             const point p = r.cells * r.drawn.curves[k].at(i / 100.0);
             CHECK(inspect::curve_chords::squared_distance(p, fine.of_curve(k)) <= 1.0);
         }
-    }
     CHECK(fine.winding(r.cells * point{50, 250}) == 1);
     CHECK(fine.winding(r.cells * point{250, 250}) == 0);
 }

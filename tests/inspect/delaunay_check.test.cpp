@@ -26,7 +26,7 @@ std::string broken(const test::polyline& l, const std::vector<triangle>& cut)
 
 }  // namespace
 
-TEST_CASE("the diagonal that is not Delaunay is found, and the wrong one of two that tie", "[inspect]")
+TEST_CASE("a diagonal that is not Delaunay is found, and so is the wrong one of a tie", "[inspect]")
 {
     const test::polyline kite{{0, 0}, {10, -3}, {20, 0}, {10, 3}};
     CHECK(broken(kite, {{0, 1, 3}, {1, 2, 3}}) == "");
@@ -36,7 +36,7 @@ TEST_CASE("the diagonal that is not Delaunay is found, and the wrong one of two 
     CHECK(broken(square, {{0, 1, 3}, {1, 2, 3}}) == "a diagonal of cocircular points does not end at the smallest");
 }
 
-TEST_CASE("no diagonal of a Delaunay triangulation can be exchanged unseen", "[inspect]")
+TEST_CASE("every exchanged diagonal of a Delaunay triangulation is found", "[inspect]")
 {
     contours loops = test::contours_of(test::square_with_holes(2, 7));
     workspace space;
@@ -68,7 +68,7 @@ TEST_CASE("no diagonal of a Delaunay triangulation can be exchanged unseen", "[i
 }
 
 #if defined(__SIZEOF_INT128__)
-TEST_CASE("the sides of circles are those of the determinant in 128 bits", "[inspect]")
+TEST_CASE("the side of a circle agrees with the determinant in 128 bits", "[inspect]")
 {
     using typemesh::detail::int128;
     test::dice d{5};

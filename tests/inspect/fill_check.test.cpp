@@ -10,7 +10,7 @@ using namespace typemesh;
 using inspect::check_fill;
 using inspect::fill_check;
 
-TEST_CASE("what fill() keeps of crossing contours is what they fill, and a lost or a turned loop shows", "[inspect]")
+TEST_CASE("fill() keeps what crossing contours fill, and a lost or turned loop is found", "[inspect]")
 {
     const test::polyline outer = test::square(0, 0, 20), hole = test::reversed(test::square(4, 4, 6)),
                          other = test::square(15, 15, 20);
@@ -39,7 +39,7 @@ TEST_CASE("what fill() keeps of crossing contours is what they fill, and a lost 
     }
 }
 
-TEST_CASE("where contours are small all their grid points are compared", "[inspect]")
+TEST_CASE("all grid points of small contours are compared", "[inspect]")
 {
     const test::polyline box = test::square(0, 0, 4);
     const fill_check c = check_fill({box}, fill_rule::non_zero, {box}, 12, 0.0);

@@ -10,7 +10,7 @@ using namespace typemesh::inspect;
 using Catch::Approx;
 using typemesh::fill_rule;
 
-TEST_CASE("the filled area of crossing loops is that of the figure, by both rules", "[inspect]")
+TEST_CASE("the filled area of crossing loops is the area of the figure, by both rules", "[inspect]")
 {
     const test::polyline a = test::square(0, 0, 10), b = test::square(5, 5, 10);
     const std::vector<loop> overlap{a, b};
@@ -27,7 +27,7 @@ TEST_CASE("the filled area of crossing loops is that of the figure, by both rule
     }
 }
 
-TEST_CASE("edges are led through the grid points nearest to where they cross", "[inspect]")
+TEST_CASE("edges pass through the grid points nearest to their crossings", "[inspect]")
 {
     const test::polyline a{{0, 0}, {9, 3}, {0, 3}}, b{{5, -5}, {6, 9}, {20, 0}};
     const rerouted_loops led = reroute_through_crossings({a, b});

@@ -38,7 +38,7 @@ triangles tetrahedron()
 
 }  // namespace
 
-TEST_CASE("a tetrahedron is manifold, and so are two apart", "[manifoldness]")
+TEST_CASE("a tetrahedron is manifold, and so are two separate ones", "[manifoldness]")
 {
     CHECK(triangles{}.check().is_manifold());
     triangles t = tetrahedron();
@@ -47,7 +47,7 @@ TEST_CASE("a tetrahedron is manifold, and so are two apart", "[manifoldness]")
     CHECK(t.check().is_manifold());
 }
 
-TEST_CASE("two that share an edge are crowded there, two that share a point pinched", "[manifoldness]")
+TEST_CASE("two tetrahedra are crowded at a common edge, and pinched at a common point", "[manifoldness]")
 {
     triangles edge = tetrahedron();
     edge.add({0, 0, 0}, {1, 0, 0}, {0, -1, 0}, {0, 0, -1});

@@ -7,7 +7,7 @@
 using namespace typemesh::inspect;
 using Catch::Approx;
 
-TEST_CASE("area and volume are those of the solid, and a planted fault changes them", "[inspect]")
+TEST_CASE("area and volume are the solid's own, and a planted fault changes them", "[inspect]")
 {
     const test::full_mesh m = solids::of("i");  // 0.1 by 0.5 by 0.2 em
     const mesh_measure right = measure(solids::seen(m));

@@ -31,7 +31,7 @@ struct named {
 
 }  // namespace
 
-TEST_CASE("a mesh view reads arrays of any kind, indices of any type", "[inspect]")
+TEST_CASE("a mesh view reads arrays of any kind and indices of any type", "[inspect]")
 {
     const auto is_seen = [](const auto& mesh) {
         CHECK(mesh.vertex_count() == 4);
@@ -54,7 +54,7 @@ TEST_CASE("a mesh view reads arrays of any kind, indices of any type", "[inspect
     is_seen(mesh_view{methods, wide});
 }
 
-TEST_CASE("triangles whose corners are no vertices, or nowhere, are not drawable", "[inspect]")
+TEST_CASE("triangles are not drawable if their corners are no vertices, or not finite", "[inspect]")
 {
     const double nowhere = std::numeric_limits<double>::quiet_NaN(), far_away = std::numeric_limits<double>::infinity();
     const double positions[][3] = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {nowhere, 0, 0}, {0, far_away, 0}};
@@ -64,7 +64,7 @@ TEST_CASE("triangles whose corners are no vertices, or nowhere, are not drawable
     for (std::size_t t = 1; t < 5; ++t) CHECK_FALSE(mesh.is_drawable(mesh.corners(t)));
 }
 
-TEST_CASE("equal positions are welded, the two zeros among them, and no others", "[inspect]")
+TEST_CASE("only equal positions are welded, and the two zeros are equal", "[inspect]")
 {
     const float next = std::nextafter(1.0f, 2.0f);
     const float positions[][3] = {{0, 0, 1}, {-0.0f, 0, 1}, {0, 0, next}, {1, 0, 0}, {1, 0, 0}, {9, 9, 9}};

@@ -9,7 +9,7 @@
 using namespace typemesh::inspect;
 using test::full_vertex;
 
-TEST_CASE("normals of texts are right, and each fault that is planted in one shows", "[inspect]")
+TEST_CASE("normals of texts are right, and each planted fault is found", "[inspect]")
 {
     const test::full_mesh m = solids::of("oE");
     const auto checked = [](const test::full_mesh& some, int winding = 1, double allowed = 1e-5) {

@@ -9,7 +9,7 @@ using namespace typemesh::inspect;
 using Catch::Approx;
 using typemesh::grid_point;
 
-TEST_CASE("winding numbers, areas and distances of polylines are those of the figure", "[inspect]")
+TEST_CASE("winding numbers, areas and distances of polylines are the figure's own", "[inspect]")
 {
     const test::polyline outer = test::square(0, 0, 10), inner = test::square(2, 2, 4);
     const std::vector<loop> both{outer, inner};
@@ -26,7 +26,7 @@ TEST_CASE("winding numbers, areas and distances of polylines are those of the fi
     CHECK(distance(both, {2, 4}) == Approx(0).margin(1e-12));
 }
 
-TEST_CASE("segments meet where they have a point in common", "[inspect]")
+TEST_CASE("segments meet if they have a point in common", "[inspect]")
 {
     const grid_point a{0, 0}, b{8, 4};
     CHECK(meet(a, b, {0, 4}, {8, 0}));
@@ -41,7 +41,7 @@ TEST_CASE("segments meet where they have a point in common", "[inspect]")
     CHECK(side({-(1 << 28), -(1 << 28)}, {1 << 28, 1 << 28}, {0, 1}) == 1);
 }
 
-TEST_CASE("a place at the height of corners is wound round once", "[inspect]")
+TEST_CASE("a point at the height of corners has winding number 1", "[inspect]")
 {
     const test::polyline diamond{{5, 0}, {10, 5}, {5, 10}, {0, 5}}, turned = test::reversed(diamond);
     for (std::int32_t x = -3; x < 14; ++x) {

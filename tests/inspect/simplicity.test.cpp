@@ -7,7 +7,7 @@
 
 using namespace typemesh::inspect;
 
-TEST_CASE("loops that bound a region are told from those that do not", "[inspect]")
+TEST_CASE("loops that bound a region are distinguished from others", "[inspect]")
 {
     for (const auto& c : test::corpus("regions.txt")) {
         INFO(c.shape);
@@ -21,7 +21,7 @@ TEST_CASE("loops that bound a region are told from those that do not", "[inspect
     CHECK(separated_by({outer, inner}, 1).inside == 2);
 }
 
-TEST_CASE("each way of two edges to meet is found", "[inspect]")
+TEST_CASE("every way in which two edges can meet is found", "[inspect]")
 {
     const test::polyline box = test::square(0, 0, 10);
     const test::polyline crossing[] = {

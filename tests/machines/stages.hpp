@@ -140,7 +140,7 @@ template <class Triangulator>
 void hash_grid(hash& h, const faces& all, typemesh::fill_rule rule, const Triangulator& how)
 {
     typemesh::cap_builder caps;
-    for (const auto& f : all) {
+    for (const auto& f : all)
         for (typemesh::glyph_id g = 0; g < f->letters.size(); ++g) {
             const typemesh::outline curves = curves_of(*f, g);
             typemesh::contours& loops = caps.loops();
@@ -164,7 +164,6 @@ void hash_grid(hash& h, const faces& all, typemesh::fill_rule rule, const Triang
             hash_region(h, *filled);
             for (const typemesh::triangle& t : caps.triangles()) h.add(t.a, 4), h.add(t.b, 4), h.add(t.c, 4);
         }
-    }
 }
 
 /// All letters of a face in a row, which overlap a little.

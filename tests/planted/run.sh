@@ -70,7 +70,7 @@ describe() {  # describe NAME: sets its reason, room, tests, and the file that i
     done <"$here/$1.patch"
     [ -n "$reason" ] && [ -n "$room" ] || { say "$1: needs the lines 'Reason:' and 'Room:'" && return 1; }
     [ -f "$typemesh_root/$changed" ] || { say "$1: there is no file '$changed'" && return 1; }
-    [ -n "$tests" ] || { tests=${changed#include/typemesh/} && tests=${tests%.hpp}; }
+    [ -n "$tests" ] || { tests=${changed#include/typemesh/} && tests=${tests%.hpp} && tests=${tests/\/impl\//\/}; }
 }
 
 plant() {  # plant NAME FILE: the file with the bug; a sentence and failure if it has no place

@@ -108,7 +108,7 @@ struct shared_memory {
 
 }  // namespace
 
-TEMPLATE_TEST_CASE("HarfBuzz: any number of workers makes the same mesh", "[threads][harfbuzz]", flat,
+TEMPLATE_TEST_CASE("any number of HarfBuzz workers makes the same mesh", "[threads][harfbuzz]", flat,
                    extruded<curve_normals>, extruded<creased_normals>, extruded<averaged_normals>,
                    extruded<shared_normals>, extruded<cap_normals>, bevelled)
 {
@@ -123,8 +123,8 @@ struct best_of_thesis : thesis_quality {
     best_of_thesis() noexcept : thesis_quality{best, 1000.0} {}
 };
 
-TEMPLATE_TEST_CASE("HarfBuzz: so it is with every triangulator and discretiser", "[threads][harfbuzz]", monotone,
-                   constrained_delaunay, certified, two_lines, best_of_thesis)
+TEMPLATE_TEST_CASE("HarfBuzz workers make the same mesh with every triangulator and discretiser", "[threads][harfbuzz]",
+                   monotone, constrained_delaunay, certified, two_lines, best_of_thesis)
 {
     auto font = open("opentype/comic-neue/ComicNeue-Regular.otf");
     auto mesher = text_mesher{font}.with(TestType{});
@@ -132,7 +132,7 @@ TEMPLATE_TEST_CASE("HarfBuzz: so it is with every triangulator and discretiser",
                 [&](std::size_t) noexcept { return harfbuzz_font::wrap(font.handle()); });
 }
 
-TEST_CASE("HarfBuzz: and with other scripts, glyphs that overlap among them", "[threads][harfbuzz]")
+TEST_CASE("HarfBuzz workers make the same mesh in other scripts, even of overlapping glyphs", "[threads][harfbuzz]")
 {
     const auto [file, text] = GENERATE(std::pair{"truetype/wqy/wqy-microhei.ttc", "phrases-chinese.txt"},
                                        std::pair{"opentype/fonts-hosny-amiri/Amiri-Regular.ttf", "phrases-arabic.txt"},
@@ -144,7 +144,7 @@ TEST_CASE("HarfBuzz: and with other scripts, glyphs that overlap among them", "[
                 {.merge = merge});
 }
 
-TEST_CASE("FreeType: a face and a library a worker", "[threads][freetype]")
+TEST_CASE("FreeType workers with their own face and library make the same mesh", "[threads][freetype]")
 {
     const std::string path = font_file("truetype/dejavu/DejaVuSans.ttf");
     auto font = freetype_font::open(path.c_str());
@@ -154,7 +154,7 @@ TEST_CASE("FreeType: a face and a library a worker", "[threads][freetype]")
                 [&](std::size_t) noexcept { return freetype_font::open(path.c_str()); });
 }
 
-TEST_CASE("a cache serves several teams and meshers while another thread throws out what it can", "[threads][cache]")
+TEST_CASE("several teams and meshers can share a cache while another thread empties it", "[threads][cache]")
 {
     auto font = open("truetype/dejavu/DejaVuSans.ttf");
     const std::string text = phrases("phrases-latin.txt");
@@ -200,7 +200,8 @@ TEST_CASE("a cache serves several teams and meshers while another thread throws 
     CHECK(cache.statistics().pinned == 0);
 }
 
-TEST_CASE("memory that fails in one of several workers gives a clear error, and all goes on", "[threads][memory]")
+TEST_CASE("a lack of memory in one of several workers is a clear error, and the next build succeeds",
+          "[threads][memory]")
 {
     auto font = open("truetype/dejavu/DejaVuSans.ttf");
     const std::string text = "The quick brown fox jumps over the lazy dog.";
@@ -232,7 +233,7 @@ TEST_CASE("memory that fails in one of several workers gives a clear error, and 
     CHECK(failures > 10);
 }
 
-TEST_CASE("a shared cache whose memory fails gives a clear error, and keeps its count", "[threads][memory]")
+TEST_CASE("a lack of memory in a shared cache is a clear error, and its statistics stay right", "[threads][memory]")
 {
     auto font = open("truetype/dejavu/DejaVuSans.ttf");
     const std::string text = "The quick brown fox jumps over the lazy dog.";

@@ -21,9 +21,8 @@ const char* const texts[] = {"oEix", "xxoo", "EiEiEi", "o", "x~o E", "ii\noo"};
 
 }  // namespace
 
-TEMPLATE_TEST_CASE(
-    "threads that share a cache, small enough to be emptied all the time, build the meshes of one thread",
-    "[threads][cache]", extruded<>, bevelled)
+TEMPLATE_TEST_CASE("threads that share a very small cache build the same meshes as one thread", "[threads][cache]",
+                   extruded<>, bevelled)
 {
     const std::size_t bound = GENERATE(std::size_t{0}, std::size_t{4000}, std::size_t{1} << 20);
     std::vector<full_mesh> expected;

@@ -5,6 +5,7 @@
 #include <array>
 #include <vector>
 
+#include "refusals.hpp"
 #include "support/catch.hpp"
 #include "support/guarded_bytes.hpp"
 
@@ -74,7 +75,7 @@ static_assert(!mesh_vertex<untouched>);
 static_assert(mesh_sink<array_sink<corner, std::uint16_t, corner_writer>>);
 static_assert(mesh_sink<array_sink<corner, std::uint32_t, tinting_writer>>);
 
-TEST_CASE("array_sink writes every vertex once, ascending, and never reads", "[vertex]")
+TEST_CASE("array_sink writes every vertex once, in ascending order, and never reads", "[vertex]")
 {
     slot::log.clear();
     std::array<slot, 7> slots;
@@ -90,7 +91,8 @@ TEST_CASE("array_sink writes every vertex once, ascending, and never reads", "[v
     CHECK(slots[5].held == corner{-1, -1, -1});
 }
 
-TEMPLATE_TEST_CASE("array_sink touches only what it announced", "[vertex]", std::uint16_t, std::uint32_t, std::uint64_t)
+TEMPLATE_TEST_CASE("array_sink writes only as much as it announced", "[vertex]", std::uint16_t, std::uint32_t,
+                   std::uint64_t)
 {
     std::vector<corner> vertices(12, corner{9, 9, 9});
     std::vector<TestType> indices(20, TestType{77});
@@ -112,35 +114,29 @@ TEST_CASE("array_sink adds the base vertex to every index", "[vertex]")
     CHECK(indices == std::vector<std::uint16_t>{1000, 1001, 1002});
 }
 
-TEST_CASE("array_sink says how much is missing before it writes anything", "[vertex]")
+TEST_CASE("array_sink reports how much is missing before it writes anything", "[vertex]")
 {
     std::vector<corner> vertices(4, corner{9, 9, 9});
     std::vector<std::uint32_t> indices(6, 77u);
     auto sink = into(std::span{vertices}, std::span{indices});
-    const error few_vertices = sink.begin({5, 2});
-    CHECK(few_vertices == error::buffer_too_small);
-    CHECK(few_vertices.count == 5);
-    const error few_indices = sink.begin({4, 3});
-    CHECK(few_indices == error::buffer_too_small);
-    CHECK(few_indices.count == 9);
+    test::check_refused(sink.begin({5, 2}), error::buffer_too_small, 5);
+    test::check_refused(sink.begin({4, 3}), error::buffer_too_small, 9);
     CHECK(vertices == std::vector<corner>(4, corner{9, 9, 9}));
     CHECK(indices == std::vector<std::uint32_t>(6, 77u));
     CHECK_FALSE(sink.begin({4, 2}));
 }
 
-TEST_CASE("16-bit indices number 65,535 vertices and no more, the base included", "[vertex]")
+TEST_CASE("16-bit indices number at most 65,535 vertices, including the base", "[vertex]")
 {
     std::vector<corner> vertices(70000);
     std::vector<std::uint16_t> indices(3);
     CHECK_FALSE(into(std::span{vertices}, std::span{indices}).begin({65535, 1}));
-    const error e = into(std::span{vertices}, std::span{indices}).begin({65536, 1});
-    CHECK(e == error::index_overflow);
-    CHECK(e.count == 65536);
+    test::check_refused(into(std::span{vertices}, std::span{indices}).begin({65536, 1}), error::index_overflow, 65536);
     CHECK_FALSE(into(std::span{vertices}, std::span{indices}, 65000).begin({535, 1}));
     CHECK(into(std::span{vertices}, std::span{indices}, 65000).begin({536, 1}) == error::index_overflow);
 }
 
-TEST_CASE("a writer's state is the caller's", "[vertex]")
+TEST_CASE("a writer's state belongs to the caller", "[vertex]")
 {
     float tint = 0.25f;
     std::vector<corner> vertices(2);
@@ -161,7 +157,7 @@ TEST_CASE("an empty mesh needs no memory", "[vertex]")
     sink.end();
 }
 
-TEST_CASE("arrays of a fixed size are written as spans of any size are", "[vertex]")
+TEST_CASE("arrays of a fixed size are written like spans of any size", "[vertex]")
 {
     std::array<corner, 3> vertices{};
     std::array<std::uint16_t, 3> indices{};
@@ -175,8 +171,7 @@ TEST_CASE("arrays of a fixed size are written as spans of any size are", "[verte
     CHECK(into(std::span{vertices}, std::span{indices}, corner_writer{}).begin({4, 1}) == error::buffer_too_small);
 }
 
-TEST_CASE("array_sink fills memory to its last byte and writes no byte farther, and none at all when it refuses",
-          "[vertex]")
+TEST_CASE("array_sink fills memory to exactly its last byte, and writes nothing if it refuses", "[vertex]")
 {
     const test::guarded_bytes vertices{5 * sizeof(corner)}, indices{6 * sizeof(std::uint16_t)};
     auto sink = into(vertices.as<corner>(), indices.as<std::uint16_t>(), 7);

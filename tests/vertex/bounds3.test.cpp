@@ -10,7 +10,7 @@
 
 using namespace typemesh;
 
-TEST_CASE("bounds hold what was added, and no corner is farther out than some of it", "[vertex][bounds3]")
+TEST_CASE("bounds contain all points that were added, and touch them on every side", "[vertex][bounds3]")
 {
     test::dice d{4};
     const auto any = [&] {

@@ -8,7 +8,7 @@
 
 using namespace typemesh;
 
-TEST_CASE("colours lie in memory in the order of their names", "[vertex]")
+TEST_CASE("colours are stored in the order of their names", "[vertex]")
 {
     const rgba8 orange{1.0f, 0.5f, 0.0f};
     unsigned char bytes[4];

@@ -14,7 +14,7 @@
 
 using namespace typemesh;
 
-TEST_CASE("a computed stream holds what its function makes of each vertex, and wants only what that takes", "[vertex]")
+TEST_CASE("a computed stream contains its function's values, and wants only the function's attributes", "[vertex]")
 {
     std::array<box_position, 3> places{};
     std::vector<rgba8> colours(3), tints(4);
@@ -47,7 +47,7 @@ TEST_CASE("a computed stream holds what its function makes of each vertex, and w
     CHECK(tints[3] == rgba8{});
 }
 
-TEST_CASE("a computed stream in bytes leaves the bytes between its elements alone", "[vertex]")
+TEST_CASE("a computed stream in bytes does not write between its elements", "[vertex]")
 {
     const test::guarded_bytes memory{8 + 12 * 2 + 4};
     std::vector<std::uint32_t> indices;

@@ -22,14 +22,13 @@ float written_winding(const frame& f)
 
 }  // namespace
 
-TEST_CASE("triangles are turned so that the winding asked for comes out, in every frame", "[vertex]")
+TEST_CASE("triangles are written with the requested winding in every frame", "[vertex]")
 {
-    for (frame f : {right_handed_y_up, left_handed_y_up, right_handed_z_up, left_handed_z_up}) {
+    for (frame f : {right_handed_y_up, left_handed_y_up, right_handed_z_up, left_handed_z_up})
         for (const int winding : {1, -1}) {
             f.winding = static_cast<std::int8_t>(winding);
             CHECK(written_winding(f) == static_cast<float>(winding));
         }
-    }
 }
 
 TEST_CASE("the named frames put text where their systems expect it", "[vertex]")

@@ -28,7 +28,7 @@ std::uint32_t bits_of(float f) { return half{f}.bits; }
 
 }  // namespace
 
-TEST_CASE("all 65,536 halves mean what their bits say, and come back from floats unchanged", "[vertex]")
+TEST_CASE("all 65,536 halves have the values of their bits, and are unchanged after a float", "[vertex]")
 {
     for (std::uint32_t bits = 0; bits < 0x10000; ++bits) {
         const float f = static_cast<float>(half::from_bits(static_cast<std::uint16_t>(bits)));
@@ -48,7 +48,7 @@ TEST_CASE("all 65,536 halves mean what their bits say, and come back from floats
     SUCCEED();
 }
 
-TEST_CASE("every float becomes the nearest half, and the even one between two", "[vertex]")
+TEST_CASE("every float becomes the nearest half, or the even one half-way between two", "[vertex]")
 {
     // Rounding is monotone, so it is right everywhere when it is right on both sides of every middle, and in it.
     for (std::uint32_t low = 0; low < 0x7C00; ++low) {
@@ -66,7 +66,7 @@ TEST_CASE("every float becomes the nearest half, and the even one between two", 
     SUCCEED();
 }
 
-TEST_CASE("halves keep what lies at the ends", "[vertex]")
+TEST_CASE("halves are right at the ends of their range", "[vertex]")
 {
     constexpr float infinity = std::numeric_limits<float>::infinity();
     CHECK(bits_of(65504.0f) == 0x7BFF);

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "refusals.hpp"
 #include "support/catch.hpp"
 
 #include <typemesh/vertex/impl/index_writer.hpp>
@@ -8,7 +9,7 @@
 
 using namespace typemesh;
 
-TEST_CASE("the greatest index stays free", "[vertex]")
+TEST_CASE("the greatest index value is not used", "[vertex]")
 {
     CHECK(index_can_number<std::uint32_t>(0xFFFF'FFFFu));
     CHECK_FALSE(index_can_number<std::uint32_t>(0x1'0000'0000u));
@@ -23,8 +24,9 @@ TEST_CASE("the greatest index stays free", "[vertex]")
     CHECK(index_can_number<std::int64_t>(0xFFFF'FFFFu));
 }
 
-TEMPLATE_TEST_CASE("triangles come behind one another in indices of every width, the base added to each", "[vertex]",
-                   std::uint8_t, std::uint16_t, std::uint32_t, std::uint64_t, std::int16_t, std::int32_t, std::int64_t)
+TEMPLATE_TEST_CASE("triangles are written one after another into indices of every width, each with the base added",
+                   "[vertex]", std::uint8_t, std::uint16_t, std::uint32_t, std::uint64_t, std::int16_t, std::int32_t,
+                   std::int64_t)
 {
     std::vector<TestType> indices(9, TestType{77});
     index_writer<TestType> writer{100};
@@ -35,12 +37,10 @@ TEMPLATE_TEST_CASE("triangles come behind one another in indices of every width,
     CHECK(indices == std::vector<TestType>{100, 101, 102, 77, 77, 77, 102, 101, 200});
 }
 
-TEST_CASE("vertices that no index of the type can name are refused, the base's included", "[vertex]")
+TEST_CASE("more vertices than the index type can number are refused, including the base", "[vertex]")
 {
     CHECK_FALSE(index_writer<std::uint16_t>{5}.numbers(0xFFFF - 5));
-    const error e = index_writer<std::uint16_t>{5}.numbers(0xFFFF - 4);
-    CHECK(e.code == error::index_overflow);
-    CHECK(e.count == 0x1'0000u);
+    test::check_refused(index_writer<std::uint16_t>{5}.numbers(0xFFFF - 4), error::index_overflow, 0x1'0000u);
     CHECK(index_writer<std::uint32_t>{0xFFFF'FFFFu}.numbers(1).code == error::index_overflow);
     CHECK_FALSE(index_writer<std::uint64_t>{0xFFFF'FFFFu}.numbers(0xFFFF'FFFFu));
 }

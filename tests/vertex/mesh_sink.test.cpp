@@ -20,7 +20,7 @@ struct nowhere {
 struct quiet : nowhere {
     void end() noexcept { ++ends; }
 };
-struct tells : nowhere {
+struct with_error : nowhere {
     error what = {};
     error end() noexcept { return ++ends, what; }
 };
@@ -30,14 +30,14 @@ struct counts : nowhere {
 
 }  // namespace
 
-static_assert(mesh_sink<quiet> && mesh_sink<tells> && !mesh_sink<counts> && !mesh_sink<nowhere>);
+static_assert(mesh_sink<quiet> && mesh_sink<with_error> && !mesh_sink<counts> && !mesh_sink<nowhere>);
 
-TEST_CASE("a sink ends once, with its error where it has one", "[vertex]")
+TEST_CASE("a sink ends once, and returns its error if it has one", "[vertex]")
 {
     quiet silent;
     CHECK_FALSE(end_of(silent));
     CHECK(silent.ends == 1);
-    tells loud;
+    with_error loud;
     CHECK_FALSE(end_of(loud));
     loud.what = error::not_written;
     CHECK(end_of(loud) == error::not_written);

@@ -12,8 +12,8 @@ using namespace typemesh;
 static_assert(snorm8{-1.0f}.bits == -127 && unorm8{1.0f}.bits == 255 && snorm16{0.0f}.bits == 0);
 static_assert(std::is_trivially_copyable_v<snorm16> && std::is_standard_layout_v<snorm16>);
 
-TEMPLATE_TEST_CASE("every step comes back, and every float becomes the nearest step", "[vertex]", snorm8, snorm16,
-                   unorm8, unorm16)
+TEMPLATE_TEST_CASE("every step is unchanged after a float, and every float becomes the nearest step", "[vertex]",
+                   snorm8, snorm16, unorm8, unorm16)
 {
     using integer = decltype(TestType::bits);
     constexpr int most = TestType::most, least = std::is_signed_v<integer> ? -most : 0;
@@ -35,7 +35,7 @@ TEMPLATE_TEST_CASE("every step comes back, and every float becomes the nearest s
     SUCCEED();
 }
 
-TEMPLATE_TEST_CASE("what is out of range becomes the end of the range", "[vertex]", snorm8, snorm16, unorm8, unorm16)
+TEMPLATE_TEST_CASE("values out of range become the end of the range", "[vertex]", snorm8, snorm16, unorm8, unorm16)
 {
     using integer = decltype(TestType::bits);
     constexpr int most = TestType::most, least = std::is_signed_v<integer> ? -most : 0;
@@ -48,7 +48,7 @@ TEMPLATE_TEST_CASE("what is out of range becomes the end of the range", "[vertex
     CHECK((odd == least || odd == most));
 }
 
-TEST_CASE("a signed number's lowest pattern means -1, as graphics interfaces read it", "[vertex]")
+TEST_CASE("a signed number's lowest pattern means -1, as in graphics interfaces", "[vertex]")
 {
     CHECK(static_cast<float>(snorm8::from_bits(-128)) == -1.0f);
     CHECK(static_cast<float>(snorm16::from_bits(-32768)) == -1.0f);

@@ -39,7 +39,7 @@ TEST_CASE("octahedral vectors keep their error bounds", "[vertex]")
     CHECK(in_four < 0.0025);
 }
 
-TEST_CASE("no step of an octahedral vector's pattern lies closer than the one chosen", "[vertex]")
+TEST_CASE("no pattern of an octahedral vector is clearly closer than the chosen one", "[vertex]")
 {
     for (const vec3 v : directions(60)) {
         const double chosen = degrees_between(octahedral16{v.x, v.y, v.z}.decoded(), v);
@@ -56,7 +56,7 @@ TEST_CASE("no step of an octahedral vector's pattern lies closer than the one ch
     }
 }
 
-TEST_CASE("the axes are steps of their own", "[vertex]")
+TEST_CASE("octahedral vectors store the axes exactly", "[vertex]")
 {
     for (const vec3 v : {vec3{1, 0, 0}, vec3{-1, 0, 0}, vec3{0, 1, 0}, vec3{0, -1, 0}, vec3{0, 0, 1}, vec3{0, 0, -1}}) {
         CHECK(octahedral16{v.x, v.y, v.z}.decoded() == v);
@@ -65,7 +65,7 @@ TEST_CASE("the axes are steps of their own", "[vertex]")
     }
 }
 
-TEST_CASE("what is read from every pattern of two bytes goes back to a pattern of the same vector", "[vertex]")
+TEST_CASE("every pattern of two bytes is decoded and encoded to the same vector", "[vertex]")
 {
     for (int x = -127; x <= 127; ++x)
         for (int y = -127; y <= 127; ++y) {

@@ -8,7 +8,7 @@
 
 using namespace typemesh;
 
-TEST_CASE("every step of a box comes back, the corners exactly", "[vertex]")
+TEST_CASE("every step of a box is unchanged after decoding, and the corners are exact", "[vertex]")
 {
     const vec3 low{-3.25f, 0.1f, -0.2f}, high{17.5f, 0.9f, 0.0f};
     const auto box = position_box::around(low, high);
@@ -24,7 +24,7 @@ TEST_CASE("every step of a box comes back, the corners exactly", "[vertex]")
     SUCCEED();
 }
 
-TEST_CASE("a position in the box comes back within half a step", "[vertex]")
+TEST_CASE("a position in the box is decoded within half a step", "[vertex]")
 {
     const auto box = position_box::around({-3.25f, 0.1f, -0.2f}, {17.5f, 0.9f, 0.0f});
     std::uint32_t random = 1;
@@ -43,7 +43,7 @@ TEST_CASE("a position in the box comes back within half a step", "[vertex]")
     SUCCEED();
 }
 
-TEST_CASE("what lies outside is moved to the box, and an axis without extent comes back exactly", "[vertex]")
+TEST_CASE("positions outside are moved to the box, and an axis without extent is exact", "[vertex]")
 {
     const auto box = position_box::around({0.0f, 0.0f, 0.125f}, {2.0f, 1.0f, 0.125f});
     CHECK(box({-5.0f, 9.0f, 0.125f}) == box_position{0.0f, 1.0f, 0.0f});
@@ -52,7 +52,7 @@ TEST_CASE("what lies outside is moved to the box, and an axis without extent com
     CHECK(nothing.decoded(nothing({})) == vec3{});
 }
 
-TEST_CASE("a cube has one scale, the longest", "[vertex]")
+TEST_CASE("a cube has one scale, its longest side", "[vertex]")
 {
     CHECK(position_box::cube_around({1, 2, 3}, {2, 7, 4}).scale == vec3{5, 5, 5});
     CHECK(position_box::cube_around({1, 2, 3}, {9, 7, 4}).scale == vec3{8, 8, 8});

@@ -43,7 +43,7 @@ static_assert([]<std::uint32_t... Sets>(std::integer_sequence<std::uint32_t, Set
     return (takes_no_more_room_than_wanted<Sets>() && ...);
 }(std::make_integer_sequence<std::uint32_t, 256>{}));
 
-TEST_CASE("a set of attributes holds what was put into it", "[vertex]")
+TEST_CASE("a set of attributes contains the attributes that were added", "[vertex]")
 {
     constexpr attribute two = attribute::position | attribute::uv;
     CHECK(has(two, attribute::position));
@@ -52,7 +52,7 @@ TEST_CASE("a set of attributes holds what was put into it", "[vertex]")
     CHECK_FALSE(has(attribute::none, attribute::position));
 }
 
-TEST_CASE("a point with fewer attributes keeps those it has", "[vertex]")
+TEST_CASE("a point with fewer attributes keeps the attributes that it has", "[vertex]")
 {
     surface_point<static_cast<attribute>(255)> full;
     full.position = {1, 2, 3};
@@ -77,7 +77,7 @@ TEST_CASE("a point with fewer attributes keeps those it has", "[vertex]")
     CHECK(five.style == style_id{8});
 }
 
-TEST_CASE("a point that nobody has named belongs to no glyph, no cluster and no style", "[vertex]")
+TEST_CASE("a point belongs to no glyph, no cluster and no style by default", "[vertex]")
 {
     const surface_point<attribute::glyph | attribute::cluster | attribute::style> unnamed;
     CHECK(unnamed.style == no_style);

@@ -12,7 +12,7 @@ static_assert(sizeof(snorm10) == 4 && sizeof(unorm10) == 4);
 static_assert(snorm10{1.0f, -1.0f, 0.0f, -1.0f}.bits == (0x1FFu | 0x201u << 10 | 3u << 30));
 static_assert(unorm10{1.0f, 0.0f, 0.0f, 1.0f}.bits == (0x3FFu | 3u << 30));
 
-TEST_CASE("every one of 1023 signed and 1024 unsigned steps comes back in each place", "[vertex]")
+TEST_CASE("each of 1023 signed and 1024 unsigned steps is unchanged after decoding, in each position", "[vertex]")
 {
     for (int i = -511; i <= 511; ++i) {
         const float f = static_cast<float>(i) / 511.0f;
@@ -30,7 +30,7 @@ TEST_CASE("every one of 1023 signed and 1024 unsigned steps comes back in each p
     }
 }
 
-TEST_CASE("every float becomes the nearest of the 10-bit steps", "[vertex]")
+TEST_CASE("every float becomes the nearest 10-bit step", "[vertex]")
 {
     for (int i = 0; i < 511; ++i) {
         const double middle = (i + 0.5) / 511.0;
@@ -47,7 +47,7 @@ TEST_CASE("every float becomes the nearest of the 10-bit steps", "[vertex]")
     }
 }
 
-TEST_CASE("10-bit numbers out of range become the ends, and the lowest pattern means -1", "[vertex]")
+TEST_CASE("10-bit numbers out of range become the end of the range, and the lowest pattern means -1", "[vertex]")
 {
     CHECK(snorm10{7.0f, -7.0f, 1.5f, -9.0f}.decoded() == vec4{1.0f, -1.0f, 1.0f, -1.0f});
     CHECK(unorm10{7.0f, -7.0f, 1.5f, 9.0f}.decoded() == vec4{1.0f, 0.0f, 1.0f, 1.0f});

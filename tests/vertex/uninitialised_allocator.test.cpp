@@ -30,7 +30,7 @@ using array = std::vector<T, uninitialised_allocator<T>>;
 
 using namespace uninitialised_allocator_test;
 
-TEST_CASE("resize() over an uninitialised_allocator writes nothing to what is there already", "[vertex]")
+TEST_CASE("resize() with an uninitialised_allocator leaves memory as it is", "[vertex]")
 {
     array<spot> spots(3, spot{1.0f, 2.0f});
     spots.clear();
@@ -41,7 +41,7 @@ TEST_CASE("resize() over an uninitialised_allocator writes nothing to what is th
     CHECK(spots.back().y == 4.0f);
 }
 
-TEST_CASE("a vector over an uninitialised_allocator copies, moves and grows as others do", "[vertex]")
+TEST_CASE("a vector with an uninitialised_allocator copies, moves and grows like others", "[vertex]")
 {
     array<int> a;
     for (int i = 0; i < 1000; ++i) a.push_back(i);
@@ -51,7 +51,7 @@ TEST_CASE("a vector over an uninitialised_allocator copies, moves and grows as o
     CHECK(uninitialised_allocator<int>{} == uninitialised_allocator<spot>{});
 }
 
-TEST_CASE("growing_sink fills vectors over an uninitialised_allocator", "[vertex]")
+TEST_CASE("growing_sink fills vectors with an uninitialised_allocator", "[vertex]")
 {
     array<spot> vertices;
     array<std::uint16_t> indices;

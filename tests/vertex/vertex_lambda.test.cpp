@@ -48,7 +48,7 @@ bool same_bytes(const std::vector<lit_vertex>& a, const std::vector<lit_vertex>&
 
 }  // namespace
 
-TEST_CASE("a lambda makes the vertices that a trait makes", "[vertex][vertex_lambda]")
+TEST_CASE("a lambda makes the same vertices as a trait", "[vertex][vertex_lambda]")
 {
     std::vector<lit_vertex> by_trait, by_lambda, by_value;
     std::vector<std::uint32_t> indices, of_lambda, of_value;
@@ -70,7 +70,7 @@ TEST_CASE("a lambda makes the vertices that a trait makes", "[vertex][vertex_lam
     for (std::size_t i = 0; i < indices.size(); ++i) REQUIRE(numbers[i] == indices[i] + 7);
 }
 
-TEST_CASE("a lambda may hold state, and its vertices need no trait", "[vertex][vertex_lambda]")
+TEST_CASE("a lambda can contain state, and its vertices need no trait", "[vertex][vertex_lambda]")
 {
     std::vector<std::array<float, 4>> vertices;
     std::vector<std::uint16_t> indices;
@@ -82,7 +82,7 @@ TEST_CASE("a lambda may hold state, and its vertices need no trait", "[vertex][v
     for (const auto& v : vertices) CHECK(v[3] == layer);
 }
 
-TEST_CASE("a lambda's attributes alone are computed", "[vertex][vertex_lambda]")
+TEST_CASE("only a lambda's attributes are computed", "[vertex][vertex_lambda]")
 {
     const auto flat = [](const surface_point<attribute::uv>& s) noexcept { return s.uv; };
     static_assert(lambda_writer<decltype(flat)>::wants == attribute::uv);

@@ -95,7 +95,7 @@ struct wrapped_fake {
 
 }  // namespace
 
-TEST_CASE("what cannot be opened says why", "[windows]")
+TEST_CASE("a font that cannot be opened reports why", "[windows]")
 {
     CHECK(opened("/nowhere/at/all.ttf").error() == error::unreadable_file);
     CHECK(opened("/usr/share/fonts/truetype/dejavu").error() == error::unreadable_file);
@@ -109,7 +109,7 @@ TEST_CASE("what cannot be opened says why", "[windows]")
     CHECK(directwrite_font::open_family(L"No Family Of This Name").error() == error::no_such_family);
 }
 
-TEST_CASE("an HRESULT becomes an error of its own, or font_library_failed with its number", "[windows]")
+TEST_CASE("an HRESULT becomes its own error, or font_library_failed with its number", "[windows]")
 {
     CHECK_FALSE(directwrite_error(S_OK));
     CHECK_FALSE(directwrite_error(S_FALSE));
@@ -150,7 +150,7 @@ TEST_CASE("a font is opened from a file, from a collection and from a face", "[w
     CHECK(same->glyph_count() == file->glyph_count());
 }
 
-TEST_CASE("the font that GDI has selected is opened, by names that are no family of DirectWrite's", "[windows]")
+TEST_CASE("the font that GDI has selected is opened, even if its name is no DirectWrite family", "[windows]")
 {
     const auto key_of = [](const char* path) { return opened(path)->variation_key(); };
     const struct {
@@ -212,7 +212,7 @@ TEST_CASE("an outline comes y up, at one unit per font unit", "[windows]")
     CHECK(o.bounds.high == point{100.0, 100.0});
 }
 
-TEST_CASE("a figure that is left open is closed, one that is hollow is not drawn", "[windows]")
+TEST_CASE("an open figure is closed, and a hollow figure is not drawn", "[windows]")
 {
     wrapped_fake fake;
     REQUIRE(fake.font);
@@ -232,7 +232,7 @@ TEST_CASE("a figure that is left open is closed, one that is hollow is not drawn
     CHECK(o.contour_count() == 1);
 }
 
-TEST_CASE("the fill mode of each glyph is honoured, and does not outlive it", "[windows]")
+TEST_CASE("the fill mode of each glyph applies to that glyph only", "[windows]")
 {
     wrapped_fake fake;
     REQUIRE(fake.font);
@@ -254,7 +254,7 @@ TEST_CASE("the fill mode of each glyph is honoured, and does not outlive it", "[
     CHECK(o.rule == fill_rule::non_zero);
 }
 
-TEST_CASE("elevated quadratics are lowered, true cubics and CFF's curves are not", "[windows]")
+TEST_CASE("quadratics written as cubics are converted back, and true cubics and CFF's curves are not", "[windows]")
 {
     test::fake_face face;
     const auto draw = [&](point p0, point c1, point c2, point p3) {
@@ -290,7 +290,7 @@ TEST_CASE("elevated quadratics are lowered, true cubics and CFF's curves are not
     CHECK(directwrite_font::wrap(&face).error() == error::no_outlines);
 }
 
-TEST_CASE("a coordinate that is not a number, or beyond the grid, costs its glyph and is named", "[windows]")
+TEST_CASE("a coordinate that is not a number, or beyond the grid, refuses its glyph with its own error", "[windows]")
 {
     wrapped_fake fake;
     REQUIRE(fake.font);
@@ -345,7 +345,7 @@ TEST_CASE("a face that fails, or breaks the sink's rules, gives an error with th
     CHECK(directwrite_font::wrap(&fake.face).error() == error::not_a_font);
 }
 
-TEST_CASE("every reference that was taken is given back", "[windows]")
+TEST_CASE("every reference is released", "[windows]")
 {
     SECTION("to a face, by success and by failure")
     {
@@ -425,7 +425,8 @@ TEST_CASE("plain text is shaped: clusters of either encoding, kerning on and off
     CHECK(shaped(*font, "a\nb\r\nc").lines.size() == 3);
 }
 
-TEST_CASE("spaced letters have no ligatures unless they are asked for by name, and stand apart by as much", "[windows]")
+TEST_CASE("spaced letters have no ligatures unless these are requested by name, and are moved by the spacing",
+          "[windows]")
 {
     auto font = opened(dejavu);
     REQUIRE(font);
@@ -458,7 +459,7 @@ TEST_CASE("right-to-left text comes out from left to right, letters joined", "[w
     CHECK(shaped(*font, u"ح").glyphs[0].id != run.glyphs[run.glyphs.size() - 3].id);
 }
 
-TEST_CASE("a line of both directions is put in order by its levels", "[windows]")
+TEST_CASE("a line of both directions is ordered by its levels", "[windows]")
 {
     auto font = opened(dejavu);
     REQUIRE(font);
@@ -473,7 +474,7 @@ TEST_CASE("a line of both directions is put in order by its levels", "[windows]"
     for (std::size_t i = 1; i < run.glyphs.size(); ++i) CHECK(run.glyphs[i].origin.x > run.glyphs[i - 1].origin.x);
 }
 
-TEST_CASE("a tab leads to the next tab stop, and letters on its two sides keep their own direction", "[windows]")
+TEST_CASE("a tab moves to the next tab stop, and the letters on both sides keep their own direction", "[windows]")
 {
     auto font = opened(dejavu);
     REQUIRE(font);
@@ -493,7 +494,7 @@ TEST_CASE("a tab leads to the next tab stop, and letters on its two sides keep t
           std::vector<cluster_id>{4, 3, 0, 1});
 }
 
-TEST_CASE("columns go down, glyph below glyph, Latin letters on their side", "[windows]")
+TEST_CASE("columns run downwards, glyph below glyph, Latin letters on their side", "[windows]")
 {
     auto font = opened(micro_hei);
     REQUIRE(font);
@@ -508,7 +509,7 @@ TEST_CASE("columns go down, glyph below glyph, Latin letters on their side", "[w
     CHECK(shaped(*font, u"世A", upright).looks.empty());
 }
 
-TEST_CASE("a text longer than DirectWrite takes at once is cut and joined", "[windows]")
+TEST_CASE("a text longer than DirectWrite's limit is split and joined", "[windows]")
 {
     auto font = opened(dejavu);
     REQUIRE(font);
@@ -521,7 +522,7 @@ TEST_CASE("a text longer than DirectWrite takes at once is cut and joined", "[wi
     CHECK(std::fabs(run.glyphs[69999].origin.x - run.glyphs[69998].origin.x - pair.glyphs[1].origin.x) < 1e-6);
 }
 
-TEST_CASE("a word through DirectWrite is a closed mesh, inside in, from TrueType and from CFF", "[windows]")
+TEST_CASE("a word from DirectWrite has a closed mesh that faces outwards, both of TrueType and of CFF", "[windows]")
 {
     for (const char* path : {dejavu, comic}) {
         INFO(path);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "support/catch.hpp"
 #include "support/counting_memory.hpp"
+#include "windows/counted.hpp"
 #include "windows/windows_font.hpp"
 
 #include <typemesh/adapt/directwrite_analyser.hpp>
@@ -17,26 +18,18 @@ namespace directwrite_analyser_test {
 constexpr UINT8 neutral = DWRITE_BREAK_CONDITION_NEUTRAL, can = DWRITE_BREAK_CONDITION_CAN_BREAK,
                 may_not = DWRITE_BREAK_CONDITION_MAY_NOT_BREAK, must = DWRITE_BREAK_CONDITION_MUST_BREAK;
 
-/// An IDWriteTextAnalyzer that knows the words it is given, and says of each word's begin what a test wants.
-class fake_words final : public IDWriteTextAnalyzer {
+/// An IDWriteTextAnalyzer with a list of words. It reports at the beginning of each word what a test wants.
+class fake_words final : public test::counted<IDWriteTextAnalyzer> {
 public:
     std::vector<std::wstring> words;
     UINT8 before = can, after = can;
     bool everywhere = false;  // breaks before every unit
-    bool overruns = false;    // speaks of units behind the text, too
+    bool overruns = false;    // reports on units after the text, too
     unsigned calls = 0;
     unsigned fails_at = 0;  // that call, counted from 1
     HRESULT failure = E_FAIL;
     std::vector<std::wstring> languages;
-    ULONG references = 1;
 
-    ULONG STDMETHODCALLTYPE AddRef() noexcept override { return ++references; }
-    ULONG STDMETHODCALLTYPE Release() noexcept override { return --references; }
-    HRESULT STDMETHODCALLTYPE QueryInterface(REFIID, void** out) noexcept override
-    {
-        *out = nullptr;
-        return E_NOINTERFACE;
-    }
     HRESULT STDMETHODCALLTYPE AnalyzeLineBreakpoints(IDWriteTextAnalysisSource* source, UINT32 at, UINT32 length,
                                                      IDWriteTextAnalysisSink* sink) noexcept override
     {
@@ -151,7 +144,8 @@ void check_the_rest(text_view text, const text_analysis& found)
 
 using namespace directwrite_analyser_test;
 
-TEST_CASE("without dictionaries, as Wine is, an analysis with DirectWrite is the library's own", "[windows]")
+TEST_CASE("an analysis with DirectWrite equals the library's own where there are no dictionaries, as in Wine",
+          "[windows]")
 {
     directwrite_analyser analyser;
     const std::u16string text =
@@ -175,7 +169,7 @@ TEST_CASE("without dictionaries, as Wine is, an analysis with DirectWrite is the
     }
 }
 
-TEST_CASE("lines may end between words that DirectWrite knows, in both encodings", "[windows]")
+TEST_CASE("lines can end between words from DirectWrite's dictionaries, in both encodings", "[windows]")
 {
     fake_words words;
     words.words = {thai};
@@ -198,7 +192,7 @@ TEST_CASE("lines may end between words that DirectWrite knows, in both encodings
     CHECK(words.references == 1);
 }
 
-TEST_CASE("a text that needs no dictionary does not ask DirectWrite", "[windows]")
+TEST_CASE("a text that needs no dictionary does not call DirectWrite", "[windows]")
 {
     fake_words words;
     directwrite_analyser analyser{&words};
@@ -208,7 +202,7 @@ TEST_CASE("a text that needs no dictionary does not ask DirectWrite", "[windows]
     CHECK(words.calls == 4);  // of each script, whether its words are known
 }
 
-TEST_CASE("what DirectWrite knows no words of stays unbroken, and holds up no other script", "[windows]")
+TEST_CASE("a script without a dictionary in DirectWrite stays unbroken, and does not affect other scripts", "[windows]")
 {
     fake_words words;
     words.words = {thai};
@@ -224,7 +218,7 @@ TEST_CASE("what DirectWrite knows no words of stays unbroken, and holds up no ot
     CHECK(breaks(found) == std::vector<std::size_t>{8});
 }
 
-TEST_CASE("an analyser that breaks before every letter is one that knows no words", "[windows]")
+TEST_CASE("an analyser that breaks before every letter counts as one without a dictionary", "[windows]")
 {
     fake_words words;
     words.everywhere = true;
@@ -235,7 +229,7 @@ TEST_CASE("an analyser that breaks before every letter is one that knows no word
     CHECK(breaks(found).size() == 3);  // behind the spaces
 }
 
-TEST_CASE("no line ends within a grapheme, whatever DirectWrite says", "[windows]")
+TEST_CASE("no line ends within a grapheme, even if DirectWrite reports a break there", "[windows]")
 {
     fake_words words;
     words.words = {thai};
@@ -252,7 +246,7 @@ TEST_CASE("no line ends within a grapheme, whatever DirectWrite says", "[windows
     CHECK(graphemes.size() < text.size() - 1);
 }
 
-TEST_CASE("a break is where one side allows it and the other does not forbid it", "[windows]")
+TEST_CASE("a line can break where one side allows it and the other does not forbid it", "[windows]")
 {
     const auto broken = [](UINT8 after, UINT8 before) {
         fake_words words;
@@ -271,7 +265,7 @@ TEST_CASE("a break is where one side allows it and the other does not forbid it"
     CHECK_FALSE(broken(may_not, can));
 }
 
-TEST_CASE("a failure of DirectWrite is an error, after which the next text is analysed", "[windows]")
+TEST_CASE("a failure of DirectWrite is an error, and the next text is analysed again", "[windows]")
 {
     const std::u16string text =
         u"\u0E20\u0E32\u0E29\u0E32\u0E44\u0E17\u0E22 \u0E20\u0E32\u0E29\u0E32\u0E44\u0E17\u0E22";
@@ -302,7 +296,7 @@ TEST_CASE("a failure of DirectWrite is an error, after which the next text is an
     CHECK(analyser.analyse(text, {}, found) == error::out_of_memory);
 }
 
-TEST_CASE("want of memory at any request is an error, and no memory is lost", "[windows]")
+TEST_CASE("a lack of memory at any request is an error, and no memory is lost", "[windows]")
 {
     const std::u16string text = u"\u0E20\u0E32\u0E29\u0E32\u0E44\u0E17\u0E22";
     fake_words words;
@@ -333,7 +327,7 @@ TEST_CASE("want of memory at any request is an error, and no memory is lost", "[
     CHECK(words.references == 1);
 }
 
-TEST_CASE("an analyser with DirectWrite that has been moved goes on", "[windows]")
+TEST_CASE("an analyser with DirectWrite still works after it was moved", "[windows]")
 {
     fake_words words;
     words.words = {thai};

@@ -12,18 +12,14 @@ using namespace typemesh;
 namespace {
 
 /// A variable font with the axes wght (100 to 900), wdth (50 to 200) and one that DirectWrite adds (slnt, not variable).
-class fake_resource final : public IDWriteFontResource {
+class fake_resource final : public test::counted<IDWriteFontResource> {
 public:
     std::vector<DWRITE_FONT_AXIS_RANGE> ranges = {{DWRITE_FONT_AXIS_TAG_WEIGHT, 100.0f, 900.0f},
                                                   {DWRITE_FONT_AXIS_TAG_WIDTH, 50.0f, 200.0f},
                                                   {DWRITE_FONT_AXIS_TAG_SLANT, 0.0f, 0.0f}};
     test::fake_varied_face made;  // its axes are those that it was made with
     HRESULT answer = S_OK;
-    ULONG references = 1;
 
-    ULONG STDMETHODCALLTYPE AddRef() noexcept override { return ++references; }
-    ULONG STDMETHODCALLTYPE Release() noexcept override { return --references; }
-    HRESULT STDMETHODCALLTYPE QueryInterface(REFIID, void**) noexcept override { return E_NOINTERFACE; }
     UINT32 STDMETHODCALLTYPE GetFontAxisCount() noexcept override { return static_cast<UINT32>(ranges.size()); }
     // mingw-w64 10 declares what is written as const.
     HRESULT STDMETHODCALLTYPE GetFontAxisRanges(const DWRITE_FONT_AXIS_RANGE* to, UINT32 count) noexcept override
@@ -79,7 +75,7 @@ struct variable_font {
 
 }  // namespace
 
-TEST_CASE("our interfaces of axes are those of dwrite_3.h", "[windows]")
+TEST_CASE("our interfaces of axes equal the ones in dwrite_3.h", "[windows]")
 {
     CHECK(IsEqualGUID(detail::directwrite_varied_face::id, __uuidof(IDWriteFontFace5)));
     CHECK(sizeof(detail::directwrite_axis_value) == sizeof(DWRITE_FONT_AXIS_VALUE));

@@ -38,17 +38,8 @@ static_assert(fallback_provider<directwrite_fallback<directwrite_font>, directwr
 static_assert(fallback_provider<directwrite_fallback<path_font>, path_font>);
 
 /// A loader of files that are somewhere else than in the file system.
-class fake_loader final : public IDWriteFontFileLoader {
+class fake_loader final : public test::counted<IDWriteFontFileLoader> {
 public:
-    ULONG references = 1;
-
-    ULONG STDMETHODCALLTYPE AddRef() noexcept override { return ++references; }
-    ULONG STDMETHODCALLTYPE Release() noexcept override { return --references; }
-    HRESULT STDMETHODCALLTYPE QueryInterface(REFIID, void** out) noexcept override
-    {
-        *out = nullptr;
-        return E_NOINTERFACE;
-    }
     HRESULT STDMETHODCALLTYPE CreateStreamFromKey(const void*, UINT32, IDWriteFontFileStream**) noexcept override
     {
         return E_NOTIMPL;
@@ -56,7 +47,7 @@ public:
 };
 
 /// A font with its face and its file, which is a real one or one that a fake_loader has. Each counts its references.
-class fake_font final : public IDWriteFont {
+class fake_font final : public test::counted<IDWriteFont> {
 public:
     class its_face final : public test::fake_face_of<IDWriteFontFace> {
     public:
@@ -72,17 +63,9 @@ public:
         }
         UINT32 STDMETHODCALLTYPE GetIndex() noexcept override { return of->index; }
     };
-    class its_file final : public IDWriteFontFile {
+    class its_file final : public test::counted<IDWriteFontFile> {
     public:
         fake_font* of = nullptr;
-        ULONG references = 1;
-        ULONG STDMETHODCALLTYPE AddRef() noexcept override { return ++references; }
-        ULONG STDMETHODCALLTYPE Release() noexcept override { return --references; }
-        HRESULT STDMETHODCALLTYPE QueryInterface(REFIID, void** out) noexcept override
-        {
-            *out = nullptr;
-            return E_NOINTERFACE;
-        }
         HRESULT STDMETHODCALLTYPE GetReferenceKey(const void** key, UINT32* size) noexcept override
         {
             if (of->fails()) return of->failure;
@@ -114,7 +97,6 @@ public:
     its_face face;
     its_file file;
     fake_loader loader;
-    ULONG references = 1;
     unsigned calls = 0, fails_at = 0;  // that call, counted from 1
     HRESULT failure = E_FAIL;
 
@@ -124,13 +106,6 @@ public:
         return references != 1 || face.references != 1 || file.references != 1 || loader.references != 1;
     }
 
-    ULONG STDMETHODCALLTYPE AddRef() noexcept override { return ++references; }
-    ULONG STDMETHODCALLTYPE Release() noexcept override { return --references; }
-    HRESULT STDMETHODCALLTYPE QueryInterface(REFIID, void** out) noexcept override
-    {
-        *out = nullptr;
-        return E_NOINTERFACE;
-    }
     HRESULT STDMETHODCALLTYPE HasCharacter(UINT32 c, BOOL* has) noexcept override
     {
         if (fails()) return failure;
@@ -163,22 +138,14 @@ public:
 };
 
 /// Gives the first of its fonts that has the first letter, and remembers how it was asked.
-class fake_fallback final : public IDWriteFontFallback {
+class fake_fallback final : public test::counted<IDWriteFontFallback> {
 public:
     std::vector<fake_font*> fonts;
     std::vector<std::wstring> asked, languages;
     std::wstring family;
     DWRITE_FONT_WEIGHT weight = DWRITE_FONT_WEIGHT_NORMAL;
     HRESULT failure = S_OK;
-    ULONG references = 1;
 
-    ULONG STDMETHODCALLTYPE AddRef() noexcept override { return ++references; }
-    ULONG STDMETHODCALLTYPE Release() noexcept override { return --references; }
-    HRESULT STDMETHODCALLTYPE QueryInterface(REFIID, void** out) noexcept override
-    {
-        *out = nullptr;
-        return E_NOINTERFACE;
-    }
     HRESULT STDMETHODCALLTYPE MapCharacters(IDWriteTextAnalysisSource* source, UINT32 at, UINT32 length,
                                             IDWriteFontCollection*, const WCHAR* name, DWRITE_FONT_WEIGHT how_heavy,
                                             DWRITE_FONT_STYLE, DWRITE_FONT_STRETCH, UINT32* mapped, IDWriteFont** font,
@@ -238,7 +205,7 @@ class older_factory final : public detail::stack_object<IUnknown> {};
 
 using namespace directwrite_fallback_test;
 
-TEST_CASE("the system's own fallback takes the family that is named, where it has the letter", "[windows][fallback]")
+TEST_CASE("the system's own fallback takes the named family, if it has the letter", "[windows][fallback]")
 {
     directwrite_fallback<directwrite_font> installed{L"DejaVu Sans"};
     directwrite_font* first = found(installed, u"a");
@@ -291,7 +258,7 @@ TEST_CASE("a font of the caller's fallback is opened by its file and face, once"
     for (const fake_font* f : {&latin, &hebrew, &same}) CHECK_FALSE(f->is_kept());
 }
 
-TEST_CASE("a font that has a part of the grapheme has it not", "[windows][fallback]")
+TEST_CASE("a font that has only a part of a grapheme is not taken for it", "[windows][fallback]")
 {
     path_font::forget();
     fake_font latin;
@@ -304,7 +271,7 @@ TEST_CASE("a font that has a part of the grapheme has it not", "[windows][fallba
     CHECK(fakes.asked == std::vector<std::wstring>{L"a\u0301", L"a"});
 }
 
-TEST_CASE("a letter that no font has is asked for once in a language", "[windows][fallback]")
+TEST_CASE("a letter that no font has is looked up once per language", "[windows][fallback]")
 {
     fake_fallback fakes;
     directwrite_fallback<path_font> fallback{&fakes};
@@ -316,7 +283,7 @@ TEST_CASE("a letter that no font has is asked for once in a language", "[windows
     CHECK(fakes.asked.size() == 5);
 }
 
-TEST_CASE("a font that is not one file of this machine, or cannot be opened, is none", "[windows][fallback]")
+TEST_CASE("a font is left out if it is not one local file or cannot be opened", "[windows][fallback]")
 {
     path_font::forget();
     fake_font remote, parts, broken;
@@ -337,7 +304,7 @@ TEST_CASE("a font that is not one file of this machine, or cannot be opened, is 
     for (const fake_font* f : {&remote, &parts, &broken}) CHECK_FALSE(f->is_kept());
 }
 
-TEST_CASE("a failure within the fallback is an error, and the next question is answered", "[windows][fallback]")
+TEST_CASE("a failure in the fallback is an error, and the next look-up succeeds", "[windows][fallback]")
 {
     for (unsigned k = 1; k <= 6; ++k) {
         INFO("call " << k);
@@ -371,7 +338,7 @@ TEST_CASE("a failure within the fallback is an error, and the next question is a
     CHECK(found(fallback, u"a") != nullptr);
 }
 
-TEST_CASE("a Windows without a fallback has none, which is no error", "[windows][fallback]")
+TEST_CASE("a Windows without a fallback finds no font, which is not an error", "[windows][fallback]")
 {
     older_factory factory;
     detail::com_ptr<IDWriteFontFallback> fallback;

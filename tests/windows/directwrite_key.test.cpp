@@ -108,7 +108,7 @@ std::uint64_t key_of_face(IDWriteFontFace* face)
 
 }  // namespace
 
-TEST_CASE("a DirectWrite font's key tells font, face and simulations, and is the same when it is opened again",
+TEST_CASE("a DirectWrite font's key depends on font, face and simulations, and is the same when it is opened again",
           "[windows]")
 {
     const auto opened = [](const char* path, std::uint32_t face) {
@@ -145,7 +145,7 @@ TEST_CASE("a DirectWrite font's key tells font, face and simulations, and is the
     }
 }
 
-TEST_CASE("a DirectWrite font's key tells its axes, and is nobody else's where they are not told", "[windows]")
+TEST_CASE("a DirectWrite font's key depends on its axes, and is unique if these are not known", "[windows]")
 {
     test::fake_varied_face a, b;
     a.axes = {{DWRITE_FONT_AXIS_TAG_WEIGHT, 400.0f}, {DWRITE_FONT_AXIS_TAG_WIDTH, 100.0f}};
@@ -167,7 +167,7 @@ TEST_CASE("a DirectWrite font's key tells its axes, and is nobody else's where t
     CHECK(key_of_face(&a) != key_of_face(&b));
 }
 
-TEST_CASE("layouts whose faces, sizes or lines come in another order share a cache and keep their own letters",
+TEST_CASE("layouts with faces, sizes or lines in different orders share a cache and keep their own letters",
           "[windows]")
 {
     const test::font_files files{{dejavu, comic, serif}};
@@ -221,7 +221,7 @@ TEST_CASE("a layout at another size finds the letters of the same faces", "[wind
     CHECK(cache.statistics().misses == misses);
 }
 
-TEST_CASE("a face without a file of the system's shares nothing between layouts that are read", "[windows]")
+TEST_CASE("a face without a system file shares nothing between layouts", "[windows]")
 {
     const test::font_files files{{dejavu}};
     glyph_cache cache;

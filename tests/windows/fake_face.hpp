@@ -6,25 +6,19 @@
 
 #include <functional>
 
+#include "windows/counted.hpp"
+
 namespace test {
 
-/// A font face that draws what a test tells it to, and counts its references. 1000 units to the em, 10 glyphs.
+/// A font face that draws what a test wants, and counts its references. 1000 units to the em, 10 glyphs.
 template <class Interface>
-class fake_face_of : public Interface {
+class fake_face_of : public counted<Interface> {
 public:
     std::function<HRESULT(ID2D1SimplifiedGeometrySink&)> draws = [](ID2D1SimplifiedGeometrySink&) { return S_OK; };
-    ULONG references = 1;
     FLOAT asked_em_size = 0.0f;
     bool has_glyf = true;
     UINT16 glyphs = 10;
 
-    ULONG STDMETHODCALLTYPE AddRef() noexcept override { return ++references; }
-    ULONG STDMETHODCALLTYPE Release() noexcept override { return --references; }
-    HRESULT STDMETHODCALLTYPE QueryInterface(REFIID, void** out) noexcept override
-    {
-        *out = nullptr;
-        return E_NOINTERFACE;
-    }
     DWRITE_FONT_FACE_TYPE STDMETHODCALLTYPE GetType() noexcept override { return DWRITE_FONT_FACE_TYPE_TRUETYPE; }
     HRESULT STDMETHODCALLTYPE GetFiles(UINT32*, IDWriteFontFile**) noexcept override { return E_NOTIMPL; }
     UINT32 STDMETHODCALLTYPE GetIndex() noexcept override { return 0; }

@@ -2,8 +2,8 @@
 //
 // Bevelled letters of real fonts: closed whatever strokes vanish, in every way that a text is built.
 
+#include "same_meshes.hpp"
 #include "support/catch.hpp"
-#include "support/executors.hpp"
 #include "support/lit_mesh.hpp"
 #include "support/workload.hpp"
 
@@ -38,7 +38,7 @@ struct bevelled_text {
 std::vector<bevelled_text> bevelled_texts()
 {
     std::vector<bevelled_text> all;
-    for (const test::workload_font& font : test::workload_fonts()) {
+    for (const test::workload_font& font : test::workload_fonts())
         for (const char* const script : scripts) {
             if (!font.serves(script) || !font.available()) continue;
             std::string text = test::workload_texts(script).front();
@@ -49,7 +49,6 @@ std::vector<bevelled_text> bevelled_texts()
             }
             all.push_back({font.path, script, text});
         }
-    }
     return all;
 }
 
@@ -114,37 +113,14 @@ TEST_CASE("bevelled letters of real fonts are closed and lit from outside at eve
 TEST_CASE("bevelled texts are the same from caches, workers and every order of tasks", "[workload]")
 {
     for (const bevelled_text& subject : bevelled_texts()) {
-        auto font = harfbuzz_font::open(subject.font.c_str());
-        REQUIRE(font);
         INFO(subject.font << ", " << subject.script);
-        const bevelled how{.width = 0.04f, .bevel_depth = 0.04f};
-        auto mesher = text_mesher{*font}.with(how);
-        const text_options options{.unit = output_unit::font_units};
-        const auto plan = mesher.plan(subject.text, options);
-        REQUIRE(plan);
-        const lit_mesh expected = written_bevels(*plan);
-
-        glyph_cache cache;
-        auto cached = text_mesher{*font}.with(how).with(cached_in{cache, 1});
-        for (int i = 0; i < 2; ++i) {
-            const auto again = cached.plan(subject.text, options);
-            REQUIRE(again);
-            CHECK(written_bevels(*again) == expected);
-        }
-        CHECK(cache.statistics().hits > 0);
-
-        test::scrambled_workers pool;
-        auto team = workers_of(pool, [&](std::size_t) noexcept { return harfbuzz_font::open(subject.font.c_str()); });
-        REQUIRE(team);
-        const auto shared = mesher.plan(subject.text, options, *team);
-        REQUIRE(shared);
-        lit_mesh m;
-        REQUIRE(shared->write(into(m.vertices, m.indices), pool));
-        CHECK(m == expected);
+        test::check_same_meshes(
+            subject.font, subject.text, [](const auto& plan) { return written_bevels(plan); },
+            bevelled{.width = 0.04f, .bevel_depth = 0.04f});
     }
 }
 
-TEST_CASE("bevelled letters that meet are merged first: one bevel around them", "[workload]")
+TEST_CASE("bevelled letters that meet are merged first, and have one bevel around them", "[workload]")
 {
     std::size_t groups = 0;
     for (const bevelled_text& subject : bevelled_texts()) {

@@ -3,8 +3,8 @@
 // Bold and hollow letters of real fonts: closed at every distance, none narrowed, the same in every way that a text is
 // built.
 
+#include "same_meshes.hpp"
 #include "support/catch.hpp"
-#include "support/executors.hpp"
 #include "support/workload.hpp"
 
 #include <typemesh/adapt/harfbuzz.hpp>
@@ -99,7 +99,7 @@ void check_letters(const E& how, tally& all)
 
 }  // namespace
 
-TEST_CASE("bold letters of real fonts are closed and lit from outside, bolder and thinner", "[workload]")
+TEST_CASE("bold letters of real fonts are closed and lit from outside, both bolder and thinner", "[workload]")
 {
     tally all;
     for (const float by : {0.01f, 0.03f, 0.1f, -0.01f}) {
@@ -117,7 +117,7 @@ TEST_CASE("bold letters of real fonts are closed and lit from outside, bolder an
     CHECK(thinnest.refused == 0);
 }
 
-TEST_CASE("hollow letters of real fonts are closed and lit from outside, wherever the ring lies", "[workload]")
+TEST_CASE("hollow letters of real fonts are closed and lit from outside, with the ring in every place", "[workload]")
 {
     tally all;
     for (const outline_place place : {outline_place::inner, outline_place::centre, outline_place::outer}) {
@@ -130,35 +130,13 @@ TEST_CASE("hollow letters of real fonts are closed and lit from outside, whereve
     CHECK(all.narrowed == 0);
 }
 
-TEST_CASE("bold bevelled and hollow texts of real fonts are the same from caches and workers, and merged", "[workload]")
+TEST_CASE("bold, bevelled and hollow texts of real fonts are the same from caches, workers and merged", "[workload]")
 {
     const auto check = [](const auto& how, const std::string& path, const std::string& text, auto... step) {
+        test::check_same_meshes(path, text, [](const auto& plan) { return written(plan); }, how, step...);
         auto font = harfbuzz_font::open(path.c_str());
         REQUIRE(font);
         text_mesher mesher{*font, how, step...};
-        const text_options options{.unit = output_unit::font_units};
-        const auto plan = mesher.plan(text, options);
-        REQUIRE(plan);
-        const moved_mesh expected = written(*plan);
-
-        glyph_cache cache;
-        text_mesher cached{*font, how, step..., cached_in{cache, 1}};
-        for (int i = 0; i < 2; ++i) {
-            const auto again = cached.plan(text, options);
-            REQUIRE(again);
-            CHECK(written(*again) == expected);
-        }
-        CHECK(cache.statistics().hits > 0);
-
-        test::scrambled_workers pool;
-        auto team = workers_of(pool, [&](std::size_t) noexcept { return harfbuzz_font::open(path.c_str()); });
-        REQUIRE(team);
-        const auto shared = mesher.plan(text, options, *team);
-        REQUIRE(shared);
-        moved_mesh m;
-        REQUIRE(shared->write(into(m.vertices, m.indices), pool));
-        CHECK(m == expected);
-
         const auto merged = mesher.plan(text, {.unit = output_unit::font_units, .merge = true});
         REQUIRE(merged);
         CHECK(merged->report().refused == 0);

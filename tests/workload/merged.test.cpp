@@ -55,7 +55,8 @@ std::vector<std::vector<grid_point>> placed_outlines(const auto& plan)
 
 }  // namespace
 
-TEST_CASE("merged texts are closed, each glyph in one group, and as large as the union of their glyphs", "[workload]")
+TEST_CASE("merged texts are closed and as large as the union of their glyphs, and each glyph is in one group",
+          "[workload]")
 {
     std::size_t groups = 0, texts = 0;
     for (const joined_text& subject : joined_texts()) {

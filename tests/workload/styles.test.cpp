@@ -17,7 +17,8 @@
 
 using namespace typemesh;
 
-TEST_CASE("styles only sort lines of both directions, merged, in chunks and by workers", "[workload]")
+TEST_CASE("styles only reorder glyphs of lines of both directions, whether merged, in chunks or by workers",
+          "[workload]")
 {
     const std::string path = font_folder().string() + "/opentype/fonts-hosny-amiri/Amiri-Regular.ttf";
     auto font = harfbuzz_font::open(path.c_str());
@@ -33,7 +34,7 @@ TEST_CASE("styles only sort lines of both directions, merged, in chunks and by w
         test::check_styles(mesher, other, *pool, run, {.tolerance = quality::normal}, seed);
 }
 
-TEST_CASE("lines of two fonts, a face each, are what each font draws alone", "[workload]")
+TEST_CASE("a line of two fonts has the same meshes as each font by itself", "[workload]")
 {
     const std::string fonts = font_folder().string();
     auto latin = harfbuzz_font::open((fonts + "/truetype/dejavu/DejaVuSans.ttf").c_str());

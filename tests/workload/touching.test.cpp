@@ -13,8 +13,7 @@
 
 using namespace typemesh;
 
-TEST_CASE("glyphs that only touch in points are the region that resolve() makes of them, under both rules",
-          "[workload]")
+TEST_CASE("glyphs that only touch in points are the region that resolve() makes, under both fill rules", "[workload]")
 {
     std::size_t touching = 0;
     for (const char* name : {"truetype/wqy/wqy-microhei.ttc", "truetype/sawarabi-mincho/sawarabi-mincho-medium.ttf",

@@ -25,7 +25,7 @@ TEST_CASE(
         outline shape;
         contours loops;
         triangle_list by_sweep, delaunay;
-        for (const double tolerance : {quality::low, quality::high}) {
+        for (const double tolerance : {quality::low, quality::high})
             for (glyph_id id = 0; id < count; id += step) {
                 if (!record(*font, id, shape) || shape.curves.empty()) continue;
                 const auto g = grid::fitting(font->units_per_em(), shape.bounds);
@@ -43,7 +43,6 @@ TEST_CASE(
                 CHECK(test::oracle::broken_law(*second, delaunay.view()) == "");
                 CHECK(test::oracle::broken_delaunay(*second, delaunay.view()) == "");
             }
-        }
         INFO(entry.name);
         CHECK(accepted > 100);
     }

@@ -67,7 +67,7 @@ double cap_area(const test::full_mesh& m, const mesh_range& r)
 
 }  // namespace
 
-TEST_CASE("every glyph of every text of the workload is there and closed, also where its contours meet", "[workload]")
+TEST_CASE("every glyph of every text of the workload is present and closed, even where its contours meet", "[workload]")
 {
     const auto s = GENERATE(from_range(subjects()));
     if (!s.font.available()) return;
@@ -78,7 +78,7 @@ TEST_CASE("every glyph of every text of the workload is there and closed, also w
 
     std::size_t built = 0;
     std::set<glyph_id> resolved;
-    for (const double tolerance : {quality::low, quality::high}) {
+    for (const double tolerance : {quality::low, quality::high})
         for (const std::string& text : test::workload_texts(s.script)) {
             INFO(text << " at " << tolerance);
             auto plan = mesher.plan(text, {.tolerance = tolerance});
@@ -119,14 +119,13 @@ TEST_CASE("every glyph of every text of the workload is there and closed, also w
                 }
             }
         }
-    }
     CHECK(built > 100);
     std::string list;
     for (const glyph_id g : resolved) list += " " + std::to_string(g);
     if (!resolved.empty()) WARN(s.font.name << ": contours meet in glyphs" << list);
 }
 
-TEST_CASE("the four styles of normals make 2N, 4N, 4N+2H and 4N+2H vertices of every phrase", "[workload]")
+TEST_CASE("the four styles of normals have 2N, 4N, 4N+2H and 4N+2H vertices for every phrase", "[workload]")
 {
     const auto s = GENERATE(from_range(subjects()));
     if (!s.font.available()) return;
@@ -155,7 +154,7 @@ TEST_CASE("the four styles of normals make 2N, 4N, 4N+2H and 4N+2H vertices of e
     law(extruded<curve_normals>{.texture = box}, 4, true);
 }
 
-TEST_CASE("caps have exactly the area of the region and walls close, however the glyph is turned", "[workload]")
+TEST_CASE("caps have exactly the area of the region, and walls close, for every rotation of the glyph", "[workload]")
 {
     const auto s = GENERATE(from_range(subjects()));
     if (!s.font.available()) return;
@@ -279,7 +278,7 @@ TEST_CASE("the worst glyphs known are built and closed", "[workload]")
     CHECK(tried != 0);
 }
 
-TEST_CASE("a variable font is meshed at every end of its axes, and each weight is another mesh", "[workload]")
+TEST_CASE("a variable font is meshed at every end of its axes, and each weight has a different mesh", "[workload]")
 {
     const std::string path = font_file("truetype/inter-vf/Inter.var.ttf");
     std::vector<double> volumes;
