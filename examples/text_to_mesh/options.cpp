@@ -159,7 +159,8 @@ void add_text_options(CLI::App& app, options& out, raw_values& raw)
         "a whole number from 0 to 255", [](double n) { return n >= 0.0 && n <= 255.0 && n == std::floor(n); },
         [&out](double n) { out.columns.combined_digits = static_cast<std::uint8_t>(n); })
         ->type_name("N");
-    add_named<alignment>(app, "--align", out.lines.align, "align lines with each other, or within --width (default start)",
+    add_named<alignment>(app, "--align", out.lines.align,
+                         "align lines with each other, or within --width (default start)",
                          {{"left", alignment::left},
                           {"center", alignment::centre},
                           {"centre", alignment::centre},

@@ -140,8 +140,8 @@ TEST_CASE("a letter joins across the end of what is shaped, for the text round i
     const glyph_run whole = shaped(font, text);
     buffer<shaped_glyph> halves;
     for (const std::uint32_t first : {0u, 1u})
-        REQUIRE_FALSE(
-            font.shape(text, {.first = first, .last = first + 1, .script = script_tag("Arab"), .level = 1}, {}, halves));
+        REQUIRE_FALSE(font.shape(text, {.first = first, .last = first + 1, .script = script_tag("Arab"), .level = 1},
+                                 {}, halves));
     REQUIRE(whole.glyphs.size() == 2);
     CHECK(halves[0].id == whole.glyphs[1].id);
     CHECK(halves[1].id == whole.glyphs[0].id);
@@ -505,7 +505,8 @@ TEST_CASE("empty text is an empty line", "[adapt][harfbuzz]")
 TEST_CASE("a tab leads to the next tab stop in lines of both directions, and is not missing", "[adapt][harfbuzz]")
 {
     harfbuzz_font font = opened(dejavu);
-    const double stop = 4.0 * (shaped(font, "0 0").lines[0].advance - 2 * shaped(font, "0").lines[0].advance), digit = shaped(font, "0").lines[0].advance;
+    const double stop = 4.0 * (shaped(font, "0 0").lines[0].advance - 2 * shaped(font, "0").lines[0].advance),
+                 digit = shaped(font, "0").lines[0].advance;
     for (const char* text :
          {"one\ttwo", "\xD7\x90\xD7\x91\t\xD7\x92", "\xD8\xB3\xD9\x84\xD8\xA7\xD9\x85\t\xD8\xA8", "12\t34"}) {
         INFO(text);

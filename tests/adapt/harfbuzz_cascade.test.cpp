@@ -88,8 +88,7 @@ TEST_CASE("three fonts set a line of Latin, Arabic and Han", "[adapt][harfbuzz][
     }
     // The two letters join, as in their own font alone.
     buffer<shaped_glyph> own;
-    REQUIRE_FALSE(
-        f.arabic->shape(u"\u0628\u0628", {.last = 2, .script = script_tag("Arab"), .level = 1}, {}, own));
+    REQUIRE_FALSE(f.arabic->shape(u"\u0628\u0628", {.last = 2, .script = script_tag("Arab"), .level = 1}, {}, own));
     CHECK(run.glyphs[3].id == own[0].id);
     CHECK(run.glyphs[4].id == own[1].id);
     CHECK(run.glyphs[3].id != run.glyphs[4].id);

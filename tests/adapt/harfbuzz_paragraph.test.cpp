@@ -236,8 +236,7 @@ TEST_CASE("words with strokes are drawn as their text with U+0640, shaped afresh
     REQUIRE(words.set(text));
     std::size_t strokes = 0;
     for (double width = 4.0; width < 16.0; width += 0.37) {
-        REQUIRE(
-            words.lay_out({.width = width, .align = alignment::justify, .justify = justification::kashida}, run));
+        REQUIRE(words.lay_out({.width = width, .align = alignment::justify, .justify = justification::kashida}, run));
         for (std::size_t k = 0; k + 1 < run.lines.size(); ++k) {
             const laid_line& line = words.lines()[k];
             std::size_t first = line.first, count = 0;

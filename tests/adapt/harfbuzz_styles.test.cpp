@@ -167,7 +167,8 @@ TEST_CASE("carets stand within ligatures where the font says, and lead back to t
     const style_span large[] = {{1, 5, {.size = 2.0}}};
     for (const double width : {3.0, 5.0, 100.0})
         for (const bool styled : {false, true}) {
-            REQUIRE(words.set(mixed, {.styles = styled ? std::span<const style_span>{large} : std::span<const style_span>{}}));
+            REQUIRE(words.set(mixed,
+                              {.styles = styled ? std::span<const style_span>{large} : std::span<const style_span>{}}));
             REQUIRE(words.lay_out({.width = width, .align = alignment::justify}, run));
             const laid_text laid = words.laid();
             for (std::uint32_t unit = 0; unit <= mixed.size(); ++unit)

@@ -162,8 +162,8 @@ public:
     void lay_out(const skparagraph::layout& l)
     {
         const alignment align = l.align == "left"     ? alignment::left
-                                     : l.align == "centre" ? alignment::centre
-                                                           : alignment::justify;
+                                : l.align == "centre" ? alignment::centre
+                                                      : alignment::justify;
         REQUIRE(words.lay_out({.width = l.width, .align = align}, run));
     }
 

@@ -24,8 +24,7 @@ struct toy_faces {
     std::uint32_t needs_shaping = 99;
 
     std::uint32_t face_count() const noexcept { return static_cast<std::uint32_t>(fonts.size()); }
-    error shape(text_view text, const text_item& item, const shape_options& how,
-                     buffer<shaped_glyph>& glyphs) noexcept
+    error shape(text_view text, const text_item& item, const shape_options& how, buffer<shaped_glyph>& glyphs) noexcept
     {
         if (item.face == needs_shaping) return error::needs_shaping;
         const std::size_t before = glyphs.size();
@@ -53,8 +52,7 @@ struct filling_font {
     double column_middle() const noexcept { return faces.column_middle(); }
     std::uint32_t face_count() const noexcept { return faces.face_count(); }
     line_metrics metrics(direction) const noexcept { return {700.0, -200.0, 100.0}; }
-    error shape(text_view text, const text_item& item, const shape_options& how,
-                buffer<shaped_glyph>& glyphs) noexcept
+    error shape(text_view text, const text_item& item, const shape_options& how, buffer<shaped_glyph>& glyphs) noexcept
     {
         return shaping.shape(faces, text, item, how, glyphs);
     }
@@ -191,7 +189,7 @@ TEST_CASE("a line may not end inside a cluster of the first face, whatever anoth
 {
     struct parting_faces : toy_faces {  // the second makes a cluster of every glyph
         error shape(text_view text, const text_item& item, const shape_options& how,
-                         buffer<shaped_glyph>& glyphs) noexcept
+                    buffer<shaped_glyph>& glyphs) noexcept
         {
             const std::size_t before = glyphs.size();
             const error e = toy_faces::shape(text, item, how, glyphs);

@@ -15,8 +15,7 @@ namespace {
 
 /// The toy font with superscript digits and no subscripts of its own.
 struct small_letters : test::toy_shaper {
-    error shape(text_view text, const text_item& item, const shape_options& how,
-                     buffer<shaped_glyph>& glyphs) noexcept
+    error shape(text_view text, const text_item& item, const shape_options& how, buffer<shaped_glyph>& glyphs) noexcept
     {
         const std::size_t before = glyphs.size();
         if (error e = toy_shaper::shape(text, item, how, glyphs)) return e;

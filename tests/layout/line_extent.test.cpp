@@ -20,8 +20,7 @@ struct two_heights : test::toy_shaper {
     {
         return face == 0 ? lines : line_metrics{900.0, -400.0, 0.0};
     }
-    error shape(text_view text, const text_item& item, const shape_options& how,
-                     buffer<shaped_glyph>& glyphs) noexcept
+    error shape(text_view text, const text_item& item, const shape_options& how, buffer<shaped_glyph>& glyphs) noexcept
     {
         const std::size_t before = glyphs.size();
         if (error e = toy_shaper::shape(text, item, how, glyphs)) return e;

@@ -40,7 +40,8 @@ TEST_CASE("white space before a mark that is not drawn hangs, too, at the paragr
         for (const char16_t* word : {u"ab", u"\u05D0\u05D1"}) {
             shaped_paragraph p{word + std::u16string{end}};
             line_slices line;
-            REQUIRE_FALSE(append_pieces(line, p.pieces, p.pieces.words(), 0, p.pieces.words().pieces.size(), p.shaped, p.font));
+            REQUIRE_FALSE(
+                append_pieces(line, p.pieces, p.pieces.words(), 0, p.pieces.words().pieces.size(), p.shaped, p.font));
             const auto width = line.finish(p.shaped, 0, 0.0, {});
             REQUIRE(width);
             CHECK(*width == 1000.0);
@@ -68,7 +69,8 @@ TEST_CASE("white space before each tab takes the paragraph's level, in linear ti
         shaped_paragraph p{text, direction::left_to_right};
         line_slices line;
         const std::clock_t begin = std::clock();
-        REQUIRE_FALSE(append_pieces(line, p.pieces, p.pieces.words(), 0, p.pieces.words().pieces.size(), p.shaped, p.font));
+        REQUIRE_FALSE(
+            append_pieces(line, p.pieces, p.pieces.words(), 0, p.pieces.words().pieces.size(), p.shaped, p.font));
         REQUIRE(line.finish(p.shaped, 0, 0.0, {}));
         CHECK(std::clock() - begin < CLOCKS_PER_SEC);  // seconds, were each tab to look at all before it
         std::size_t wrong = 0;
@@ -128,7 +130,8 @@ TEST_CASE("letter spacing behind a line's last letter does not count", "[paragra
     for (const char16_t* text : {u"abc ", u"\u05D0\u05D1\u05D2 "}) {
         shaped_paragraph p{text, direction::automatic, 40.0};
         line_slices line;
-        REQUIRE_FALSE(append_pieces(line, p.pieces, p.pieces.words(), 0, p.pieces.words().pieces.size(), p.shaped, p.font));
+        REQUIRE_FALSE(
+            append_pieces(line, p.pieces, p.pieces.words(), 0, p.pieces.words().pieces.size(), p.shaped, p.font));
         const auto width = line.finish(p.shaped, 0, 0.0, {});
         REQUIRE(width);
         CHECK(*width == 1580.0);
@@ -142,7 +145,8 @@ TEST_CASE("nor does it before marks of direction, which keep the level of what h
          {u"abc\u200E", u"abc\u200E  ", u"\u05D0\u05D1\u05D2\u200F", u"a\u05D1\u05D2\u200F", u"\u05D0bc\u200E"}) {
         shaped_paragraph p{text, direction::automatic, 40.0};
         line_slices line;
-        REQUIRE_FALSE(append_pieces(line, p.pieces, p.pieces.words(), 0, p.pieces.words().pieces.size(), p.shaped, p.font));
+        REQUIRE_FALSE(
+            append_pieces(line, p.pieces, p.pieces.words(), 0, p.pieces.words().pieces.size(), p.shaped, p.font));
         const auto width = line.finish(p.shaped, 0, 0.0, {});
         REQUIRE(width);
         CHECK(*width == 1580.0);

@@ -52,7 +52,8 @@ struct workers_at_hand {
         counting_shaper font;
         return lay_out(
             several, [this](std::size_t w) noexcept -> counting_shaper& { return shapers[w]; },
-            [this](std::size_t w) noexcept -> buffer<shaped_glyph>& { return glyphs[w]; }, font, text, how, options, run);
+            [this](std::size_t w) noexcept -> buffer<shaped_glyph>& { return glyphs[w]; }, font, text, how, options,
+            run);
     }
 };
 

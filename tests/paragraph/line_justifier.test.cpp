@@ -247,7 +247,7 @@ TEST_CASE("a word is shaped with its strokes whole, also before a hyphen", "[par
     struct reader : test::toy_shaper {
         std::u32string word;  // the last with a stroke in it
         error shape(text_view text, const text_item& item, const shape_options& how,
-                         buffer<shaped_glyph>& glyphs) noexcept
+                    buffer<shaped_glyph>& glyphs) noexcept
         {
             std::u32string read;
             for (std::size_t i = item.first; i < item.last;) {
@@ -274,7 +274,7 @@ TEST_CASE("without a stroke in the font spaces fill the line", "[paragraph]")
 {
     struct without_strokes : test::toy_shaper {
         error shape(text_view text, const text_item& item, const shape_options& how,
-                         buffer<shaped_glyph>& glyphs) noexcept
+                    buffer<shaped_glyph>& glyphs) noexcept
         {
             if (item.first < item.last && decode(text, item.first).value == stroke) return {};
             return test::toy_shaper::shape(text, item, how, glyphs);

@@ -22,9 +22,8 @@ struct toy_shaper {
 
     double units_per_em() const noexcept { return 1000.0; }
     typemesh::line_metrics metrics(typemesh::direction) const noexcept { return lines; }
-    typemesh::error shape(typemesh::text_view text, const typemesh::text_item& item,
-                               const typemesh::shape_options& how,
-                               typemesh::buffer<typemesh::shaped_glyph>& glyphs) noexcept
+    typemesh::error shape(typemesh::text_view text, const typemesh::text_item& item, const typemesh::shape_options& how,
+                          typemesh::buffer<typemesh::shaped_glyph>& glyphs) noexcept
     {
         using namespace typemesh;
         ++calls;

@@ -13,10 +13,7 @@ using namespace typemesh;
 namespace {
 
 /// The marks that both analysers find.
-text_mark without_line_ends(text_mark marks)
-{
-    return without(marks, text_mark::may_break | text_mark::must_break);
-}
+text_mark without_line_ends(text_mark marks) { return without(marks, text_mark::may_break | text_mark::must_break); }
 
 template <class A, class B, class Equal>
 bool alike(const buffer<A>& a, const buffer<B>& b, const Equal& equal)
@@ -33,7 +30,13 @@ TEST_CASE("A bidi_analyser finds all that unicode_analyser finds except line end
         {{0x20, 0x7E}, {0x20, 0x7E}, {0x09, 0x0D}},
         {{0x00, 0x17F}},
         {{0x20, 0x7E}, {0x300, 0x310}, {0x3040, 0x30FF}, {0x4E00, 0x4E80}, {0x900, 0x97F}, {0x2028, 0x2029}},
-        {{0x20, 0x40}, {0x5D0, 0x5EA}, {0x620, 0x669}, {0x200B, 0x200F}, {0x202A, 0x202E}, {0x2066, 0x2069}, {0x0A, 0x0D}}};
+        {{0x20, 0x40},
+         {0x5D0, 0x5EA},
+         {0x620, 0x669},
+         {0x200B, 0x200F},
+         {0x202A, 0x202E},
+         {0x2066, 0x2069},
+         {0x0A, 0x0D}}};
     std::mt19937 random{11};
     const auto below = [&random](std::size_t n) { return random() % n; };
     bidi_analyser plain;

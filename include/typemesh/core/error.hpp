@@ -138,8 +138,7 @@ struct [[nodiscard]] error {
         case bad_tolerance: return "The tolerance is not a positive finite number: give for example quality::high.";
         case bad_option: return "An option is outside its range: give a value within the documented range.";
         case overlapping_spans: return "Two spans of styles overlap: end one where the other begins.";
-        case needs_paragraph:
-            return "Plain text ends lines only at line breaks: give this option to a paragraph.";
+        case needs_paragraph: return "Plain text ends lines only at line breaks: give this option to a paragraph.";
         case needs_shaping:
             return "A character map and kerning cannot set this script: shape the text with HarfBuzz or DirectWrite.";
         case font_library_failed: return "The font library refused the request: check the font.";

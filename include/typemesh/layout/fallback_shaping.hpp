@@ -44,10 +44,7 @@ public:
     static constexpr std::uint32_t no_face = 0xFFFFu;
 
     explicit fallback_shaping(memory source = heap()) noexcept
-        : now_{source},
-          made_{source},
-          clusters_{source},
-          graphemes_{source}
+        : now_{source}, made_{source}, clusters_{source}, graphemes_{source}
     {
     }
 
@@ -58,7 +55,7 @@ public:
     ///        and O(n) for each face that is tried
     template <class Faces>
     error shape(Faces& faces, text_view text, const text_item& item, const shape_options& how,
-                     buffer<shaped_glyph>& glyphs) noexcept
+                buffer<shaped_glyph>& glyphs) noexcept
     {
         const std::size_t before = glyphs.size();
         if (error e = faces.shape(text, item, how, glyphs)) return e;

@@ -70,7 +70,9 @@ public:
         error e = read(shaper, text, how, options, run);
         if (!e) e = shared_(workers, shaper_of, glyphs_of, text_.shaped);
         const auto take = [&, this](std::uint32_t i, const text_item&, const shape_options&,
-                                    buffer<shaped_glyph>& glyphs) noexcept { return shared_.take(i, glyphs_of, glyphs); };
+                                    buffer<shaped_glyph>& glyphs) noexcept {
+            return shared_.take(i, glyphs_of, glyphs);
+        };
         if (!e) e = text_.shaped.shape(shaper, take);
         return end(e ? e : lay_out(shaper, options, run), run);
     }
@@ -116,7 +118,8 @@ private:
             const bool more = last < items.size();
             if (more) ++last;
             const auto size = static_cast<std::uint32_t>(text.size());
-            const text_range units{first < items.size() ? items[first].first : size, more ? items[last - 1].last : size};
+            const text_range units{first < items.size() ? items[first].first : size,
+                                   more ? items[last - 1].last : size};
             const std::uint32_t from = first < items.size() ? shaped.first_cluster(first) : shaped.cluster_count();
             const std::uint32_t to = last > first ? shaped.end_cluster(last - 1) : from;
             const std::uint8_t level = text_.level_at(units.first);

@@ -36,9 +36,9 @@ struct shape_options {
     std::string_view language = {};  ///< BCP 47, such as "tr" or "zh-Hant"; empty: none, never the machine's locale
     std::string_view script = {};    ///< ISO 15924, such as "Arab"; empty: found from the text
     std::span<const feature> features = {};  ///< for the whole text, in addition to the script's default features
-    bool ligatures = true;        ///< optional ligatures ("liga", "clig"), unless `features` has them; spaced text has none
-    double letter_spacing = 0.0;  ///< added between letters, in em; any finite number. See shaped_text.hpp
-    column_options columns = {};  ///< the orientation of characters in columns
+    bool ligatures = true;  ///< optional ligatures ("liga", "clig"), unless `features` has them; spaced text has none
+    double letter_spacing = 0.0;              ///< added between letters, in em; any finite number. See shaped_text.hpp
+    column_options columns = {};              ///< the orientation of characters in columns
     std::span<const style_span> styles = {};  ///< how parts of the text differ: see text_style.hpp
 };
 

@@ -152,7 +152,10 @@ public:
 
     /// The last layout, for carets, selections and mice. It lives until the next call of set(), lay_out()
     /// or measure().
-    [[nodiscard]] laid_text laid() const noexcept { return {lines_.shaped, lines_.lines(), lines_.placed(), lines_.shaped.units_per_em()}; }
+    [[nodiscard]] laid_text laid() const noexcept
+    {
+        return {lines_.shaped, lines_.lines(), lines_.placed(), lines_.shaped.units_per_em()};
+    }
 
     /// The text's Unicode properties and its items: for tests and for code that needs the details.
     [[nodiscard]] const shaped_text& shaped() const noexcept { return lines_.shaped; }
@@ -199,7 +202,8 @@ private:
     /// Finds the ends of lines, and all pieces that they need. Text shaped for them is kept for later layouts.
     result<const list*> break_lines(const layout_options& options) noexcept
     {
-        const double narrowest = options.indent > 0.0 ? lines_.room().width - lines_.room().indent : lines_.room().width;
+        const double narrowest =
+            options.indent > 0.0 ? lines_.room().width - lines_.room().indent : lines_.room().width;
         const auto pieces = pieces_.pieces_for(options.wrap, widened(narrowest), lines_.shaped, *font_);
         if (!pieces) return pieces;
         const list& all = **pieces;
@@ -242,7 +246,8 @@ private:
             if (!grown) return grown.error();
             width += *grown;
         }
-        if (spare < 0.0 && !elided) width -= line_justifier::narrow(lines_.slices, lines_.shaped, 0.0 - spare, lines_.room().shrink);
+        if (spare < 0.0 && !elided)
+            width -= line_justifier::narrow(lines_.slices, lines_.shaped, 0.0 - spare, lines_.room().shrink);
         return lines_.add({first.first, last.last}, level, line.pen, width, options.align);
     }
 
@@ -250,7 +255,8 @@ private:
     result<double> fill(const broken_line& line, std::uint8_t level) noexcept
     {
         lines_.slices.clear();
-        if (error e = append_pieces(lines_.slices, pieces_, line.all, line.first, line.last, lines_.shaped, *font_)) return e;
+        if (error e = append_pieces(lines_.slices, pieces_, line.all, line.first, line.last, lines_.shaped, *font_))
+            return e;
         return lines_.slices.finish(lines_.shaped, level, line.pen, lines_.room());
     }
 

@@ -40,7 +40,7 @@ public:
 
     /// See shaper.
     error shape(text_view text, const text_item& item, const shape_options& options,
-                     buffer<shaped_glyph>& glyphs) noexcept
+                buffer<shaped_glyph>& glyphs) noexcept
     {
         const faces& all = *this;
         return shaping_.shape(all, text, item, options, glyphs);

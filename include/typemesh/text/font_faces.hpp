@@ -86,7 +86,7 @@ public:
     /// See shaper. Lengths are in units of the first face. Fails also with error::no_such_face and, if the face only
     /// draws, error::not_a_shaper.
     error shape(text_view text, const text_item& item, const shape_options& options,
-                     buffer<shaped_glyph>& glyphs) const noexcept
+                buffer<shaped_glyph>& glyphs) const noexcept
         requires shaper<first_type>
     {
         const std::size_t before = glyphs.size();

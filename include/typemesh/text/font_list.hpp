@@ -106,7 +106,7 @@ public:
 
     /// See shaper. Also fails as the provider does.
     error shape(text_view text, const text_item& item, const shape_options& options,
-                     buffer<shaped_glyph>& glyphs) noexcept
+                buffer<shaped_glyph>& glyphs) noexcept
     {
         faces& all = *this;
         return shaping_.shape(all, text, item, options, glyphs);

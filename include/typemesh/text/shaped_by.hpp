@@ -33,7 +33,7 @@ public:
     [[nodiscard]] line_metrics metrics(direction d) noexcept { return shapes_->metrics(d); }
 
     error shape(text_view text, const text_item& item, const shape_options& options,
-                     buffer<shaped_glyph>& glyphs) noexcept
+                buffer<shaped_glyph>& glyphs) noexcept
     {
         return shapes_->shape(text, item, options, glyphs);
     }

@@ -108,7 +108,8 @@ public:
             const std::uint32_t shown_from = s.tail < p.size() ? p[s.tail].first : dropped_to;
             std::uint32_t used = dots;
             if (error e = slices.append(shaped, dots, 1, level)) return e;
-            if (error e = append_pieces(slices, from.pieces, graphemes, s.tail, p.size(), shaped, from.shaper)) return e;
+            if (error e = append_pieces(slices, from.pieces, graphemes, s.tail, p.size(), shaped, from.shaper))
+                return e;
             if (at > 0 && at + 1 < slices.slices().size()) {
                 const std::uint8_t before = slices.slices()[at - 1].level, behind = slices.slices()[at + 1].level;
                 line_slice& between = slices.slices()[at];

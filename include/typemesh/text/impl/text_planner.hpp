@@ -36,7 +36,10 @@ public:
     font_ref font;
     cached_in cache;
 
-    explicit text_planner(memory source) noexcept : builder_{source}, merger_{source}, layout_{source}, run_{source}, glyphs_{source} {}
+    explicit text_planner(memory source) noexcept
+        : builder_{source}, merger_{source}, layout_{source}, run_{source}, glyphs_{source}
+    {
+    }
 
     /// The glyphs that were planned last.
     [[nodiscard]] text_glyphs& glyphs() noexcept { return glyphs_; }

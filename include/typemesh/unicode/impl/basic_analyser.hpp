@@ -85,9 +85,7 @@ private:
         for (std::size_t i = begin; i < end; ++i) {
             const std::uint32_t unit = text.unit(i);
             found.levels[i] = 0;
-            found.marks[i] = unit > 0x20   ? one
-                             : unit < 0x20 ? tab
-                                           : one | text_mark::space | text_mark::trailing;
+            found.marks[i] = unit > 0x20 ? one : unit < 0x20 ? tab : one | text_mark::space | text_mark::trailing;
             letters = letters || ((unit | 0x20) >= 'a' && (unit | 0x20) <= 'z');
         }
         if (end - begin > 1 && text.unit(end - 1) == 0x0A && text.unit(end - 2) == 0x0D)
