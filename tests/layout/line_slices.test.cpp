@@ -23,7 +23,8 @@ TEST_CASE("white space at a line's end hangs, and takes the paragraph's level", 
 {
     shaped_paragraph p{u"\u05D0 \u05D1  "};
     line_slices line;
-    REQUIRE_FALSE(append_pieces(line, p.pieces, p.pieces.words(), 0, p.pieces.words().pieces.size(), p.shaped, p.font));
+    REQUIRE_FALSE(
+        append_pieces(line, p.pieces, {p.pieces.words(), 0, p.pieces.words().pieces.size()}, p.shaped, p.font));
     const auto width = line.finish(p.shaped, 0, 0.0, {});
     REQUIRE(width);
     CHECK(*width == 1250.0);
@@ -41,7 +42,7 @@ TEST_CASE("white space before a mark that is not drawn hangs, too, at the paragr
             shaped_paragraph p{word + std::u16string{end}};
             line_slices line;
             REQUIRE_FALSE(
-                append_pieces(line, p.pieces, p.pieces.words(), 0, p.pieces.words().pieces.size(), p.shaped, p.font));
+                append_pieces(line, p.pieces, {p.pieces.words(), 0, p.pieces.words().pieces.size()}, p.shaped, p.font));
             const auto width = line.finish(p.shaped, 0, 0.0, {});
             REQUIRE(width);
             CHECK(*width == 1000.0);
@@ -70,7 +71,7 @@ TEST_CASE("white space before each tab takes the paragraph's level, in linear ti
         line_slices line;
         const std::clock_t begin = std::clock();
         REQUIRE_FALSE(
-            append_pieces(line, p.pieces, p.pieces.words(), 0, p.pieces.words().pieces.size(), p.shaped, p.font));
+            append_pieces(line, p.pieces, {p.pieces.words(), 0, p.pieces.words().pieces.size()}, p.shaped, p.font));
         REQUIRE(line.finish(p.shaped, 0, 0.0, {}));
         CHECK(std::clock() - begin < CLOCKS_PER_SEC);  // seconds, were each tab to look at all before it
         std::size_t wrong = 0;
@@ -96,7 +97,8 @@ TEST_CASE("a line of nothing but white space has no width", "[paragraph]")
 {
     shaped_paragraph p{"   "};
     line_slices line;
-    REQUIRE_FALSE(append_pieces(line, p.pieces, p.pieces.words(), 0, p.pieces.words().pieces.size(), p.shaped, p.font));
+    REQUIRE_FALSE(
+        append_pieces(line, p.pieces, {p.pieces.words(), 0, p.pieces.words().pieces.size()}, p.shaped, p.font));
     const auto width = line.finish(p.shaped, 0, 0.0, {});
     REQUIRE(width);
     CHECK(*width == 0.0);
@@ -109,7 +111,8 @@ TEST_CASE("tabs take what leads to the next stop, and what stands behind the las
 {
     shaped_paragraph p{"a b\tc d"};
     line_slices line;
-    REQUIRE_FALSE(append_pieces(line, p.pieces, p.pieces.words(), 0, p.pieces.words().pieces.size(), p.shaped, p.font));
+    REQUIRE_FALSE(
+        append_pieces(line, p.pieces, {p.pieces.words(), 0, p.pieces.words().pieces.size()}, p.shaped, p.font));
     const auto width = line.finish(p.shaped, 0, 0.0, {.tab = 2000.0});
     REQUIRE(width);
     CHECK(*width == 2000.0 + 1250.0);
@@ -120,7 +123,7 @@ TEST_CASE("tabs take what leads to the next stop, and what stands behind the las
 
     shaped_paragraph one{"word"};
     line.clear();
-    REQUIRE_FALSE(append_pieces(line, one.pieces, one.pieces.words(), 0, 1, one.shaped, one.font));
+    REQUIRE_FALSE(append_pieces(line, one.pieces, {one.pieces.words(), 0, 1}, one.shaped, one.font));
     REQUIRE(line.finish(one.shaped, 0, 0.0, {}));
     CHECK(line.justify(one.shaped, 90.0) == 0.0);
 }
@@ -131,7 +134,7 @@ TEST_CASE("letter spacing behind a line's last letter does not count", "[paragra
         shaped_paragraph p{text, direction::automatic, 40.0};
         line_slices line;
         REQUIRE_FALSE(
-            append_pieces(line, p.pieces, p.pieces.words(), 0, p.pieces.words().pieces.size(), p.shaped, p.font));
+            append_pieces(line, p.pieces, {p.pieces.words(), 0, p.pieces.words().pieces.size()}, p.shaped, p.font));
         const auto width = line.finish(p.shaped, 0, 0.0, {});
         REQUIRE(width);
         CHECK(*width == 1580.0);
@@ -146,7 +149,7 @@ TEST_CASE("nor does it before marks of direction, which keep the level of what h
         shaped_paragraph p{text, direction::automatic, 40.0};
         line_slices line;
         REQUIRE_FALSE(
-            append_pieces(line, p.pieces, p.pieces.words(), 0, p.pieces.words().pieces.size(), p.shaped, p.font));
+            append_pieces(line, p.pieces, {p.pieces.words(), 0, p.pieces.words().pieces.size()}, p.shaped, p.font));
         const auto width = line.finish(p.shaped, 0, 0.0, {});
         REQUIRE(width);
         CHECK(*width == 1580.0);
@@ -158,7 +161,8 @@ TEST_CASE("nor does it before marks of direction, which keep the level of what h
     }
     shaped_paragraph p{u"\u05D0\u200F ", direction::left_to_right, 40.0};
     line_slices line;
-    REQUIRE_FALSE(append_pieces(line, p.pieces, p.pieces.words(), 0, p.pieces.words().pieces.size(), p.shaped, p.font));
+    REQUIRE_FALSE(
+        append_pieces(line, p.pieces, {p.pieces.words(), 0, p.pieces.words().pieces.size()}, p.shaped, p.font));
     REQUIRE(line.finish(p.shaped, 0, 0.0, {}));
     REQUIRE(line.slices().size() == 3);  // the letter, its mark, the space: by rule L1 only that has the line's level
     CHECK(line.slices()[0].level == 1);

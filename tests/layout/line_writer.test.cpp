@@ -30,7 +30,7 @@ TEST_CASE("glyphs that follow each other are written as cluster by cluster", "[p
     for (const double stretch : {0.0, 50.0})
         for (const std::uint8_t level : {std::uint8_t{0}, std::uint8_t{1}}) {
             line_slices line;
-            REQUIRE_FALSE(append_pieces(line, p.pieces, words, 0, words.pieces.size(), p.shaped, p.font));
+            REQUIRE_FALSE(append_pieces(line, p.pieces, {words, 0, words.pieces.size()}, p.shaped, p.font));
             REQUIRE(line.finish(p.shaped, level, 0.0, {}));
             line.slices()[0].stretch = stretch;
             line.find_glyphs(p.shaped);

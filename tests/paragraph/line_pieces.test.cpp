@@ -13,7 +13,7 @@ TEST_CASE("a line's slices are its clusters, with what its ends change", "[parag
     for (std::size_t first = 0; first < list.pieces.size(); ++first)
         for (std::size_t last = first + 1; last <= list.pieces.size(); ++last) {
             line_slices line;
-            REQUIRE_FALSE(append_pieces(line, p.pieces, list, first, last, p.shaped, p.font));
+            REQUIRE_FALSE(append_pieces(line, p.pieces, {list, first, last}, p.shaped, p.font));
             const auto width = line.finish(p.shaped, 0, 0.0, {});
             REQUIRE(width);
             double expected = list.pieces[first].begin_change + list.pieces[last - 1].end_change;

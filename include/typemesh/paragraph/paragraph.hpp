@@ -255,7 +255,7 @@ private:
     result<double> fill(const broken_line& line, std::uint8_t level) noexcept
     {
         lines_.slices.clear();
-        if (error e = append_pieces(lines_.slices, pieces_, line.all, line.first, line.last, lines_.shaped, *font_))
+        if (error e = append_pieces(lines_.slices, pieces_, {line.all, line.first, line.last}, lines_.shaped, *font_))
             return e;
         return lines_.slices.finish(lines_.shaped, level, line.pen, lines_.room());
     }

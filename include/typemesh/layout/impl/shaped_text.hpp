@@ -8,6 +8,7 @@
 #include <typemesh/core/impl/same.hpp>
 #include <typemesh/layout/impl/cluster_carets.hpp>
 #include <typemesh/layout/impl/column_glyphs.hpp>
+#include <typemesh/layout/impl/gather_clusters.hpp>
 #include <typemesh/layout/impl/item_settings.hpp>
 #include <typemesh/layout/impl/itemise.hpp>
 #include <typemesh/layout/impl/text_cluster.hpp>
@@ -379,78 +380,17 @@ private:
             clusters_[i].before = i == 0 ? 0.0 : clusters_[i - 1].before + clusters_[i - 1].advance;
     }
 
-    /// Gathers the glyphs from `before` on into clusters, in the order of the text. There is at least one if there is
-    /// text, and none ends inside a grapheme.
+    /// Gathers the glyphs from `before` on into clusters, and adds the spacing of their item and styles.
     error cluster_glyphs(std::uint32_t item, const text_item& part, std::size_t before) noexcept
     {
-        const std::size_t count = glyphs_.size() - before, first_cluster = clusters_.size();
-        if (count == 0 && part.first == part.last) return {};
-        text_cluster* const made = clusters_.append(count != 0 ? count : 1);
-        if (made == nullptr) return error::out_of_memory;
-        const shaped_glyph* const glyphs = glyphs_.data() + before;
-        const bool back = part.to_the_left();
-        double pen = first_cluster == 0 ? 0.0 : (made - 1)->before + (made - 1)->advance;
-        std::size_t n = 0;
-        bool marked = false;  // whether a space may carry a mark
-        for (std::size_t i = 0; i < count; ++i) {
-            const std::size_t k = back ? count - 1 - i : i;
-            const shaped_glyph& g = glyphs[k];
-            const bool goes_on = n != 0 && (g.cluster == glyphs[back ? k + 1 : k - 1].cluster ||
-                                            !has(analysis.marks[g.cluster], text_mark::grapheme));
-            if (goes_on) {
-                text_cluster& c = made[n - 1];
-                if (back) c.glyph = static_cast<std::uint32_t>(before + k);
-                ++c.glyph_count;
-                c.advance += g.advance;
-                if (!is_zero(g.advance)) c.flags = without(c.flags, cluster_flags::unseen);
-                continue;
-            }
-            if (n != 0) {
-                text_cluster& c = made[n - 1];
-                c.last = g.cluster;
-                pen += c.advance;
-                marked = marked || (has(c.flags, cluster_flags::unshown) && c.last - c.first > 1);
-            }
-            made[n] = {.first = n == 0 ? part.first : g.cluster,
-                       .last = part.last,
-                       .glyph = static_cast<std::uint32_t>(before + k),
-                       .glyph_count = 1,
-                       .advance = g.advance,
-                       .item = item,
-                       .flags = flags_of(g, g.advance),
-                       .before = pen};
-            ++n;
-        }
-        if (count == 0)
-            made[n++] = {.first = part.first,
-                         .last = part.last,
-                         .glyph = static_cast<std::uint32_t>(before),
-                         .item = item,
-                         .flags = flags_of({.cluster = part.first}, 0.0),
-                         .before = pen};
-        clusters_.truncate(first_cluster + n);
-        const array_view<text_cluster> own = clusters_.view().subspan(first_cluster);
-        const text_cluster& last = own.back();
-        marked = marked || (has(last.flags, cluster_flags::unshown) && last.last - last.first > 1);
-        if (marked) detail::part_marked_spaces(text_, analysis.marks.view(), own);
+        const std::size_t first_cluster = clusters_.size();
+        const array_view<const shaped_glyph> glyphs = glyphs_.view().subspan(before);
+        if (error e = gather_clusters(text_, analysis.marks.view(), glyphs, {part, item, before}, clusters_)) return e;
         if (is_zero(setting_of(item).letter_spacing) && styles.empty()) return {};
         if (!is_zero(setting_of(item).letter_spacing)) space_clusters(first_cluster, item);
         if (!styles.empty()) widen_spaces(first_cluster);
         sum_up(first_cluster);
         return {};
-    }
-
-    /// The flags of the cluster of this glyph, with this advance.
-    [[nodiscard]] cluster_flags flags_of(const shaped_glyph& g, double advance) const noexcept
-    {
-        const text_mark marks = analysis.marks[g.cluster];
-        const bool space = has(marks, text_mark::space), hangs = space || has(marks, text_mark::trailing);
-        const bool unseen = !hangs && is_zero(advance) && is_default_ignorable(decode(text_, g.cluster).value);
-        return (hangs ? cluster_flags::hangs : cluster_flags::none) |
-               (unseen ? cluster_flags::unseen : cluster_flags::none) |
-               (space ? cluster_flags::stretches : cluster_flags::none) |
-               (has(g.flags, glyph_flags::unsafe_to_break) ? cluster_flags::unsafe : cluster_flags::none) |
-               (has(g.flags, glyph_flags::tatweel) ? cluster_flags::tatweel : cluster_flags::none);
     }
 
     /// Adds the spacing after every letter, except letters that are joined to the next one.

@@ -99,7 +99,7 @@ public:
             const shown s = fitting(p, from, line.pen, spare);
             shaped.truncate(clusters, glyphs);
             slices.clear();
-            if (error e = append_pieces(slices, from.pieces, graphemes, 0, s.head, shaped, from.shaper)) return e;
+            if (error e = append_pieces(slices, from.pieces, {graphemes, 0, s.head}, shaped, from.shaper)) return e;
             slices.trim(shaped);
             const std::size_t at = slices.slices().size();
             const std::uint32_t shown_to =
@@ -108,7 +108,7 @@ public:
             const std::uint32_t shown_from = s.tail < p.size() ? p[s.tail].first : dropped_to;
             std::uint32_t used = dots;
             if (error e = slices.append(shaped, dots, 1, level)) return e;
-            if (error e = append_pieces(slices, from.pieces, graphemes, s.tail, p.size(), shaped, from.shaper))
+            if (error e = append_pieces(slices, from.pieces, {graphemes, s.tail, p.size()}, shaped, from.shaper))
                 return e;
             if (at > 0 && at + 1 < slices.slices().size()) {
                 const std::uint8_t before = slices.slices()[at - 1].level, behind = slices.slices()[at + 1].level;

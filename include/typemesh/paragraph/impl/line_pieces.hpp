@@ -10,13 +10,20 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
+/// Pieces [first, last) of a list.
+struct piece_range {
+    const text_pieces::list& list;
+    std::size_t first = 0;
+    std::size_t last = 0;
+};
+
 namespace detail {
 
 /// Handles a line so short that the changes at its two ends meet: the whole line is shaped again.
 template <shaper Shaper>
-error append_anew(line_slices& line, const text_pieces::list& list, std::size_t first, std::size_t last,
-                  shaped_text& shaped, Shaper& shaper) noexcept
+error append_anew(line_slices& line, const piece_range& pieces, shaped_text& shaped, Shaper& shaper) noexcept
 {
+    const auto& [list, first, last] = pieces;
     const std::uint32_t item = shaped.cluster(list.sources[first].cluster).item, end = list.pieces[last - 1].last;
     const auto before = static_cast<std::uint32_t>(shaped.all_clusters());
     if (error e = shaped.shape_range(shaper, item, list.pieces[first].first, end)) return e;
@@ -34,22 +41,24 @@ error append_anew(line_slices& line, const text_pieces::list& list, std::size_t 
 
 }  // namespace detail
 
-/// Appends pieces [first, last) of a list to a line, with the changes at the start and the end of a line.
+/// Appends pieces to a line, with the changes at the start and the end of a line. `all` has their cuts.
 ///
 /// Fails  error::out_of_memory, and as the shaper does
 template <shaper Shaper>
-error append_pieces(line_slices& line, const text_pieces& all, const text_pieces::list& list, std::size_t first,
-                    std::size_t last, shaped_text& shaped, Shaper& shaper) noexcept
+error append_pieces(line_slices& line, const text_pieces& all, const piece_range& pieces, shaped_text& shaped,
+                    Shaper& shaper) noexcept
 {
+    const auto& [list, first, last] = pieces;
     if (first >= last) return {};
-    const auto cut_after = [&list](std::size_t piece) noexcept { return list.sources[piece].cut; };
+    const text_pieces::list& of = list;  // clang 14 captures no structured binding
+    const auto cut_after = [&of](std::size_t piece) noexcept { return of.sources[piece].cut; };
     const std::uint32_t head = first > 0 ? cut_after(first - 1) : list.begin_cut, tail = cut_after(last - 1);
     std::uint32_t from = list.sources[first].cluster;
     std::uint32_t to = last < list.sources.size() ? list.sources[last].cluster : shaped.cluster_count();
     if (tail == no_cut && last == list.sources.size()) to = detail::end_of(shaped, list.pieces[last - 1].last, from);
     if (head != no_cut) from = all.cut(head).behind_to;
     if (tail != no_cut) to = all.cut(tail).before_from;
-    if (from > to) return detail::append_anew(line, list, first, last, shaped, shaper);
+    if (from > to) return detail::append_anew(line, pieces, shaped, shaper);
     if (head != no_cut)
         if (error e = line.append(shaped, all.cut(head).behind_first, all.cut(head).behind_count)) return e;
     if (error e = line.append_text(shaped, from, to)) return e;
