@@ -25,6 +25,12 @@ enum class glyph_flags : std::uint8_t {
     return static_cast<glyph_flags>(static_cast<unsigned>(a) | static_cast<unsigned>(b));
 }
 
+/// The flags that are in both sets.
+[[nodiscard]] constexpr glyph_flags operator&(glyph_flags a, glyph_flags b) noexcept
+{
+    return static_cast<glyph_flags>(static_cast<unsigned>(a) & static_cast<unsigned>(b));
+}
+
 /// Whether a set contains a flag. With several flags: whether it contains any of them.
 [[nodiscard]] constexpr bool has(glyph_flags set, glyph_flags one) noexcept
 {

@@ -110,6 +110,10 @@ private:
     static bool is_valid(text_view text, const text_item& item) noexcept
     {
         for (std::size_t i = item.first; i < item.last;) {
+            if (text.unit(i) < 0x80) {
+                ++i;
+                continue;
+            }
             const code_point c = decode(text, i, item.last);
             if (!c.valid) return false;
             i = c.next;

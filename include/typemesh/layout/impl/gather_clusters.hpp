@@ -30,6 +30,9 @@ struct shaped_part {
                                             double advance) noexcept
 {
     const text_mark marks = all[g.cluster];
+    constexpr auto plain = glyph_flags::unsafe_to_break | glyph_flags::tatweel;
+    if (!has(marks, text_mark::space | text_mark::trailing) && !has(g.flags, plain) && !is_zero(advance))
+        return cluster_flags::none;  // nearly all
     const bool space = has(marks, text_mark::space), hangs = space || has(marks, text_mark::trailing);
     const bool unseen = !hangs && is_zero(advance) && is_default_ignorable(decode(text, g.cluster).value);
     return (hangs ? cluster_flags::hangs : cluster_flags::none) |

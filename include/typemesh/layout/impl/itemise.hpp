@@ -67,9 +67,13 @@ inline error itemise(text_view text, const text_analysis& found, array_view<cons
             if (!has(found.marks[k], text_mark::grapheme)) return true;
             return k < end && (combined || column.level(found.levels[k]) == level) && silent_at(text, k) == 0;
         };
-        if (last == i) do
-                ++last;
-            while (last < text.size() && goes_on(last));
+        const bool silent = last != i;
+        // Printable ASCII at one level goes on in any case: this quick loop takes half the instructions.
+        while (!silent && last < end && found.levels[last] == found.levels[i] && text.unit(last) >= 0x20 &&
+               text.unit(last) < 0x80)
+            ++last;
+        if (last == i) ++last;
+        while (!silent && last < text.size() && goes_on(last)) ++last;
         const std::uint32_t tag = script < found.scripts.size() ? found.scripts[script].script : 0;
         if (!items.push_back({.first = static_cast<std::uint32_t>(i),
                               .last = static_cast<std::uint32_t>(last),

@@ -56,9 +56,7 @@ private:
         /// The orientation of a glyph in a column.
         [[nodiscard]] static glyph_flags stand_of(const shaped_glyph& g) noexcept
         {
-            return has(g.flags, glyph_flags::sideways)   ? glyph_flags::sideways
-                   : has(g.flags, glyph_flags::combined) ? glyph_flags::combined
-                                                         : glyph_flags::none;
+            return g.flags & (glyph_flags::sideways | glyph_flags::combined);
         }
     };
 
@@ -70,30 +68,36 @@ private:
         for (std::uint32_t i = first; i < last;) {
             if (error e = find_look(item, shaped_.glyph(i))) return e;
             const point base = origin + (down_ ? point{now_.rise, 0.0} : point{0.0, now_.rise});
-            i += write_alike({shaped_.glyphs() + i, last - i}, base, pen, out + (i - first));
+            const array_view<const shaped_glyph> rest{shaped_.glyphs() + i, last - i};
+            i += down_ ? write_alike<true>(rest, base, pen, out + (i - first))
+                       : write_alike<false>(rest, base, pen, out + (i - first));
         }
         return {};
     }
 
     /// Writes glyphs up to the first one with another drawing state, and moves the pen. Returns their number.
+    template <bool down>
     std::uint32_t write_alike(array_view<const shaped_glyph> glyphs, point base, double& pen,
                               placed_glyph* out) noexcept
     {
+        constexpr glyph_flags noted = glyph_flags::missing | glyph_flags::parted;
         const drawn_with now = now_;
-        const bool down = down_;
         double along = pen;
         std::uint32_t n = 0;
         for (; n < glyphs.size() && now.holds(glyphs[n]); ++n) {
             const shaped_glyph& g = glyphs[n];
-            const bool missing = has(g.flags, glyph_flags::missing);
             const point at = down ? point{base.x, base.y - along} : point{base.x + along, base.y};
-            out[n] = {g.id, g.cluster, at + g.offset, missing, now.look};
+            out[n] = {g.id, g.cluster, at + g.offset, has(g.flags, glyph_flags::missing), now.look};
             along += g.advance;
-            if (missing) run_.note_missing(g.cluster);
-            if (has(g.flags, glyph_flags::parted)) run_.note_parted(g.cluster);
+            if (has(g.flags, noted)) note(g);
         }
         pen = along;
         return n;
+    }
+    void note(const shaped_glyph& g) noexcept
+    {
+        if (has(g.flags, glyph_flags::missing)) run_.note_missing(g.cluster);
+        if (has(g.flags, glyph_flags::parted)) run_.note_parted(g.cluster);
     }
 
     /// Finds the drawing state of a glyph. Usually it is the same as before.
