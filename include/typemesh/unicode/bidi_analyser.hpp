@@ -10,7 +10,7 @@ namespace typemesh::inline TYPEMESH_ABI {
 
 /// For basic_analyser: finds no place where a line may end.
 struct no_line_ends {
-    static constexpr bool finds_any = false;
+    static constexpr bool finds_any = false;  ///< whether it finds places at all
 
     no_line_ends(const character*, std::size_t) noexcept {}
 };
