@@ -37,7 +37,7 @@ struct d3dx_text_options {
     bool kerning = false;        ///< kern pairs of letters as the font specifies; Direct3D never does
     bool ligatures = false;      ///< join letters (fi) if the font does so by default; Direct3D never does
     shape_options shape = {};    ///< direction, language, script, further features
-    layout_options layout = {};  ///< alignment, spacing of lines and letters
+    layout_options layout = {};  ///< alignment, spacing of lines
 
     texture_box texture_over = texture_box::text;  ///< the area that texture coordinates cover, if the vertex has them
     bool draw_missing = true;                      ///< draw the font's box for missing characters, as GDI does

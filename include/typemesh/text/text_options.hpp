@@ -44,8 +44,8 @@ enum class texture_box : std::uint8_t { text, line, glyph };
 /// below 2^-100 output units, or a depth or size takes coordinates beyond 3.4e38. Letters that are too far away are
 /// left out and reported.
 struct text_options {
-    shape_options shape = {};    ///< direction, language, script, features
-    layout_options layout = {};  ///< alignment, spacing of lines and letters, tab stops
+    shape_options shape = {};    ///< direction, language, features, letter spacing, styles
+    layout_options layout = {};  ///< alignment, spacing of lines, tab stops
 
     double tolerance = quality::high;    ///< the largest distance between curve and mesh, in em; see quality.hpp
     std::optional<fill_rule> fill = {};  ///< replaces the outline source's own rule
