@@ -50,10 +50,13 @@ struct workers_at_hand {
     result<void> set(text_view text, const shape_options& how, const layout_options& options, glyph_run& run)
     {
         counting_shaper font;
-        return lay_out(
+        return lay_out(font, text, how, options, run, this);
+    }
+    error shape(shared_shaping& shared, const shaped_text& shaped) noexcept
+    {
+        return shared(
             several, [this](std::size_t w) noexcept -> counting_shaper& { return shapers[w]; },
-            [this](std::size_t w) noexcept -> buffer<shaped_glyph>& { return glyphs[w]; }, font, text, how, options,
-            run);
+            [this](std::size_t w) noexcept -> buffer<shaped_glyph>& { return glyphs[w]; }, shaped);
     }
 };
 

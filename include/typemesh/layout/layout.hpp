@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <typemesh/core/executor.hpp>
 #include <typemesh/core/finite.hpp>
 #include <typemesh/core/result.hpp>
 #include <typemesh/layout/glyph_run.hpp>
@@ -45,62 +44,37 @@ class plain_layout {
 public:
     explicit plain_layout(memory source = heap()) noexcept : analyser_{source}, text_{source}, shared_{source} {}
 
-    ///     run   emptied first; it gets glyphs, lines, units_per_em, and counts of missing glyphs and invalid units
+    ///     run     emptied first; it gets glyphs, lines, units_per_em, and counts of missing glyphs and invalid units
+    ///     team    null, or workers that shape the items of the text, each with its own shaper: see shaping_team. The
+    ///             result is the same.
     ///
     /// Fails  error::bad_option; error::needs_paragraph: an option is only for paragraphs
     ///        error::too_large: the text has more than 2^32 - 2 units
     ///        error::out_of_memory, and any error of the shaper; `run` is then empty
     /// Cost   O(n) plus the shaper's cost
-    template <shaper Shaper>
+    template <shaper Shaper, shaping_team Team = no_team>
     result<void> operator()(Shaper& shaper, text_view text, const shape_options& how, const layout_options& options,
-                            glyph_run& run) noexcept
+                            glyph_run& run, Team* team = nullptr) noexcept
     {
-        error e = read(shaper, text, how, options, run);
-        if (!e) e = text_.shaped.shape(shaper);
-        return end(e ? e : lay_out(shaper, options, run), run);
-    }
-
-    /// The same with workers that shape the items of the text, each with its own shaper. The result is the same.
-    /// shaper_of(worker) and glyphs_of(worker): see shared_shaping.
-    template <executor Executor, class ShaperOf, class GlyphsOf, shaper Shaper>
-    result<void> operator()(Executor& workers, const ShaperOf& shaper_of, const GlyphsOf& glyphs_of, Shaper& shaper,
-                            text_view text, const shape_options& how, const layout_options& options,
-                            glyph_run& run) noexcept
-    {
-        error e = read(shaper, text, how, options, run);
-        if (!e) e = shared_(workers, shaper_of, glyphs_of, text_.shaped);
-        const auto take = [&, this](std::uint32_t i, const text_item&, const shape_options&,
-                                    buffer<shaped_glyph>& glyphs) noexcept {
-            return shared_.take(i, glyphs_of, glyphs);
-        };
-        if (!e) e = text_.shaped.shape(shaper, take);
-        return end(e ? e : lay_out(shaper, options, run), run);
+        run.clear();
+        error e = refused_in_plain_text(options);
+        if (!e) e = text_.read(shaper, analyser_, text, how);
+        if (!e && team != nullptr) e = team->shape(shared_, text_.shaped);
+        if (!e) e = text_.shaped.shape(shaper, team != nullptr ? shared_.items() : array_view<const shaped_item>{});
+        if (!e) e = text_.measure_tabs(shaper);
+        if (!e) e = lay_out(shaper, options, run);
+        if (e) run.clear();
+        return e;
     }
 
 private:
     template <shaper Shaper>
-    error read(Shaper& shaper, text_view text, const shape_options& how, const layout_options& options,
-               glyph_run& run) noexcept
-    {
-        run.clear();
-        if (error e = refused_in_plain_text(options)) return e;
-        return text_.read(shaper, analyser_, text, how);
-    }
-
-    template <shaper Shaper>
     error lay_out(Shaper& shaper, const layout_options& options, glyph_run& run) noexcept
     {
-        if (error e = text_.measure_tabs(shaper)) return e;
         text_.begin(options);
         if (error e = find_lines(options.align)) return e;
         text_.stack(shaper, options);
         return text_.write(shaper, run);
-    }
-
-    static result<void> end(error e, glyph_run& run) noexcept
-    {
-        if (e) run.clear();
-        return e;
     }
 
     /// Makes the lines, which end at items that are line breaks.

@@ -25,6 +25,12 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
+/// The glyphs of an item that was shaped elsewhere, or the error of its shaper.
+struct shaped_item {
+    array_view<const shaped_glyph> glyphs = {};
+    error failure = {};
+};
+
 /// A text that is shaped once, before it has lines: items, their clusters in the order of the text, and glyphs. After
 /// them come parts of items that are shaped again because a line ends there. Lengths are in font units.
 ///
@@ -146,31 +152,18 @@ public:
         return settings_.read(shaper, text, analysis, styles, plain, items_.view());
     }
 
-    /// Shapes all items.
+    /// Shapes all items, or takes their glyphs if they were shaped elsewhere: `given` then has one entry for each item.
     ///
-    ///     glyphs_of    glyphs_of(i, item, options, glyphs): appends the glyphs of item i, as the shaper would
-    ///
-    /// Fails  also with error::too_large, and as glyphs_of does
-    template <shaper Shaper, class GlyphsOf>
-    error shape(Shaper& shaper, const GlyphsOf& glyphs_of) noexcept
+    /// Fails  also with error::too_large, and with an item's failure
+    template <shaper Shaper>
+    error shape(Shaper& shaper, array_view<const shaped_item> given = {}) noexcept
     {
         for (std::uint32_t i = 0; i < items_.size(); ++i) {
             if (!first_clusters_.push_back(static_cast<std::uint32_t>(clusters_.size()))) return error::out_of_memory;
-            const auto shape_item = [&](const text_item& item, const shape_options& how) noexcept {
-                return glyphs_of(i, item, how, glyphs_);
-            };
-            if (error e = add_range(shaper, i, items_[i], shape_item)) return e;
+            if (error e = add_range(shaper, i, items_[i], given.empty() ? nullptr : &given[i])) return e;
         }
         own_ = static_cast<std::uint32_t>(clusters_.size());
         return {};
-    }
-    template <shaper Shaper>
-    error shape(Shaper& shaper) noexcept
-    {
-        return shape(shaper, [this, &shaper](std::uint32_t, const text_item& item, const shape_options& how,
-                                             buffer<shaped_glyph>& glyphs) noexcept {
-            return shaper.shape(text_, item, how, glyphs);
-        });
     }
 
     /// Appends the clusters of text[first, last), which lies in one item. The text around it is context for shaping.
@@ -180,9 +173,7 @@ public:
         text_item part = items_[item];
         part.first = first;
         part.last = last;
-        return add_range(shaper, item, part, [this, &shaper](const text_item& of, const shape_options& how) noexcept {
-            return shaper.shape(text_, of, how, glyphs_);
-        });
+        return add_range(shaper, item, part, nullptr);
     }
 
     void clear() noexcept
@@ -306,9 +297,9 @@ public:
     }
 
 private:
-    /// Appends the clusters of a part of an item; shape_item(part, options) appends its glyphs.
-    template <shaper Shaper, class ShapeItem>
-    error add_range(Shaper& shaper, std::uint32_t item, const text_item& part, const ShapeItem& shape_item) noexcept
+    /// Appends the clusters of a part of an item, or of a whole item whose glyphs are given.
+    template <shaper Shaper>
+    error add_range(Shaper& shaper, std::uint32_t item, const text_item& part, const shaped_item* given) noexcept
     {
         const std::uint32_t first = part.first, last = part.last;
         if (first < last && silent_at(text_, first) != 0) {
@@ -321,8 +312,11 @@ private:
             return {};
         }
         const std::size_t before = glyphs_.size(), first_cluster = clusters_.size();
-        if (first < last)
-            if (error e = shape_item(part, options_of(item))) return e;
+        if (first < last) {
+            error e = given != nullptr ? given->failure : shaper.shape(text_, part, options_of(item), glyphs_);
+            if (!e && given != nullptr && !glyphs_.append(given->glyphs)) e = error::out_of_memory;
+            if (e) return e;
+        }
         TYPEMESH_ASSERT(come_from(glyphs_.view().subspan(before), part),
                         "a shaper gave a glyph a cluster outside the range of text that it had to shape");
         if (glyphs_.size() > 0xFFFF'FFFFu) return error::too_large;

@@ -7,6 +7,7 @@
 #include <typemesh/core/executor.hpp>
 #include <typemesh/layout/impl/shaped_text.hpp>
 
+#include <concepts>
 #include <cstddef>
 #include <cstdint>
 
@@ -16,14 +17,14 @@ namespace typemesh::inline TYPEMESH_ABI {
 /// shaper, and so is the error: the first item's that has one. It keeps its memory for the next text.
 class shared_shaping {
 public:
-    explicit shared_shaping(memory source = heap()) noexcept : items_{source}, blocks_{source} {}
+    explicit shared_shaping(memory source = heap()) noexcept : items_{source}, places_{source}, blocks_{source} {}
 
-    /// Shapes the items of a text that has been read; then glyphs_of() gives the glyphs of each.
+    /// Shapes the items of a text that has been read. Then items() has the glyphs of each.
     ///
     ///     shaper_of(worker)    the worker's shaper
     ///     glyphs_of(worker)    the worker's memory, buffer<shaped_glyph>&; unchanged until the text is shaped
     ///
-    /// Fails  error::out_of_memory; errors of shapers come later, from take()
+    /// Fails  error::out_of_memory; the items have the errors of shapers
     template <executor Executor, class ShaperOf, class GlyphsOf>
     error operator()(Executor& workers, const ShaperOf& shaper_of, const GlyphsOf& glyphs_of,
                      const shaped_text& shaped) noexcept
@@ -38,33 +39,26 @@ public:
             for (std::uint32_t i = blocks_[b]; i < last; ++i) {
                 const text_item& item = shaped.items()[i];
                 if (silent_at(shaped.text(), item.first) != 0) continue;
-                shaped_item& own = items_[i];
-                own.worker = static_cast<std::uint32_t>(worker);
-                own.first = glyphs.size();
-                own.failure = with.shape(shaped.text(), item, shaped.options_of(i), glyphs);
-                if (own.failure) return;  // later items of this block do not matter
-                own.count = glyphs.size() - own.first;
+                const std::size_t first = glyphs.size();
+                items_[i].failure = with.shape(shaped.text(), item, shaped.options_of(i), glyphs);
+                if (items_[i].failure) return;  // later items of this block do not matter
+                places_[i] = {worker, first, glyphs.size() - first};
             }
         });
+        for (std::size_t i = 0; i < items_.size(); ++i) {
+            const buffer<shaped_glyph>& glyphs = glyphs_of(places_[i].worker);
+            items_[i].glyphs = glyphs.view().subspan(places_[i].first, places_[i].count);
+        }
         return {};
     }
 
-    /// Appends the glyphs of item i, or returns the error of its shaper.
-    template <class GlyphsOf>
-    error take(std::uint32_t i, const GlyphsOf& glyphs_of, buffer<shaped_glyph>& glyphs) const noexcept
-    {
-        const shaped_item& own = items_[i];
-        if (own.failure) return own.failure;
-        const array_view<const shaped_glyph> shaped = glyphs_of(own.worker).view();
-        return glyphs.append(shaped.subspan(own.first, own.count)) ? error{} : error{error::out_of_memory};
-    }
+    /// The glyphs of the items, in the workers' memory.
+    [[nodiscard]] array_view<const shaped_item> items() const noexcept { return items_.view(); }
 
 private:
     /// The place of an item's glyphs in its worker's memory.
-    struct shaped_item {
-        std::size_t first = 0, count = 0;
-        std::uint32_t worker = 0;
-        error failure = {};
+    struct place {
+        std::size_t worker = 0, first = 0, count = 0;
     };
 
     static std::uint32_t item_count(const shaped_text& shaped) noexcept
@@ -76,6 +70,7 @@ private:
     error find_blocks(const shaped_text& shaped, std::size_t wanted) noexcept
     {
         items_.clear();
+        places_.clear();
         blocks_.clear();
         const std::size_t length = shaped.text().size() / wanted, least = length > 256 ? length : 256;
         std::uint32_t begin = 0;
@@ -85,13 +80,25 @@ private:
                 if (!blocks_.push_back(i)) return error::out_of_memory;
                 begin = at;
             }
-            if (!items_.push_back({})) return error::out_of_memory;
+            if (!items_.push_back({}) || !places_.push_back({})) return error::out_of_memory;
         }
         return {};
     }
 
     buffer<shaped_item> items_;
+    buffer<place> places_;
     buffer<std::uint32_t> blocks_;  // the first item of each
+};
+
+/// Workers that shape the items of a text: team.shape(shared, shaped) calls shared(...) with its executor.
+template <class T>
+concept shaping_team = requires(T& team, shared_shaping& shared, const shaped_text& shaped) {
+    { team.shape(shared, shaped) } noexcept -> std::same_as<error>;
+};
+
+/// No workers: the caller shapes.
+struct no_team {
+    error shape(shared_shaping&, const shaped_text&) noexcept { return {}; }
 };
 
 }  // namespace typemesh::inline TYPEMESH_ABI

@@ -6,6 +6,7 @@
 #include <typemesh/core/impl/executor_ref.hpp>
 #include <typemesh/glyph/glyph_builder.hpp>
 #include <typemesh/glyph/impl/glyph_store.hpp>
+#include <typemesh/layout/impl/shared_shaping.hpp>
 #include <typemesh/layout/shaped_glyph.hpp>
 #include <typemesh/text/impl/font_ref.hpp>
 
@@ -39,6 +40,15 @@ struct glyph_team {
     [[nodiscard]] bool shapes_for(font_ref font) const noexcept
     {
         return members.size() > 1 && members[0].font.is_like(font);
+    }
+
+    /// Shapes the items of a text: see shaping_team.
+    error shape(shared_shaping& shared, const shaped_text& shaped) noexcept
+    {
+        const array_view<team_member> all = members;
+        return shared(
+            executor, [all](std::size_t worker) noexcept { return all[worker].font.shaper(); },
+            [all](std::size_t worker) noexcept -> buffer<shaped_glyph>& { return all[worker].shaped; }, shaped);
     }
 
     /// Removes the glyphs of the previous plan.

@@ -111,16 +111,8 @@ error text_planner::layout(text_view text, const text_options& options, const po
     with.observe(stage::shape);
     if (!font.is_shaper()) return stop(error::not_a_shaper, with);
     shaper_ref shaper = font.shaper();
-    const auto lay_out = [&, this]() noexcept {
-        if (team == nullptr || !team->shapes_for(font))
-            return layout_(shaper, text, options.shape, options.layout, run_);
-        const auto members = team->members;
-        return layout_(
-            team->executor, [members](std::size_t worker) noexcept { return members[worker].font.shaper(); },
-            [members](std::size_t worker) noexcept -> buffer<shaped_glyph>& { return members[worker].shaped; }, shaper,
-            text, options.shape, options.layout, run_);
-    };
-    const auto laid = lay_out();
+    if (team != nullptr && !team->shapes_for(font)) team = nullptr;
+    const auto laid = layout_(shaper, text, options.shape, options.layout, run_, team);
     return laid ? error{} : stop(laid.error(), with);
 }
 
