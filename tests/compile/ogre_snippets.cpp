@@ -32,7 +32,7 @@ const auto size = plan->size();
 auto& buffers = Ogre::HardwareBufferManager::getSingleton();
 auto vertices = buffers.createVertexBuffer(sizeof(vertex), size.vertices, Ogre::HBU_GPU_ONLY);
 auto indices = buffers.createIndexBuffer(Ogre::HardwareIndexBuffer::IT_32BIT, size.indices(), Ogre::HBU_GPU_ONLY);
-auto error = plan->write(typemesh::into(
+auto written = plan->write(typemesh::into(
     std::span{static_cast<vertex*>(vertices->lock(Ogre::HardwareBuffer::HBL_WRITE_ONLY)), size.vertices},
     std::span{static_cast<std::uint32_t*>(indices->lock(Ogre::HardwareBuffer::HBL_WRITE_ONLY)), size.indices()}));
 vertices->unlock();
@@ -55,5 +55,5 @@ for (auto part : plan->parts()) {                        // front, back, side, b
 const auto [low, high] = plan->bounds();
 mesh->_setBounds({Ogre::Vector3{low.x, low.y, low.z}, Ogre::Vector3{high.x, high.y, high.z}});
 mesh->load();
-    return error;
+    return written.error();
 }

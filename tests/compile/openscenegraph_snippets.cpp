@@ -21,7 +21,7 @@ const auto vertex_count = unsigned(plan->size().vertices), index_count = unsigne
 osg::ref_ptr<osg::Vec3Array> positions = new osg::Vec3Array(vertex_count), normals = new osg::Vec3Array(vertex_count);
 osg::ref_ptr<osg::Vec2Array> uvs = new osg::Vec2Array(vertex_count);
 osg::ref_ptr<osg::DrawElementsUInt> corners = new osg::DrawElementsUInt(GL_TRIANGLES, index_count);
-auto error = plan->write(typemesh::stream_sink{std::span{corners->asVector()},
+auto written = plan->write(typemesh::stream_sink{std::span{corners->asVector()},
                                                typemesh::stream<typemesh::attribute::position, osg::Vec3>{positions->asVector()},
                                                typemesh::stream<typemesh::attribute::normal, osg::Vec3>{normals->asVector()},
                                                typemesh::stream<typemesh::attribute::uv, osg::Vec2>{uvs->asVector()}});
@@ -29,5 +29,5 @@ geometry->setVertexArray(positions.get());
 geometry->setNormalArray(normals.get(), osg::Array::BIND_PER_VERTEX);
 geometry->setTexCoordArray(0, uvs.get());
 geometry->addPrimitiveSet(corners.get());
-    return error;
+    return written.error();
 }

@@ -37,7 +37,7 @@ typemesh::error text_geometry::show(const plan_type& plan)
 const auto size = plan->size();
 QByteArray vertices{qsizetype(size.vertices * sizeof(vertex)), Qt::Uninitialized};
 QByteArray indices{qsizetype(size.indices() * sizeof(quint32)), Qt::Uninitialized};
-auto error = plan->write(typemesh::into(std::span{reinterpret_cast<vertex*>(vertices.data()), size.vertices},
+auto written = plan->write(typemesh::into(std::span{reinterpret_cast<vertex*>(vertices.data()), size.vertices},
                                         std::span{reinterpret_cast<quint32*>(indices.data()), size.indices()}));
 setVertexData(vertices);
 setIndexData(indices);
@@ -50,5 +50,5 @@ addAttribute(Attribute::IndexSemantic, 0, Attribute::U32Type);
 const auto [low, high] = plan->bounds();
 setBounds({low.x, low.y, low.z}, {high.x, high.y, high.z});
 update();
-    return error;
+    return written.error();
 }

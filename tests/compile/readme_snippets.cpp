@@ -210,15 +210,15 @@ auto workers = typemesh::workers_of(pool, [&](std::size_t) noexcept { return typ
 if (!workers) return std::puts(workers.error().message()), 1;   // FreeType: open the file again for each worker
 auto plan = mesher.plan(text, {}, *workers);
 if (!plan) return std::puts(plan.error().message()), 1;
-auto error = plan->write(typemesh::into(vertices, indices), pool);
-    use(error);
+auto written = plan->write(typemesh::into(vertices, indices), pool);
+    use(written);
         {
 typemesh::text_chunks chunks;
 if (auto cut = chunks.cut(*plan); !cut) return std::puts(cut.error().message()), 1;               // at most 65,535 vertices each
 auto size = chunks.size();                                                      // exact, as ever
-auto trouble = chunks.write(*plan, typemesh::into(mapped_vertices, mapped_short_indices));
+auto stored = chunks.write(*plan, typemesh::into(mapped_vertices, mapped_short_indices));
 for (const auto& c : chunks.view()) draw(c.range().first_index, c.range().index_count, c.first_vertex);
-    use(size, trouble);
+    use(size, stored);
         }
     }
     return 0;

@@ -33,7 +33,7 @@ vtkNew<vtkFloatArray> positions, normals, uvs;
 vtkNew<vtkTypeInt32Array> corners;
 corners->SetNumberOfValues(vtkIdType(size.indices()));
 using typemesh::attribute;
-auto error = plan->write(typemesh::stream_sink{std::span{corners->GetPointer(0), size.indices()},
+auto written = plan->write(typemesh::stream_sink{std::span{corners->GetPointer(0), size.indices()},
                                                typemesh::stream<attribute::position, typemesh::vec3>::in(floats(positions, 3), 0),
                                                typemesh::stream<attribute::normal, typemesh::vec3>::in(floats(normals, 3), 0),
                                                typemesh::stream<attribute::uv, typemesh::vec2>::in(floats(uvs, 2), 0)});
@@ -45,5 +45,5 @@ text->SetPoints(points);
 text->SetPolys(triangles);
 text->GetPointData()->SetNormals(normals);
 text->GetPointData()->SetTCoords(uvs);
-    return error;
+    return written.error();
 }
