@@ -43,8 +43,8 @@ bool equal(fixed_vector a, fixed_vector b) { return a.x == b.x && a.y == b.y; }
 /// The distance of v * inward from 1.
 double error_of(const crossing_speed& v, const moving_line& line)
 {
-    constexpr detail::int128 one = static_cast<detail::int128>(1) << 62;
-    return std::fabs(static_cast<double>(detail::dot(v.of, line.inward()) - one) * 0x1p-62);
+    constexpr detail::int128 unit = static_cast<detail::int128>(1) << 62;
+    return std::fabs(static_cast<double>(detail::dot(v.of, line.inward()) - unit) * 0x1p-62);
 }
 
 }  // namespace
