@@ -53,7 +53,7 @@ struct [[nodiscard]] error {
         needs_shaping,        ///< the plain shaper cannot set this script correctly
         font_library_failed,  ///< FreeType, HarfBuzz or DirectWrite refused; count = its own error number, if any
         not_written,          ///< a sink could not store all of its input, for example because the disk is full
-        refused_by_user,      ///< for the caller's own policies
+        refused_by_user,      ///< a refusal by one of the caller's own policies
     };
 
     kind code = none;                 ///< what went wrong

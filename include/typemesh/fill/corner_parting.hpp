@@ -150,7 +150,7 @@ result<region> corner_parting::operator()(contours& loops, buffer<curve>& curves
     const resolve_options how{.max_pieces = max_pieces};
     const std::int32_t first = smallest(loops.grid);
     if (loops.corners == touching::keep) return resolve(loops, fill_rule::non_zero, space, how);
-    bool has_room = true;  // for the frame
+    bool has_room = true;  // whether the square of add_frame() fits
     for (const grid_point p : loops.points)
         has_room = has_room && p.x > -frame && p.x < frame && p.y > -frame && p.y < frame;
     std::uint32_t holes = 0, outers = 0;

@@ -8,7 +8,7 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// The parts of a mesh, which may have different materials. In the output, the vertices of a part are contiguous, and
+/// The parts of a mesh; each may have a material of its own. In the output, the vertices of a part are contiguous, and
 /// so are its indices. Parts come in this order.
 ///
 /// bevelled.hpp uses the bevels. Extruders may have any other parts after the first three, up to eight in all: part{3}
