@@ -136,8 +136,8 @@ private:
 ///      |   .--|---.            |      '---.        repeated contours, edges of length zero, contours of one point, any
 ///      |   |  |   |     ->     |          |        nesting and any winding number. Where boundaries touch in a point,
 ///      '---|--'   |            '---.      |        each cycle stays in its own sector of interior: a hole joins the
-///          '------'                '------'        outer loop that it touches, touching holes join each other, touching
-///                                                  outer loops stay separate.
+///          '------'                '------'        outer loop that it touches, touching holes join each other, and
+///                                                  touching outer loops stay separate.
 ///
 /// Replaces `loops`; the result may be an empty region. Edges keep their curve and t; if several edges coincide, the
 /// curve with the lowest number is kept. t0 > t1 if an edge runs against its curve. Points of the contours that lie on
