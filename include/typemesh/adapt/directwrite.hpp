@@ -41,12 +41,12 @@ struct directwrite_style {
 /// `fill()` returns the rule of the outline drawn last (DirectWrite reports it glyph by glyph); it is non_zero in all
 /// known fonts. Outlines are requested at one unit per font unit and flipped to y up.
 ///
-/// COM need not be initialised. Move-only. Used by one thread at a time; for another thread make a second one,
+/// COM need not be initialised. Move-only. Used by one thread at a time; for another thread make a second object,
 /// wrap(font.handle()).
 class directwrite_font {
 public:
-    /// Opens a font file. Without a `factory` it uses the process's shared one. Variations need Windows 10 1709 at run
-    /// time, whatever Windows the program is compiled for; on older systems, no font has an axis.
+    /// Opens a font file. Without a `factory` it uses the process's shared factory. Variations need Windows 10 1709 at
+    /// run time, whatever Windows the program is compiled for; on older systems, no font has an axis.
     ///
     /// Fails  error::unreadable_file, not_a_font, no_such_face (count = the number of faces), no_outlines,
     ///        unknown_variation, bad_option (a variation is NaN or infinite), out_of_memory,
@@ -65,7 +65,7 @@ public:
         DWRITE_FONT_FACE_TYPE face_type = DWRITE_FONT_FACE_TYPE_UNKNOWN;
         UINT32 faces = 0;
         if (error e = directwrite_error(file->Analyze(&supported, &file_type, &face_type, &faces))) {
-            // Wine only says that it failed.
+            // Wine reports a failure without the reason.
             const DWORD kind = GetFileAttributesW(path);
             const bool is_file = kind != INVALID_FILE_ATTRIBUTES && (kind & FILE_ATTRIBUTE_DIRECTORY) == 0;
             return is_file ? e : error{error::unreadable_file};
@@ -148,7 +148,7 @@ public:
         return finished(std::move(face), *held);
     }
 
-    /// Wraps a face of the caller, with its variations and simulations. Holds its own reference.
+    /// Wraps a face of the caller, with its variations and simulations. The font holds its own reference to the face.
     ///
     /// Fails  error::not_a_font (without glyphs or units), no_outlines, out_of_memory, font_library_failed
     static result<directwrite_font> wrap(IDWriteFontFace* face, IDWriteFactory* factory = nullptr) noexcept
@@ -173,8 +173,8 @@ public:
     /// is unique to this directwrite_font.
     [[nodiscard]] std::uint64_t variation_key() const noexcept { return key_; }
 
-    /// See outline_source. DirectWrite returns TrueType's quadratics as cubics. A cubic becomes a quadratic again if it
-    /// is one up to its rounding (1/25 unit, Wine's). CFF's cubics stay.
+    /// See outline_source. DirectWrite returns TrueType's quadratics as cubics. A cubic becomes a quadratic again if
+    /// rounding alone (1/25 unit, Wine's) distinguishes the two. CFF's cubics stay cubics.
     template <outline_sink Sink>
     error outline(glyph_id id, Sink& sink) noexcept
     {
@@ -192,16 +192,16 @@ public:
         return {ascent, -descent, static_cast<double>(m.lineGap)};
     }
 
-    /// See shaper. No text around the item is context, because DirectWrite shapes a text without what surrounds it. So
-    /// Arabic letters do not join across the ends of an item: where a style changes, or where a line ends inside a
-    /// word. DirectWrite finds the scripts in the item by itself, unless options.script names one.
+    /// See shaper. The text around the item is no context, because DirectWrite shapes a text without its surroundings.
+    /// Arabic letters therefore do not join across the ends of an item: where a style changes, or where a line ends
+    /// inside a word. DirectWrite finds the scripts in the item by itself, unless options.script names one.
     ///
     /// Upright items have the font's vertical forms ("vert") and vertical metrics.
     ///
-    /// Fails besides  error::bad_option: options.script is unknown to DirectWrite, or options.language is longer than
-    ///                Windows allows
-    ///                error::bad_feature: a tag is not four printable ASCII characters
-    ///                error::too_large: 2^28 or more units in an item; error::font_library_failed (count = HRESULT)
+    /// Also fails with  error::bad_option: options.script is unknown to DirectWrite, or options.language is longer than
+    ///                  Windows allows
+    ///                  error::bad_feature: a tag is not four printable ASCII characters
+    ///                  error::too_large: 2^28 or more units in an item; error::font_library_failed (count = HRESULT)
     error shape(text_view text, const text_item& item, const shape_options& options,
                 buffer<shaped_glyph>& glyphs) noexcept
     {

@@ -19,14 +19,14 @@
 namespace typemesh::inline TYPEMESH_ABI {
 
 /// unicode_analyser, with DirectWrite's line breaks within Thai, Lao, Khmer and Burmese: lines may also end between
-/// their words. Everything else is the same on every machine, whatever Windows is installed.
+/// their words. Everything else is equal on every machine, whatever Windows is installed.
 ///
 /// If this DirectWrite does not know the words of a script, its text stays in text_analysis::unbroken. DirectWrite is
 /// called with the script's own language; analysis_options::language is ignored. One analyser is used by one thread at
 /// a time.
 ///
-/// Fails besides  error::font_library_failed (count = the HRESULT), if a text needs DirectWrite; the next call tries
-///                again
+/// Also fails with  error::font_library_failed (count = the HRESULT), if a text needs DirectWrite; the next call tries
+///                  again
 class directwrite_analyser {
 public:
     /// Creates DirectWrite's analyser when a text first needs it.
@@ -34,7 +34,7 @@ public:
         : unicode_{source}, text_{source}, places_{source}, conditions_{source}
     {
     }
-    /// Uses the caller's analyser, and holds a reference to it.
+    /// Uses the caller's IDWriteTextAnalyzer, and holds a reference to it.
     explicit directwrite_analyser(IDWriteTextAnalyzer* callers, memory source = heap()) noexcept
         : directwrite_analyser{source}
     {
@@ -152,9 +152,9 @@ private:
     unicode_analyser unicode_;
     detail::com_ptr<IDWriteTextAnalyzer> words_;
     bool opened_ = false;
-    bool known_[count] = {};  // of dictionary_scripts
+    bool known_[count] = {};  // whether DirectWrite knows the words of each of dictionary_scripts
     buffer<wchar_t> text_;
-    buffer<std::uint32_t> places_;  // position of each unit in the caller's text
+    buffer<std::uint32_t> places_;  // the position of each unit in the caller's text
     buffer<DWRITE_LINE_BREAKPOINT> conditions_;
 };
 static_assert(text_analyser<directwrite_analyser>);

@@ -41,15 +41,15 @@ inline error find_system_fallback(IUnknown* factory, com_ptr<IDWriteFontFallback
 ///     directwrite_fallback<harfbuzz_font> installed{L"Segoe UI"};
 ///     font_list list{*font, installed};
 ///
-/// Finds nothing before Windows 8.1. `Font` has an open(path, font_options) with a wchar_t path like
-/// directwrite_font's, or a UTF-8 path; older HarfBuzz may read only ASCII in the latter. DirectWrite's other results
+/// It finds nothing before Windows 8.1. `Font` has an open(path, font_options) with a wchar_t path like
+/// directwrite_font's, or with a UTF-8 path, in which older HarfBuzz may read only ASCII. DirectWrite's other results
 /// are ignored: a smaller size, simulated bold where the family has no bold, and the instance of a variable font. Not
 /// copyable; used by one thread at a time.
 template <class Font>
 class directwrite_fallback {
 public:
-    /// The family is searched first, then the system's fallback in that style. Null: only the fallback. The name must
-    /// outlive this.
+    /// The family is searched first, then the system's fallback in the given style. Null: only the fallback. The name
+    /// must outlive this object.
     explicit directwrite_fallback(const wchar_t* family = nullptr, const directwrite_style& style = {}) noexcept
         : family_{family}, style_{style}
     {
@@ -215,8 +215,8 @@ private:
         }
     }
 
-    /// Remembers a character that no font has, in sorted order, so that the next one costs nothing. If out of memory,
-    /// it is searched again.
+    /// Remembers a character that no font has, in sorted order, so that its next occurrence costs nothing. If out of
+    /// memory, the character is searched for again.
     void note_missing(std::uint32_t c) noexcept
     {
         if (!nowhere_.push_back(c)) return;

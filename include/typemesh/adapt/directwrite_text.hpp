@@ -34,8 +34,8 @@ struct directwrite_object {
 struct directwrite_glyph {
     IDWriteFontFace* face = nullptr;  ///< null for an underline or a strike-through
     std::uint16_t index = 0;          ///< the face's own glyph number
-    double em_size = 0.0;             ///< in device-independent pixels
-    bool sideways = false;            ///< rotated to lie on its side
+    double em_size = 0.0;             ///< the size of an em, in device-independent pixels
+    bool sideways = false;            ///< whether the glyph is rotated to lie on its side
 };
 
 /// A whole IDWriteTextLayout as shaped text with its own outlines. All results of the layout are kept: changing fonts
@@ -60,8 +60,8 @@ struct directwrite_glyph {
 ///
 /// In a glyph_cache, one number serves all layouts, `cached_in{cache, 1}`: see variation_key().
 ///
-/// Holds references to the faces and inline objects of the last layout read, but none to the layout. Memory is kept for
-/// the next layout. Move-only; used by one thread at a time.
+/// It holds references to the faces and inline objects of the last layout that it read, but not to the layout. Memory
+/// is kept for the next layout. Move-only; used by one thread at a time.
 class directwrite_text {
 public:
     explicit directwrite_text(memory source = heap()) noexcept
@@ -81,11 +81,11 @@ public:
     directwrite_text& operator=(directwrite_text&&) noexcept = default;
     ~directwrite_text() { release(); }
 
-    /// Draws a layout into this. Inline objects are recorded, and draw themselves, with `context`. Text that they draw
-    /// (the ellipsis of a trimmed line) is included, without a position in the text.
+    /// Draws a layout into this object. Inline objects are recorded, and draw themselves, with `context`. Text that
+    /// they draw (the ellipsis of a trimmed line) is included, without a position in the text.
     ///
     /// Fails  error::bad_option: the layout runs in columns
-    ///        error::outline_not_finite: it places something at NaN or infinity
+    ///        error::outline_not_finite: the layout places something at NaN or infinity
     ///        error::too_large: more than 65535 pairs of face and size, underlines or strike-throughs
     ///        error::out_of_memory, font_library_failed (count = the HRESULT); it then holds nothing
     result<void> read(IDWriteTextLayout* layout, void* context = nullptr) noexcept
@@ -117,10 +117,10 @@ public:
     [[nodiscard]] fill_rule fill() const noexcept { return rule_; }
 
     /// See variation_key.hpp. Covers everything that the ids of run() represent. Texts share the contents of a
-    /// glyph_cache exactly if three conditions hold: their faces (by file, face index, simulations and axes) and sizes
-    /// (relative to the layout's own) are the same, these are first used in the same order, and underlines and
-    /// strike-throughs have the same sizes. If a face does not come from a system file (but from memory or a caller's
-    /// loader), or its axes cannot be read, the layout shares with no other, nor with itself when it is read again.
+    /// glyph_cache exactly if three conditions hold: they have equal faces (by file, face index, simulations and axes)
+    /// and sizes (relative to the layout's own), they first use these in one order, and their underlines and
+    /// strike-throughs have equal sizes. If a face comes from memory or a caller's loader, not from a system file, or
+    /// if its axes cannot be read, the layout shares nothing with other layouts, nor with itself when it is read again.
     ///
     /// Cost  a few calls of DirectWrite per face and size; a mesher calls it once per text
     [[nodiscard]] std::uint64_t variation_key() const noexcept
@@ -151,7 +151,7 @@ public:
         return {l.face, static_cast<std::uint16_t>(id & 0xFFFF), l.em_size, l.sideways};
     }
 
-    /// See outline_source; curves as directwrite_font draws them.
+    /// See outline_source; curves are as directwrite_font draws them.
     template <outline_sink Sink>
     error outline(glyph_id id, Sink& sink) noexcept
     {
@@ -185,7 +185,7 @@ private:
         IDWriteFontFace* face;
         double em_size;
         double units_per_em;
-        double scale;  // of its outlines
+        double scale;  // the scale of its outlines
         bool lowers;
         bool sideways;
     };
@@ -200,7 +200,7 @@ private:
 
     /// A line as the layout reports it.
     struct layout_line {
-        std::uint32_t end;  // unit of the text
+        std::uint32_t end;  // the end of the line, in units of the text
         double baseline;    // y up
     };
 
@@ -444,7 +444,7 @@ private:
     std::uint64_t read_at_ = 0;
     fill_rule rule_ = fill_rule::non_zero;
     buffer<look> looks_;
-    buffer<point> bars_;  // their sizes
+    buffer<point> bars_;  // the sizes of the bars
     buffer<directwrite_object> objects_;
     buffer<piece> pieces_;
     buffer<placed_glyph> glyphs_;  // in pixels, y up

@@ -59,16 +59,16 @@ enum class family_names : std::uint8_t {
               ///< Arial), and the generic names: "sans-serif", "monospace"
 };
 
-/// The path of an installed font, and its face in the file.
+/// The path of an installed font, and the face in the file.
 class installed_font {
 public:
     explicit installed_font(memory source = heap()) noexcept : path_{source}, family_{source}, variations_{source} {}
 
     /// Empty before a font has been found.
     [[nodiscard]] const char* path() const noexcept { return path_.empty() ? "" : path_.data(); }
-    /// The name that it gives its family.
+    /// The name of the font's family, as the font gives it.
     [[nodiscard]] const char* family() const noexcept { return family_.empty() ? "" : family_.data(); }
-    /// The options for opening it. They refer to this.
+    /// The options for opening the font. They refer to this object.
     [[nodiscard]] font_options options() const noexcept { return {face_, variations_.view()}; }
     /// The number, from 1, of a named instance of a variable font, if fontconfig does not know its axis values;
     /// otherwise 0.
@@ -150,11 +150,12 @@ public:
     [[nodiscard]] FcConfig* handle() const noexcept { return config_; }
 
     /// Finds a font by its family and style, in fontconfig's notation: "Noto Sans", "Noto Sans:bold:italic",
-    /// "Inter:style=Semi Bold". Only scalable fonts are found, and never one that is merely similar. `names` says
+    /// "Inter:style=Semi Bold". Only scalable fonts are found, and never a font that is merely similar. `names` says
     /// whether other families may replace the name; installed_font::family() returns the family found.
     ///
-    /// Fails  error::no_such_family; error::no_such_style: the family has no such font, `option` names the difference:
-    ///        weight, width, slant or style; error::bad_option: the name cannot be read; error::out_of_memory
+    /// Fails  error::no_such_family; error::no_such_style: the family has no font of this style, and `option` names the
+    ///        difference: weight, width, slant or style; error::bad_option: the name cannot be read;
+    ///        error::out_of_memory
     result<void> find(const char* name, installed_font& out, family_names names = family_names::own) const noexcept
     {
         const void* words = name;
@@ -193,8 +194,8 @@ private:
         return false;
     }
 
-    /// Whether the configuration binds the match's family as strongly to the requested name as the name itself. It
-    /// binds fallback families weakly.
+    /// Whether the configuration binds the match's family as strongly to the requested name as the name itself. The
+    /// configuration binds fallback families weakly.
     static bool stands_in(FcPattern* complete, const FcPattern* match) noexcept
     {
         FcValue value;

@@ -21,12 +21,12 @@ namespace typemesh::inline TYPEMESH_ABI {
 ///     font_list list{*font, installed};
 ///
 /// It uses the first font that has the grapheme. fontconfig sorts the fonts for the language, or for a language of the
-/// script, and for a family and style to resemble. Bitmap and colour fonts are skipped. `Font` has an open(path,
-/// font_options) like harfbuzz_font's. Not copyable; used by one thread at a time.
+/// script, and by their resemblance to a family and style. Bitmap and colour fonts are skipped. `Font` has an
+/// open(path, font_options) like harfbuzz_font's. Not copyable; used by one thread at a time.
 template <class Font>
 class fontconfig_fallback {
 public:
-    /// `like` may be empty. The fonts must outlive this.
+    /// `like` may be empty. The fonts must outlive this object.
     explicit fontconfig_fallback(fontconfig_fonts& fonts, const char* like = "") noexcept
         : fonts_{&fonts}, like_{FcNameParse(bytes(like))}, nowhere_{FcCharSetCreate()}
     {
@@ -100,7 +100,7 @@ private:
         return true;
     }
 
-    /// Remembers a character that no font has, so that the next one costs nothing.
+    /// Remembers a character that no font has, so that its next occurrence costs nothing.
     void note_missing(text_view text, text_range range) noexcept
     {
         const code_point c = decode(text, range.first, range.last);

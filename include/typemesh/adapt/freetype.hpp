@@ -31,11 +31,11 @@ namespace typemesh::inline TYPEMESH_ABI {
 ///     auto font = freetype_font::open("NimbusSans-Regular.t1");
 ///     if (!font) return puts(font.error().message());
 ///
-/// A Type 1 Multiple Master font without a given variation draws as FreeType opens it: with the font's own weights of
-/// its masters (/WeightVector), its default. FreeType's default design coordinates approximate those weights as closely
-/// as axes can. Axes that are not named get these coordinates as soon as another axis is set.
+/// Without a given variation, a Type 1 Multiple Master font draws as FreeType opens it: with the default weights that
+/// the font gives its masters (/WeightVector). FreeType's default design coordinates approximate these weights as
+/// closely as axes can. As soon as one axis is set, all axes that are not named get these coordinates.
 ///
-/// The shaper cannot set complex scripts and reports this (error::needs_shaping). It has no ligatures, no features
+/// The shaper cannot set complex scripts and reports them (error::needs_shaping). It has no ligatures and no features
 /// except "kern", and reads only the old 'kern' table. Modern fonts keep their kerning in GPOS, which HarfBuzz reads.
 ///
 /// Move-only. The font and its FT_Library are used by one thread at a time.
@@ -55,7 +55,7 @@ public:
         from.pathname = const_cast<char*>(path);  // FreeType only reads it
         return open_face(from, options, library);
     }
-    /// The same for a std::string, or any other type with a c_str().
+    /// Opens a font file whose path is a std::string, or any other type with a c_str().
     template <class Path>
         requires requires(const Path& path) { static_cast<const char*>(path.c_str()); }
     static result<freetype_font> open(const Path& path, const font_options& options = {},
@@ -78,9 +78,9 @@ public:
         return open_face(from, options, library);
     }
 
-    /// Wraps a face that the caller has opened, with its variations and its character map. Holds a reference to the
-    /// face; the face's library must outlive the font. The font's own size object is active only during calls. The
-    /// caller's size, transform and character map do not change; the contents of the glyph slot do.
+    /// Wraps a face that the caller has opened, with its variations and its character map. The font holds a reference
+    /// to the face; the face's library must outlive the font. The font's own size object is active only during calls.
+    /// The caller's size, transform and character map do not change; the contents of the glyph slot do.
     ///
     /// Fails  error::no_outlines, out_of_memory, font_library_failed
     static result<freetype_font> wrap(FT_Face face) noexcept
@@ -140,8 +140,8 @@ public:
         return key;
     }
 
-    /// See outline_source. Curves keep their degree: quadratics from TrueType, cubics from CFF and Type 1. Never
-    /// hinted.
+    /// See outline_source. Curves keep their degree: quadratics from TrueType, cubics from CFF and Type 1. Outlines are
+    /// never hinted.
     ///
     /// Glyphs are loaded at a size where FreeType's 26.6 fixed point is 1/64 unit, because FT_LOAD_NO_SCALE would round
     /// varied and transformed (composite) points to whole units. FreeType (2.12) itself still rounds in two cases where
@@ -175,10 +175,10 @@ public:
     }
 
     /// See shaper. Only for text of plain characters (plain_text.hpp) that is read to the right. Language, script,
-    /// ligatures and features are ignored except {"kern", 0}, which turns kerning off; the last one counts.
-    /// Default-ignorable characters give no glyph.
+    /// ligatures and features are ignored, except that {"kern", 0} turns kerning off; the last "kern" in the list
+    /// counts. Default-ignorable characters have no glyph.
     ///
-    /// Fails besides  error::needs_shaping: a character of a complex script (`cluster`), or another direction
+    /// Also fails with  error::needs_shaping: a character of a complex script (`cluster`), or another direction
     error shape(text_view text, const text_item& item, const shape_options& options,
                 buffer<shaped_glyph>& glyphs) noexcept
     {
@@ -217,7 +217,7 @@ public:
     }
 
 private:
-    /// Makes our size the face's active size during this object's lifetime.
+    /// Makes the font's size the face's active size during this object's lifetime.
     class active_size {
     public:
         active_size(FT_Face face, FT_Size ours) noexcept : callers_{face->size}

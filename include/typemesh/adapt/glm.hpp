@@ -20,7 +20,7 @@ namespace typemesh::inline TYPEMESH_ABI {
 
 /// The reverse of to_glm(), for drawing outlines from GLM's types.
 [[nodiscard]] inline vec2 from_glm(const glm::vec2& v) noexcept { return {v.x, v.y}; }
-/// The same values as the library's own types.
+/// GLM's vector as the library's own type.
 [[nodiscard]] inline vec3 from_glm(const glm::vec3& v) noexcept { return {v.x, v.y, v.z}; }
 [[nodiscard]] inline vec4 from_glm(const glm::vec4& v) noexcept { return {v.x, v.y, v.z, v.w}; }
 [[nodiscard]] inline point from_glm(const glm::dvec2& v) noexcept { return {v.x, v.y}; }
@@ -34,7 +34,7 @@ namespace typemesh::inline TYPEMESH_ABI {
 }
 
 /// The frame of a matrix whose columns are `right`, `up` and `toward`. They are unit vectors at right angles, as in
-/// every rotation (glm::mat3_cast of a quaternion); they may mirror. Winding and uv are frame's defaults.
+/// every rotation (glm::mat3_cast of a quaternion); they may be left-handed. Winding and uv are frame's defaults.
 [[nodiscard]] inline frame frame_from_glm(const glm::mat3& axes) noexcept
 {
     frame f;

@@ -40,8 +40,8 @@ namespace typemesh::inline TYPEMESH_ABI {
 /// Opens TrueType, OpenType (CFF, CFF2) and collections of them. Variations apply to outlines, advances and kerning.
 /// Damaged glyphs that HarfBuzz cannot draw are blank: HarfBuzz does not distinguish them from a space.
 ///
-/// Move-only. Used by one thread at a time. For another thread, make a second one of the same font,
-/// wrap(font.handle()), which shares all large data.
+/// Move-only. Used by one thread at a time. For another thread, make a second object of this font, wrap(font.handle()),
+/// which shares all large data.
 class harfbuzz_font {
     static_assert(HB_VERSION_ATLEAST(4, 0, 0), "typemesh needs HarfBuzz 4.0 or later, for its outlines");
 
@@ -57,7 +57,7 @@ public:
         if (blob == nullptr) return error::unreadable_file;
         return from_blob(blob, options);
     }
-    /// The same for a std::string, or any other type with a c_str().
+    /// Opens a font file whose path is a std::string, or any other type with a c_str().
     template <class Path>
         requires requires(const Path& path) { static_cast<const char*>(path.c_str()); }
     static result<harfbuzz_font> open(const Path& path, const font_options& options = {}) noexcept
@@ -77,8 +77,9 @@ public:
     }
 
     /// Wraps a font that the caller has set up, of any scale (also one with y down), with its variations and its font
-    /// functions. Holds its own reference and changes nothing in it. If the caller changes it, shape() and outline()
-    /// follow. A coarse scale rounds HarfBuzz's results; 64 times the units per em, or 16.16 numbers, lose nothing.
+    /// functions. This object holds a reference to the font and does not change the font. If the caller changes the
+    /// font, shape() and outline() use the changed font. A coarse scale rounds HarfBuzz's results; a scale of 64 times
+    /// the units per em, or of 16.16 numbers, loses nothing.
     ///
     /// Fails  error::bad_option: its scale is zero
     static result<harfbuzz_font> wrap(hb_font_t* font) noexcept
@@ -153,7 +154,7 @@ public:
     /// See face_metrics.hpp.
     [[nodiscard]] face_metrics suggested_metrics() const noexcept { return detail::read_face_metrics(font_); }
 
-    /// See ligature_carets.hpp; it has only one face.
+    /// See ligature_carets.hpp. The face's number is ignored, because there is only one face.
     error ligature_carets(std::uint32_t, glyph_id id, bool down, buffer<double>& carets) const noexcept
     {
         return detail::append_ligature_carets(font_, unit_size(), id, down, carets);
@@ -162,9 +163,9 @@ public:
     /// See shaper. The text around the item, up to the next line break, is used as context: letters join across its
     /// ends.
     ///
-    /// Fails besides  error::bad_option: options.script is not four letters
-    ///                error::bad_feature: a tag is not four printable ASCII characters
-    ///                error::too_large: more than 2^28 units in an item; error::font_library_failed
+    /// Also fails with  error::bad_option: options.script is not four letters
+    ///                  error::bad_feature: a tag is not four printable ASCII characters
+    ///                  error::too_large: more than 2^28 units in an item; error::font_library_failed
     error shape(text_view text, const text_item& item, const shape_options& options,
                 buffer<shaped_glyph>& glyphs) noexcept
     {
@@ -176,8 +177,8 @@ public:
 
     /// See shaper. Cost: the shaping of the character
     [[nodiscard]] bool has_vertical_form(char32_t c) noexcept { return shaping_.has_vertical_form(font_, c); }
-    /// See shaper: the middle of the font's ideographs, or, if it does not specify them, of ascender and
-    /// descender.
+    /// See shaper: the middle of the font's ideographs, or, if the font does not specify it, halfway between ascender
+    /// and descender.
     [[nodiscard]] double column_middle() const noexcept { return shaping_.column_middle(font_, unit_size()); }
 
 private:
@@ -186,7 +187,7 @@ private:
         TYPEMESH_ASSERT(font_ != nullptr, "this font was moved: give the new font to its meshers with use()");
     }
 
-    /// HarfBuzz's callbacks for one type of sink; the table's address identifies the ones in use.
+    /// HarfBuzz's callbacks for one type of sink; the table's address identifies the callbacks in use.
     struct draw_calls {
         hb_draw_move_to_func_t move;
         hb_draw_line_to_func_t line;

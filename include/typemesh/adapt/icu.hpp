@@ -15,7 +15,7 @@
 namespace typemesh::inline TYPEMESH_ABI {
 
 /// unicode_analyser, with ICU's dictionaries for Thai, Lao, Khmer and Burmese: lines may also end between their words.
-/// Only the words of these scripts are ICU's; everything else is the same on every machine, whatever ICU is installed.
+/// Only the words of these scripts come from ICU; everything else is equal on every machine, whatever ICU is installed.
 ///
 /// If this ICU has no dictionary for a script, its text stays in text_analysis::unbroken. ICU's C interface is used,
 /// and it allocates from its own heap. One analyser is used by one thread at a time.
@@ -83,7 +83,7 @@ private:
         return {};
     }
 
-    /// Marks line breaks inside a range. False if ICU fails, which it does only if out of memory.
+    /// Marks line breaks inside a range. False if ICU fails, which happens only when out of memory.
     bool mark_words(text_view text, text_range range, std::span<text_mark> marks) noexcept
     {
         UErrorCode status = U_ZERO_ERROR;
@@ -105,7 +105,7 @@ private:
     unicode_analyser unicode_;
     UBreakIterator* words_ = nullptr;
     bool opened_ = false;
-    bool known_[count] = {};  // of dictionary_scripts
+    bool known_[count] = {};  // whether ICU knows the words of each of dictionary_scripts
 };
 static_assert(text_analyser<icu_analyser>);
 

@@ -21,10 +21,10 @@ namespace typemesh::inline TYPEMESH_ABI {
 ///     pool.run(n, [&](std::size_t i, std::size_t worker) noexcept { ... });
 ///
 /// Tasks are distributed one by one in ascending order, each to the next free worker, so tasks of unequal size keep all
-/// workers busy. The pool does not wait for a thread that is slow to wake up: the others do short runs. run() allocates
-/// nothing. Several threads may call it; their runs take turns.
+/// workers busy. run() does not wait for a thread that is slow to wake up, because the other threads take its tasks.
+/// run() allocates nothing. Several threads may call run(); their runs take turns.
 ///
-/// If the system provides no more threads, there are fewer workers, as workers() reports. In builds without exceptions,
+/// If the system provides fewer threads, there are fewer workers, as workers() reports. In builds without exceptions,
 /// std::thread ends the program instead.
 class thread_pool {
 public:

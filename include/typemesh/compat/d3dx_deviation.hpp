@@ -22,8 +22,8 @@ namespace typemesh::inline TYPEMESH_ABI {
 ///     0.002       0.0022     0.0010       0.0022     0.0010        0.001
 ///     0.001       0.0014     0.0005       0.0012     0.0005        0.0005      best    (the thesis' four qualities)
 ///
-/// So the error is half as large, with about as many triangles. This holds for the worst letter of a text. On single
-/// letters Direct3D can be better, if its halving of curves happens to end far below the deviation.
+/// The error is therefore half as large, with about as many triangles. This holds for the worst letter of a text. On
+/// single letters Direct3D can be better, if its halving of curves happens to end far below the deviation.
 ///
 /// Needs  deviation > 0, which is not checked here
 [[nodiscard]] constexpr double d3dx_tolerance(double deviation) noexcept

@@ -34,13 +34,15 @@ struct d3dx_text_options {
     double extrusion = 0.4;   ///< positive, in output units: the text lies between z = 0 and z = -extrusion
     d3dx_size size = d3dx_size::cell_height;
 
-    bool kerning = false;        ///< kern pairs of letters as the font specifies; Direct3D never does
-    bool ligatures = false;      ///< join letters (fi) if the font does so by default; Direct3D never does
+    bool kerning = false;        ///< whether pairs of letters are kerned as the font specifies; Direct3D never kerns
+    bool ligatures = false;      ///< whether letters are joined (fi) if the font does so by default; Direct3D never
+                                 ///< joins letters
     shape_options shape = {};    ///< direction, language, script, further features
     layout_options layout = {};  ///< alignment, spacing of lines
 
     texture_box texture_over = texture_box::text;  ///< the area that texture coordinates cover, if the vertex has them
-    bool draw_missing = true;                      ///< draw the font's box for missing characters, as GDI does
+    bool draw_missing = true;                      ///< whether the font's box is drawn for missing characters, as GDI
+                                                   ///< does
 };
 
 /// An extruder whose depth can be set: extruded, bevelled.
@@ -70,8 +72,8 @@ concept d3dx_extruder = extruder<E> && requires(E& e) {
 /// The first baseline is y = 0, the first pen position is x = 0. A line break begins a line (Direct3D draws a box or
 /// nothing). An empty or blank text gives an empty mesh, not an error.
 ///
-/// `font` is both shaper and outline source, and must outlive this. A d3dx_text serves one thread at a time; after
-/// warm-up it allocates nothing. With a glyph_cache, a letter is meshed once for all texts with the same deviation:
+/// `font` is both shaper and outline source, and must outlive this object. A d3dx_text serves one thread at a time;
+/// after warm-up it allocates nothing. With a glyph_cache, a letter is meshed once for all texts with equal deviation:
 ///
 ///     glyph_cache cache;
 ///     d3dx_text maker{font, cached_in{cache, 1}};
@@ -98,7 +100,7 @@ public:
     {
     }
 
-    /// The same with another triangulator, or another extruder.
+    /// Returns this object with another triangulator, or with another extruder.
     template <class Policy>
     [[nodiscard]] auto with(Policy policy) && noexcept
     {
@@ -118,7 +120,7 @@ public:
         return std::move(*this);
     }
 
-    // It refers to the font: neither a temporary nor a result without its `*` is accepted.
+    // A d3dx_text refers to the font: neither a temporary nor a result without its `*` is accepted.
     template <class Font, class... Option>
     explicit d3dx_text(const Font&&, Option..., detail::keep_the_font_in_a_variable = {}) = delete;
     template <class Made, class... Option>
@@ -127,7 +129,7 @@ public:
     {
     }
 
-    /// Everything except the writing. Ends the previous plan.
+    /// Plans a text: everything except the writing. This invalidates the previous plan.
     ///
     /// Fails  error::bad_tolerance: the deviation is negative, NaN or infinite
     ///        error::bad_option: the extrusion is not a positive 32-bit number (for flat text see extrude/flat.hpp), or
@@ -172,15 +174,15 @@ public:
         return refuse_text<Text>();
     }
 
-    /// The style of side normals, to change its options between texts. The crease angle of curve_normals is 15 degrees,
-    /// Direct3D's is 45.
+    /// The style of side normals, for changing its options between texts. The crease angle of curve_normals is 15
+    /// degrees, Direct3D's is 45.
     [[nodiscard]] auto& normals_policy() noexcept
         requires requires(Solid& e) { e.normals; }
     {
         return mesher_.solid().normals;
     }
 
-    /// The solid, to change its options between texts; its depth is the next plan's extrusion.
+    /// The solid, for changing its options between texts; the next plan sets its depth to the extrusion.
     [[nodiscard]] Solid& solid() noexcept { return mesher_.solid(); }
 
     /// The size of an em in the output.
@@ -203,7 +205,7 @@ private:
         return how;
     }
 
-    /// The option if it is one of this type.
+    /// The option, with its texture mapping set to box if it has one.
     template <class Option>
     static Option taken(Option option) noexcept
     {

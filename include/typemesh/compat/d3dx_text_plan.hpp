@@ -31,7 +31,7 @@ struct d3dx_glyph_metrics {
 };
 static_assert(sizeof(d3dx_glyph_metrics) == 24);
 
-/// A text planned by d3dx_text: first its sizes, then its vertices, indices and metrics, as often as wanted.
+/// A text planned by d3dx_text: first its sizes, then its vertices, indices and metrics, as often as you like.
 ///
 /// Move-only. It refers to its d3dx_text as a text_plan refers to its mesher.
 template <extruder Extruder>
@@ -69,7 +69,7 @@ public:
     /// The text_mesher's own plan: ranges of glyphs, bounds, the shaped text. Its part::front is the cap at z = 0.
     [[nodiscard]] const text_plan<Extruder>& text() const noexcept { return plan_; }
 
-    /// The glyphs that are not in the mesh, and why.
+    /// The report: which glyphs are not in the mesh, and why.
     [[nodiscard]] const text_report& report() const noexcept { return plan_.report(); }
 
     /// Fills two arrays of the caller: the first size().vertices and size().indices() elements.
@@ -83,7 +83,7 @@ public:
         return plan_.write(into(vertices, indices));
     }
 
-    /// The same into any sink.
+    /// Writes the mesh into any sink.
     template <class Sink>
         requires mesh_sink<std::remove_reference_t<Sink>>
     result<void> write(Sink&& sink) const noexcept
@@ -96,11 +96,12 @@ public:
         return refuse_arrays<Vertices>();
     }
 
-    /// One per unit of the text. A character's metrics are at its first unit. Units without a glyph of their own get
-    /// zeros: the other units of a character, later letters of a ligature, line breaks. A glyph's advance is the step
-    /// to the next glyph, so it includes kerning.
+    /// Writes the metrics, one for each unit of the text. A character's metrics are at its first unit. Units without a
+    /// glyph of their own get zeros: the other units of a character, later letters of a ligature, line breaks. A
+    /// glyph's advance is the step to the next glyph, so it includes kerning.
     ///
-    /// Fails  error::buffer_too_small: fewer than metrics_size(), which is `count`; nothing is written then
+    /// Fails  error::buffer_too_small: `out` has fewer than metrics_size() elements, the error's `count`; nothing is
+    ///        written then
     result<void> metrics(std::span<d3dx_glyph_metrics> out) const noexcept
     {
         if (out.size() < text_size_) return error{error::buffer_too_small, text_size_};
@@ -146,7 +147,8 @@ private:
         return ink;
     }
 
-    /// The step from the last pen position of a line to the end of its white space. `gone` is the step from its first pen position.
+    /// The step from the last pen position of a line to the end of its white space. `gone` is the step from the first
+    /// pen position.
     [[nodiscard]] point rest_of(const text_line& line, point gone) const noexcept
     {
         const double all = line.advance + line.hanging;

@@ -21,14 +21,14 @@ struct d3dx_textured_vertex {
 };
 static_assert(sizeof(d3dx_textured_vertex) == 32);
 
-/// Written with position and normal.
+/// Writes position and normal.
 template <>
 struct vertex_traits<d3dx_vertex> {
     static constexpr auto wants = attribute::position | attribute::normal;
     d3dx_vertex operator()(const surface_point<wants>& s) const noexcept { return {s.position, s.normal}; }
 };
 
-/// Written with position, normal and texture coordinates.
+/// Writes position, normal and texture coordinates.
 template <>
 struct vertex_traits<d3dx_textured_vertex> {
     static constexpr auto wants = attribute::position | attribute::normal | attribute::uv;

@@ -10,8 +10,8 @@
 namespace typemesh::inline TYPEMESH_ABI {
 
 /// A pointer and a count: consecutive values in memory that it does not own. It does the job of std::span, and converts
-/// to and from it. Compilers take far less time and memory for it, because a std::span checks the concepts of iterators
-/// and ranges for each type of element.
+/// to and from a std::span. Compilers need far less time and memory for it, because std::span checks the concepts of
+/// iterators and ranges for each element type.
 template <class T>
 class array_view {
 public:
@@ -35,8 +35,8 @@ public:
     {
     }
 
-    // There is one overload for each kind of value. Each one matches as well as std::span's constructor for ranges, and
-    // is preferred to it.
+    // There is one overload for each kind of value. Each overload matches as well as std::span's constructor for
+    // ranges, and the compiler prefers the overload.
     constexpr operator std::span<T>() & noexcept { return {data_, size_}; }
     constexpr operator std::span<T>() const& noexcept { return {data_, size_}; }
     constexpr operator std::span<T>() && noexcept { return {data_, size_}; }

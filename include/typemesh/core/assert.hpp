@@ -3,7 +3,7 @@
 
 /// Checks a precondition that the caller must meet: TYPEMESH_ASSERT(condition, "one sentence").
 ///
-/// Only mistakes of the calling program are asserted. Bad fonts and full buffers are reported as `error`.
+/// Assertions check only for mistakes of the calling program. Bad fonts and full buffers are reported as `error`.
 ///
 /// To handle failures yourself, define this macro before the first include, and in the same way in all files of a
 /// program. Your definition must evaluate the condition exactly once or not at all, because some conditions count what

@@ -7,7 +7,7 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// An axis-aligned bounding box. It is empty (low is above high) until the first point is added.
+/// An axis-aligned bounding box. It is empty (`low` is greater than `high`) until the first point is added.
 struct box {
     point low{(std::numeric_limits<double>::max)(), (std::numeric_limits<double>::max)()};
     point high{std::numeric_limits<double>::lowest(), std::numeric_limits<double>::lowest()};

@@ -73,9 +73,9 @@ protected:
 
 /// A growing array of trivially copyable values over `memory`. Its growth can fail without an exception.
 ///
-/// Every function that grows the buffer returns false (or null) when out of memory, and then nothing has changed.
-/// clear() keeps the storage, so nothing is allocated after warm-up. Growth moves the elements and invalidates spans
-/// and pointers to them.
+/// Every function that grows the buffer returns false (or null) when out of memory, and then leaves the buffer
+/// unchanged. clear() keeps the storage, so nothing is allocated after warm-up. Growth moves the elements and
+/// invalidates spans and pointers to them.
 template <class T>
 class buffer : detail::buffer_bytes {
     static_assert(__is_trivially_copyable(T), "a typemesh::buffer holds values that can be copied as bytes");
@@ -83,7 +83,7 @@ class buffer : detail::buffer_bytes {
 public:
     explicit buffer(memory source = heap()) noexcept : buffer_bytes{source} {}
 
-    /// The memory source that it was made with.
+    /// The memory source that the buffer was made with.
     [[nodiscard]] memory source() const noexcept { return source_; }
     buffer(buffer&& other) noexcept : buffer_bytes{static_cast<buffer_bytes&&>(other)} {}
     buffer& operator=(buffer&& other) noexcept
@@ -142,7 +142,7 @@ public:
         return first;
     }
 
-    /// Appends copies of `values`, which may lie in this same buffer.
+    /// Appends copies of `values`, which may lie in this buffer.
     [[nodiscard]] bool append(array_view<const T> values) noexcept
     {
         if (values.empty()) return true;
@@ -166,7 +166,7 @@ public:
         return true;
     }
 
-    /// For inner loops after reserve().
+    /// Appends without a check, for inner loops after reserve().
     void push_back_unchecked(const T& value) noexcept
     {
         TYPEMESH_ASSERT(size_ < capacity_, "push_back_unchecked() needs reserve() before it");

@@ -17,9 +17,9 @@ namespace typemesh::inline TYPEMESH_ABI {
 /// The default limit for the number of points in a glyph's contours: see text_options::max_points.
 inline constexpr std::uint32_t default_max_points = 1'000'000;
 
-/// The origin of a straight edge: its first point lies at t0 of `curve`, its second at t1. If the contour has been
-/// reversed and runs against its curve, t0 > t1. t0 and t1 differ even for very short edges, as long as floats can
-/// represent the difference.
+/// The curve from which a straight edge comes: the edge's first point lies at t0 of `curve`, its second point at t1. If
+/// the contour has been reversed, its edges run against their curves, and t0 > t1. t0 and t1 are distinct even for very
+/// short edges, as long as floats can represent the difference.
 struct contour_edge {
     std::uint32_t curve = 0;
     float t0 = 0.0f;
@@ -34,17 +34,18 @@ struct contour_edge {
 ///     starts   [ 0 | first point of each further contour | ... | points.size() ]
 ///     curves   the curves that the edges refer to
 ///
-/// Every contour has at least 3 points, and its neighbouring points differ.
+/// Every contour has at least 3 points, and its neighbouring points are distinct.
 struct contours {
     buffer<grid_point> points;
     buffer<contour_edge> edges;
     buffer<std::uint32_t> starts;
-    array_view<const curve> curves;  ///< owned by the outline
+    array_view<const curve> curves;  ///< the curves, which the outline owns
     typemesh::grid grid;
-    double tolerance = 0.0;                   ///< in cells: limit of the distance between edges and curves; 0: unknown
-    std::uint32_t max_points = 0xFFFF'FFFFu;  ///< limit for discretise(); clear() does not change it
+    double tolerance = 0.0;                   ///< the limit for the distance between edges and curves, in cells; 0:
+                                              ///< unknown
+    std::uint32_t max_points = 0xFFFF'FFFFu;  ///< the limit for discretise(); clear() does not change it
 
-    /// How to treat corners that touch, in regions made of these loops and of offsets of them; see
+    /// How to treat corners that touch, in regions made of these loops or of their offsets: see
     /// fill/corner_parting.hpp. clear() does not change it.
     touching corners = touching::keep;
 
@@ -68,7 +69,8 @@ struct contours {
 
     /// The indices of the points in the order of a left-to-right sweep: by x, then y, then index. It is empty until
     /// sort_points() (sweep/impl/sweep_order.hpp) has sorted them. A change in the number of points, clear() and
-    /// forget_order() make it empty again. After moving points call one of these two; this is asserted.
+    /// forget_order() make it empty again. Call forget_order() or clear() after moving points; otherwise an assertion
+    /// fails.
     [[nodiscard]] array_view<const std::uint32_t> order() const noexcept
     {
         if (order_.size() != points.size()) return {};

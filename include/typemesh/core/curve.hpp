@@ -25,18 +25,18 @@ struct cubic {
     }
 };
 
-/// The same curve as a cubic: degree elevation.
+/// The quadratic as a cubic, by degree elevation; the curve stays the same.
 [[nodiscard]] constexpr cubic raised(const quadratic& q) noexcept
 {
     return {q.p0, lerp(q.p0, q.p1, 2.0 / 3.0), lerp(q.p2, q.p1, 2.0 / 3.0), q.p2};
 }
 
-/// One piece of an outline: a line (degree 1: p[0], p[1]), a quadratic (p[0] to p[2]) or a cubic (p[0] to p[3]).
+/// One segment of an outline: a line (degree 1: p[0], p[1]), a quadratic (p[0] to p[2]) or a cubic (p[0] to p[3]).
 struct curve {
     std::uint32_t degree = 1;
     point p[4] = {};
 
-    /// Makes a piece of an outline from a line, a quadratic or a cubic.
+    /// Makes a segment of an outline from a line, a quadratic or a cubic.
     [[nodiscard]] static constexpr curve from(point a, point b) noexcept { return {1, {a, b}}; }
     [[nodiscard]] static constexpr curve from(const quadratic& q) noexcept { return {2, {q.p0, q.p1, q.p2}}; }
     [[nodiscard]] static constexpr curve from(const cubic& c) noexcept { return {3, {c.p0, c.p1, c.p2, c.p3}}; }

@@ -27,11 +27,11 @@ struct [[nodiscard]] error {
         not_a_font,           ///< the font library does not recognise the bytes as a font
         no_such_face,         ///< the file or outline source has no face with that number; count = the number of faces
         no_such_look,         ///< a glyph names a look that its run's table does not have; count = the number of looks
-        other_units,          ///< the run and the font that draws it have different units per em
+        other_units,          ///< the run and the font that draws it disagree in their units per em
         no_such_family,       ///< no font of that family is installed or in the given collection
         no_such_style,        ///< the family has no font of that style; `option` names the property
         no_font,              ///< a text_mesher has no font yet
-        not_a_shaper,         ///< a text was given to a font that only draws: give it a glyph_run
+        not_a_shaper,         ///< the font only draws outlines and cannot shape a text: give a glyph_run instead
         unlocked_cache,       ///< several workers share a glyph_cache without a lock
         no_cache_key,         ///< a policy with data members has no cache_key(), which a glyph_cache needs
         no_outlines,          ///< the font has only bitmaps, or is not scalable
@@ -44,8 +44,8 @@ struct [[nodiscard]] error {
         too_many_pieces,      ///< contours cross more often than the caller allows; count = the limit
         too_many_points,      ///< an outline has more curves or points than the caller allows; count = the limit
         crossing_contours,    ///< contours cross, touch or overlap where they must not; count: see triangulator.hpp
-        nothing_left,         ///< the glyph is thinner everywhere than the amount taken off
-        edges_not_moved,      ///< a glyph's moved edges cross on the grid, for any part of the distance
+        nothing_left,         ///< the glyph is everywhere thinner than the thickness that is removed
+        edges_not_moved,      ///< a glyph's edges cannot be moved: on the grid they cross, even if moved less far
         bad_tolerance,        ///< a tolerance is not a positive finite number
         bad_option,           ///< an option is outside its range; `option` names it
         overlapping_spans,    ///< two spans of a text's styles contain the same character
@@ -53,7 +53,7 @@ struct [[nodiscard]] error {
         needs_shaping,        ///< the plain shaper cannot set this script correctly
         font_library_failed,  ///< FreeType, HarfBuzz or DirectWrite refused; count = its own error number, if any
         not_written,          ///< a sink could not store all of its input, for example because the disk is full
-        refused_by_user,      ///< for the caller's own policies
+        refused_by_user,      ///< a refusal by one of the caller's own policies
     };
 
     kind code = none;                 ///< what went wrong
@@ -93,7 +93,7 @@ struct [[nodiscard]] error {
     [[nodiscard]] explicit constexpr operator bool() const noexcept { return code != none; }
     friend constexpr bool operator==(const error& e, kind k) noexcept { return e.code == k; }
 
-    /// The same error, attributed to this glyph.
+    /// This error, attributed to a glyph and a place in the text.
     [[nodiscard]] constexpr error at(glyph_id g, cluster_id c) const noexcept
     {
         error e = *this;

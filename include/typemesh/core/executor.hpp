@@ -13,17 +13,17 @@ struct ignore_tasks {
     constexpr void operator()(std::size_t, std::size_t) const noexcept {}
 };
 
-/// Runs tasks, in several threads or in one: the caller's job system, or thread_pool (adapt/threads.hpp). The library
+/// Runs tasks in one or several threads: the caller's job system, or thread_pool (adapt/threads.hpp). The library
 /// itself starts no threads.
 ///
 ///     x.workers()       the maximum number of tasks at a time, at least 1; constant for the life of x
 ///     x.run(n, task)    calls task(i, worker) once for each i < n, in any order, worker < workers(), and returns when
 ///                       all calls have returned; n may be 0
 ///
-/// The compiler checks the signatures. The author guarantees the rest. Within one run(), two calls with the same
-/// worker never overlap, so only one thread at a time uses a worker's state. The tasks see everything written before
+/// The compiler checks the signatures. The author guarantees the rest. Within one run(), two calls with equal worker
+/// numbers never overlap, so only one thread at a time uses a worker's state. The tasks see everything written before
 /// run(), and afterwards the caller sees everything that they wrote. Tasks are noexcept, may be called through a const
-/// reference, and do not call run() of the same executor.
+/// reference, and do not call run() of their own executor.
 template <class X>
 concept executor = requires(X& x, std::size_t n, const ignore_tasks& task) {
     { x.workers() } noexcept -> std::convertible_to<std::size_t>;

@@ -13,8 +13,8 @@ using glyph_id = std::uint32_t;
 /// A glyph's place in the caller's text: an offset in the caller's units (bytes of UTF-8, 16-bit units of UTF-16).
 using cluster_id = std::uint32_t;
 
-/// The caller's number for the paint of a glyph: a material, a colour. The library sorts by it and passes it on; it has
-/// no other meaning.
+/// The caller's number for the paint of a glyph: a material, a colour. The library sorts by this number and passes it
+/// on; the number has no other meaning.
 enum class style_id : std::uint32_t {};
 
 inline constexpr glyph_id no_glyph = 0xFFFF'FFFFu;      ///< no glyph has this number

@@ -14,16 +14,16 @@ namespace typemesh::inline TYPEMESH_ABI {
 /// The integer grid on which all geometric decisions are made. `cells` is the number of grid steps per font unit, a
 /// power of two (512 for ordinary fonts).
 ///
-/// Every grid point is within snap_error() of the point that it replaces. The output has the grid points, up to
-/// rounding to 32-bit floats.
+/// Every grid point is within snap_error() of the point that it replaces. The output consists of the grid points,
+/// rounded to 32-bit floats.
 struct grid {
     static constexpr double reach = 0x1p28;  ///< no coordinate is farther from 0 than this many cells
 
     double cells = 512.0;
     double units_per_em = 0.0;  ///< relates cells to the em (see triangulate/impl/triangle_heights.hpp); 0: unknown
-    double span = 0.0;          ///< in cells; no two points are farther apart. 0: unknown
+    double span = 0.0;          ///< a limit for the distance between two points, in cells; 0: unknown
 
-    /// Half a cell's diagonal, in font units: the maximum distance by which snap() moves a point.
+    /// Half a cell's diagonal, in font units: the greatest distance by which snap() moves a point.
     [[nodiscard]] constexpr double snap_error() const noexcept { return 0.70710678118654757 / cells; }
 
     /// The nearest grid point. Precondition: |p| * cells <= reach.
@@ -64,7 +64,8 @@ struct grid {
         return g;
     }
 
-    /// Halves `cells` until an em has at most `max_per_em` cells. More than half as many remain, if there were so many.
+    /// Halves `cells` until an em has at most `max_per_em` cells. If the em had more, it then has more than half of
+    /// `max_per_em`.
     void coarsen(double max_per_em) noexcept
     {
         while (cells * units_per_em > max_per_em && cells > 0x1p-40) {
@@ -73,7 +74,8 @@ struct grid {
         }
     }
 
-    /// Sets `span` for points in this box, or as far outside as snapping and crossings move them.
+    /// Sets `span` for points in this box, with a margin for the points that snapping and crossings move out of the
+    /// box.
     void span_over(const box& around) noexcept
     {
         const double width = (around.high.x - around.low.x) * cells, height = (around.high.y - around.low.y) * cells;

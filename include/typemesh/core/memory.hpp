@@ -11,8 +11,9 @@ namespace typemesh::inline TYPEMESH_ABI {
 /// The source of scratch memory: three pointers, so that no container and no signature needs an allocator parameter.
 ///
 /// `allocate` returns at least `bytes` bytes aligned to `alignment` (a power of two), or null. After null, the call
-/// that needed the bytes fails with error::out_of_memory and leaves all objects usable. `deallocate` gets the same size
-/// and alignment. Only one thread at a time uses a memory, unless its author allows more.
+/// that needed the bytes fails with error::out_of_memory and leaves all objects usable. `deallocate` gets the size and
+/// alignment that were passed to `allocate`. Only one thread at a time uses a memory source, unless its author allows
+/// several threads.
 struct memory {
     void* user = nullptr;  ///< passed to both functions
     void* (*allocate)(void* user, std::size_t bytes, std::size_t alignment) noexcept = nullptr;

@@ -16,7 +16,7 @@ namespace typemesh::inline TYPEMESH_ABI {
 ///         int levels;
 ///         option_bits cache_key() const noexcept { return {distance, levels}; }
 ///
-/// If two policies of one type can give different results, they must have different bits. Leave out options that do not
+/// If two policies of one type can give distinct results, they must have distinct bits. Leave out options that do not
 /// affect the cached result. A policy whose state does not fit may count its changes instead.
 struct option_bits {
     std::uint64_t words[4] = {};

@@ -19,7 +19,7 @@ namespace typemesh::inline TYPEMESH_ABI {
 struct outline {
     buffer<curve> curves;
     buffer<std::uint32_t> starts;
-    box bounds;  ///< of all control points
+    box bounds;  ///< the bounding box of all control points
     fill_rule rule = fill_rule::non_zero;
 
     explicit outline(memory source = heap()) noexcept : curves{source}, starts{source} {}

@@ -40,12 +40,12 @@ struct grid_point {
     {
         return std::uint64_t{static_cast<std::uint32_t>(y)} << 32 | static_cast<std::uint32_t>(x);
     }
-    /// Has no branch, because sweeps compare equal points about as often as different ones.
+    /// The comparison has no branch, because sweeps compare equal points about as often as distinct points.
     friend constexpr bool operator==(grid_point a, grid_point b) noexcept { return a.word() == b.word(); }
 };
 
-/// Converts a float to a double, which is exact. It has a name, so that compilers may warn about every other conversion
-/// from float to double (-Wdouble-promotion).
+/// Converts a float to a double, exactly. The conversion has a name, so that compilers may warn about every other
+/// conversion from float to double (-Wdouble-promotion).
 [[nodiscard]] constexpr double as_double(float value) noexcept { return static_cast<double>(value); }
 
 /// Two 32-bit floats. The output consists of vec2, vec3 and vec4.

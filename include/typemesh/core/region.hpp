@@ -10,9 +10,9 @@
 namespace typemesh::inline TYPEMESH_ABI {
 
 /// A filled area of the plane, proven valid. Its boundary cycles have the interior on their left: outer loops are
-/// counter-clockwise, holes clockwise. No two edges cross or overlap, no point lies inside an edge, and there are no
-/// spikes and no equal consecutive points. Cycles may pass through a point more than once (see is_touching), each time
-/// along a separate sector of the interior.
+/// counter-clockwise, holes clockwise. No two edges cross or overlap, no point lies inside an edge, there are no
+/// spikes, and consecutive points are distinct. Cycles may pass through a point more than once (see is_touching), each
+/// time along a separate sector of the interior.
 ///
 ///     +-------------<-----------+      points, edges, starts, curves as in contours
 ///     |  outer      +--->--+    |
@@ -23,7 +23,7 @@ namespace typemesh::inline TYPEMESH_ABI {
 /// outer_of() (fill/outer_of.hpp) finds the outer loop around a hole.
 ///
 /// A region is a view: it refers to the contours that were proven, which must outlive it. Only fill and proving
-/// triangulators make a region, through proven(). The caller of proven() guarantees all of the above.
+/// triangulators make a region, by calling proven(). The caller of proven() guarantees everything above.
 class region {
 public:
     region() noexcept = default;
@@ -49,14 +49,14 @@ public:
     [[nodiscard]] array_view<const grid_point> points() const noexcept { return points_; }
     [[nodiscard]] array_view<const contour_edge> edges() const noexcept { return edges_; }
     [[nodiscard]] array_view<const std::uint32_t> starts() const noexcept { return starts_; }
-    /// The order of the points, as in contours::order(). It is empty if they have not been sorted.
+    /// The order of the points, as in contours::order(). It is empty if the points have not been sorted.
     [[nodiscard]] array_view<const std::uint32_t> order() const noexcept { return order_; }
     [[nodiscard]] array_view<const curve> curves() const noexcept { return curves_; }
-    /// The grid of its points.
+    /// The grid on which its points lie.
     [[nodiscard]] typemesh::grid grid() const noexcept { return grid_; }
 
-    /// In cells: the limit of the distance between edges and curves, except at crossings. 0: unknown (loops made by
-    /// hand, or by a discretiser that keeps no tolerance).
+    /// The limit for the distance between edges and curves, except at crossings, in cells. 0: unknown (the loops were
+    /// made by hand, or by a discretiser that keeps no tolerance).
     [[nodiscard]] double tolerance() const noexcept { return tolerance_; }
     [[nodiscard]] std::uint32_t holes() const noexcept { return holes_; }
     /// The number of outer loops. The other loops are holes.
@@ -66,13 +66,13 @@ public:
         return starts_.empty() ? 0u : static_cast<std::uint32_t>(starts_.size() - 1);
     }
 
-    /// Whether the cycles pass through some point more than once. If not, all points are distinct.
+    /// Whether the cycles pass through any point more than once. If not, all points are distinct.
     [[nodiscard]] bool is_touching() const noexcept { return touching_; }
 
     /// How to treat corners that touch: see contours.
     [[nodiscard]] typemesh::touching corners() const noexcept { return corners_; }
 
-    /// n + 2h - 2c. It is below 2^32 for every region that fits into 32-bit memory.
+    /// The number of triangles, n + 2h - 2c. It is below 2^32 for every region that fits into 32-bit memory.
     [[nodiscard]] std::uint32_t triangle_count() const noexcept
     {
         return static_cast<std::uint32_t>(points_.size()) + 2 * holes_ - 2 * outers_;

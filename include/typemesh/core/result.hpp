@@ -11,13 +11,13 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// A value, or the error that prevented it. The names are the names of C++23's std::expected.
+/// A value, or the error that prevented it. Its members have the names of C++23's std::expected.
 ///
 ///     if (auto made = f()) use(*made); else puts(made.error().message());
 ///     auto mesh = open(file).and_then([](font& f) noexcept { return f.outline(glyph); });
 ///
-/// Using the value of a failed result is a mistake of the caller, and asserted. A result whose value was moved from
-/// still has that value.
+/// Using the value of a failed result is the caller's mistake, and an assertion fails. A result whose value has been
+/// moved out still counts as having a value.
 template <class T>
 class [[nodiscard]] result {
 public:
@@ -104,18 +104,19 @@ private:
 
     union {
         T value_;
-        char nothing_;  ///< active if there is no value
+        char nothing_;  ///< the active member if there is no value
     };
     bool has_value_ = false;
     typemesh::error error_;
 };
 
-/// Success, or the error that prevented it. Calls that have no value to return use it.
+/// Success, or the error that prevented it. Calls without a value to return use it.
 ///
 ///     if (auto written = plan->write(sink); !written) puts(written.error().message());
 ///
-/// A result is true on success. Calls used to return an error, which was true on failure. Such code must not compile,
-/// so an unnamed result<void> does not convert to bool: write `if (!plan->write(sink))`, or call has_value().
+/// A result is true on success. These calls once returned an error, which was true on failure. Code written for an
+/// error must not compile, so an unnamed result<void> does not convert to bool: write `if (!plan->write(sink))`, or
+/// call has_value().
 template <>
 class [[nodiscard]] result<void> {
 public:
@@ -123,7 +124,7 @@ public:
     using error_type = typemesh::error;
 
     constexpr result() noexcept = default;                       ///< success
-    constexpr result(typemesh::error e) noexcept : error_{e} {}  ///< success for error::none
+    constexpr result(typemesh::error e) noexcept : error_{e} {}  ///< a failure, or success for error::none
     constexpr result(typemesh::error::kind k) noexcept : error_{k} {}
 
     [[nodiscard]] constexpr bool has_value() const noexcept { return error_.code == typemesh::error::none; }
@@ -147,7 +148,8 @@ private:
     typemesh::error error_;
 };
 
-/// Makes the compiler report a forgotten `*` in one sentence: for overloads beside the ones that take a value.
+/// Makes the compiler report a forgotten `*` in one sentence. It is for overloads that take a result where a value is
+/// needed.
 template <class T>
 constexpr error refuse_result() noexcept
 {
@@ -157,13 +159,13 @@ constexpr error refuse_result() noexcept
     return error::bad_option;
 }
 
-/// The same for functions that take several values: returns the value itself.
+/// For functions with several arguments, which may be values or results. A value is returned as it is.
 template <class T>
 T& refuse_result(T& value) noexcept
 {
     return value;
 }
-/// Does not compile, and shows the sentence above.
+/// A result does not compile, and the compiler shows the sentence above.
 template <class T>
 T& refuse_result(result<T>& made) noexcept
 {

@@ -11,8 +11,8 @@
 
 /// The inline namespace around everything: typemesh::vec3 is typemesh::v0_1_0::vec3. The translation units of one
 /// program may use different versions of the library, or different settings (with NDEBUG or without, with
-/// typemesh::compiled or without). No unit then runs another's functions; the linker refuses to pass objects between
-/// units.
+/// typemesh::compiled or without). No unit then runs another unit's functions, and the linker refuses to pass objects
+/// between these units.
 #if defined(NDEBUG) && defined(TYPEMESH_COMPILED)
 #define TYPEMESH_ABI v0_1_0_compiled
 #elif defined(NDEBUG)

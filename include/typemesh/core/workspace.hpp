@@ -18,9 +18,9 @@ namespace typemesh::inline TYPEMESH_ABI {
 ///     workspace::scope scratch{space};                // its destructor gives back everything taken through it
 ///     auto* rank = scratch.take<std::uint32_t>(n);    // n values, not initialised; null when out of memory
 ///
-/// Blocks never move: pointers stay valid until their scope ends. If several blocks were needed when the outermost
-/// scope ends, one block replaces them. It is as large as the most memory that was ever taken at a time, so nothing is
-/// allocated after warm-up. It is kept until trim(). A workspace serves one thread at a time.
+/// Blocks never move: pointers stay valid until their scope ends. If several blocks were needed, one block replaces
+/// them when the outermost scope ends. This block is as large as all memory that was ever taken at one time, so nothing
+/// is allocated after warm-up. It is kept until trim(). A workspace serves one thread at a time.
 class workspace {
     static constexpr std::size_t alignment = 64;     // a cache line, and enough for any vector register
     static constexpr std::size_t least = 16 * 1024;  // bytes per block; a larger take makes a larger block
@@ -55,7 +55,7 @@ public:
     }
     ~workspace() { release(first_); }
 
-    /// The source of its memory, for buffers that should use the same source.
+    /// The source of its memory, for buffers that should share the source.
     [[nodiscard]] memory source() const noexcept { return source_; }
 
     /// The bytes that it holds now, used or not.
@@ -92,7 +92,7 @@ public:
             workspace_.leave();
         }
 
-        /// `count` uninitialised values, or null when out of memory. count = 0 does not give null.
+        /// Takes `count` uninitialised values; null when out of memory. The result for count = 0 is not null.
         template <class T>
         [[nodiscard]] T* take(std::size_t count) noexcept
         {
@@ -102,8 +102,8 @@ public:
             return static_cast<T*>(workspace_.take_bytes(count * sizeof(T)));
         }
 
-        /// Memory for buffers that live no longer than the scope. Memory that they release is given back when the scope
-        /// ends. They must not grow while an inner scope is open.
+        /// Memory for buffers that live no longer than the scope. Memory that these buffers release is given back when
+        /// the scope ends. The buffers must not grow while an inner scope is open.
         [[nodiscard]] memory source() noexcept
         {
             return {&workspace_,
@@ -114,7 +114,7 @@ public:
         }
 
         /// Ensures that the next `bytes` bytes fit into the rest of this block and one more block. Otherwise many
-        /// blocks could have an unused rest. Returns false when out of memory. No inner scope may be open.
+        /// blocks could have unused space at their end. Returns false when out of memory. No inner scope may be open.
         [[nodiscard]] bool reserve(std::size_t bytes) noexcept
         {
             scope whole{workspace_};

@@ -23,14 +23,16 @@ namespace typemesh::inline TYPEMESH_ABI {
 /// 0.005 of 64 units. On real fonts, the worst chord is off by 37 times that for cubics and by 5 times for quadratics.
 /// `certified` keeps its tolerance.
 ///
-/// Values of t are exact (multiples of 2^-levels). A curve gets at most 2^levels points; degenerate curves end early.
+/// Values of t are exact (multiples of 2^-levels). A curve gets at most 2^levels points, and degenerate curves get
+/// fewer.
 ///
 /// From "Study of mesh generation and optimization techniques applied to parametric forms", J. Vandenbergh, 2020.
 struct adaptive_subdivision {
     static constexpr bool keeps_no_tolerance = true;
     static constexpr std::uint32_t max_levels = 20;  ///< larger `levels` are clamped to this
 
-    /// A length without a default: a value that suits 64 units per em is 32 times too fine for 2048.
+    /// A length without a default, because a value that suits 64 units per em is 32 times too fine for 2048 units per
+    /// em.
     struct stated {
         double value;
 
@@ -38,9 +40,9 @@ struct adaptive_subdivision {
         constexpr operator double() const noexcept { return value; }
     };
 
-    std::uint32_t levels = 5;  ///< r in the thesis; 0 counts as 1
-    stated distance;           ///< in the curve's own unit: font units
-    double angle = 0.01;       ///< in radians
+    std::uint32_t levels = 5;  ///< the greatest number of halvings, r in the thesis; 0 counts as 1
+    stated distance;           ///< a length in the curve's own unit: font units
+    double angle = 0.01;       ///< an angle in radians
 
     // The presets of the thesis, which uses 64 units per em. Its "low" is two_lines; thesis_quality has all four.
     /// The presets of the thesis, for curves in font units.

@@ -22,13 +22,13 @@ namespace typemesh::inline TYPEMESH_ABI {
 ///          cusps, curves that double back beyond their ends, coincident control points, zero length. Chords are held
 ///          to (1 - 2^-20) times the tolerance. This rounding margin is sufficient if the tolerance is above 2^-28 of
 ///          the coordinates.
-/// Count    On real fonts within 1 % of the minimum (for points on the curve); up to 2 % for hairpins and the S-curves
-///          of handwriting. Never more than Wang's bound, except for corners.
-/// Corners  Where the curve stops and turns (core/impl/tangent.hpp: B' vanishes, t taken as float), a point is emitted
-///          even if the tolerance does not need it: walls need a hard corner there.
-/// Limit    65,536 points per piece between corners. Only tolerances below 2^-31 of the curve's size would need more.
-///          discretise() never passes these: its grid is coarser. Beyond the limit, points lie at equal steps of t, and
-///          the tolerance is not kept.
+/// Count    On real fonts, the number of chords is within 1 % of the minimum (for points on the curve), and within 2 %
+///          for hairpins and the S-curves of handwriting. It never exceeds Wang's bound, except for corners.
+/// Corners  Where the curve stops and turns, a point is emitted even if the tolerance does not require one, because
+///          walls need a hard corner there. B' vanishes at this t, rounded to a float: see core/impl/tangent.hpp.
+/// Limit    At most 65,536 points lie between two corners. Only a tolerance below 2^-31 of the curve's size would need
+///          more points. discretise() never passes so small a tolerance, because its grid is coarser. Beyond the limit,
+///          points lie at equal steps of t, and the tolerance is not kept.
 /// Cost     At 1/800 em, up to 1.5 times the cost of equal steps of t for quadratics, two to three times for cubics; no
 ///          allocation, no transcendental function.
 ///
@@ -38,7 +38,7 @@ namespace typemesh::inline TYPEMESH_ABI {
 /// sqrt(8 tolerance / (d(d-1) max|second difference|)) need no measurement; R. Levien, "Flattening quadratic Beziers"
 /// (2019), for the density.
 struct certified {
-    static constexpr double shortest_step = 0x1p-16;  ///< of t
+    static constexpr double shortest_step = 0x1p-16;  ///< the shortest step of t
 
     template <class Put>
     void operator()(const quadratic& q, double tolerance, Put&& put) const noexcept
@@ -100,9 +100,10 @@ private:
 
     [[nodiscard]] static double greater(double a, double b) noexcept { return a > b ? a : b; }
 
-    /// Emits the inner points without a table if Wang's bound is `most` (3 or 4), as for most curves of text. The
-    /// errors of the two halves give the number of points; a density that slopes between the halves places them. Fails
-    /// if a chord comes out too long, or if a cubic changes its bending direction.
+    /// Emits the inner points without a table if Wang's bound is 3 or 4, which is the value of `most`. The bound is 3
+    /// or 4 for the majority of the curves in a text. The errors of the two halves give the number of points; a density
+    /// that slopes between the halves places these points. Returns false if a chord is too long, or if a cubic changes
+    /// its bending direction.
     template <class Chords, class Put>
     static bool few(const Chords& chords, int most, Put& put) noexcept
     {
@@ -141,7 +142,7 @@ private:
         return true;
     }
 
-    /// Places the inner points of pieces of one curve.
+    /// Places the inner points of one curve, or of its pieces.
     template <class Chords, class Put>
     class point_placer {
     public:
@@ -228,8 +229,9 @@ private:
             }
         }
 
-        /// A chord across an inflection can be long, because the curve lies first on one side of it, then on the other.
-        /// It spans two reaches if the inflection is in its middle. Fails if this saves nothing or a chord is too long.
+        /// Places points so that one chord crosses the inflection. This chord can be long, because the curve lies first
+        /// on one side of the chord and then on the other. With the inflection in its middle, the chord is two reaches
+        /// long. Returns false if this saves no chord, or if a chord is too long.
         template <class Shares>
         bool place_across(const Shares& shares, double from, double middle, double to) const noexcept
         {
@@ -262,7 +264,7 @@ private:
             return true;
         }
 
-        /// Places one piece at a time: the longest good one, but not longer than its share of the rest.
+        /// Places one piece at a time: the longest good piece, but not longer than its share of the rest.
         template <class Shares>
         void place_carefully(const Shares& shares, progress at, double to, double sure) const noexcept
         {
@@ -289,7 +291,7 @@ private:
             bool as_aimed;
         };
 
-        /// The end of the piece that starts at u: v or an earlier t. Errors grow with the square of the length.
+        /// The end of the piece that starts at u: v or an earlier t. Errors grow with the square of a piece's length.
         [[nodiscard]] piece_end longest_good(double u, double v, double sure) const noexcept
         {
             constexpr int max_tries = 8;

@@ -19,7 +19,7 @@ namespace typemesh::inline TYPEMESH_ABI {
 
 namespace detail {
 
-/// Appends points and their edges to contours. Consecutive points that snap to one grid point become one.
+/// Appends points and their edges to contours. Consecutive points that snap to one grid point become one point.
 class contour_writer {
 public:
     explicit contour_writer(contours& out) noexcept
@@ -70,7 +70,8 @@ public:
         return false;
     }
 
-    /// Whether all points since begin_contour() are collinear, or there are none. After a failure the result is false.
+    /// Whether all points since begin_contour() are collinear, or there are no points. After a failure the result is
+    /// false.
     [[nodiscard]] bool is_flat() const noexcept
     {
         if (failed_) return false;
@@ -146,8 +147,7 @@ private:
     return sum;
 }
 
-/// The points that a discretiser has emitted for one curve so far. Only for TYPEMESH_ASSERT: without it nothing is
-/// kept.
+/// The points that a discretiser has emitted for one curve so far. They are kept only for TYPEMESH_ASSERT.
 struct emitted_points {
     point last = {};
     double t = 0.0;
@@ -281,8 +281,8 @@ private:
 ///     how         the discretiser
 ///     tolerance   the maximum distance between a polyline and its curve, in font units, including rounding to the grid
 ///     out         its `curves` refer to the outline, so the outline must outlive every use of `out`. out.tolerance is
-///                 the tolerance, at least twice g.snap_error(), in cells; 0 if the discretiser keeps none
-///     halvings    for every curve, how often its tolerance is halved, at most 31 times; empty: never
+///                 the tolerance in cells, at least twice g.snap_error(); 0 if the discretiser keeps no tolerance
+///     halvings    the number of times that each curve's tolerance is halved, at most 31; empty: never
 ///
 /// Consecutive points at one grid point are merged. The edge before the merged point ends at the t of the first
 /// arrival; the edge after it starts at the t (or the curve) of the last departure.

@@ -10,12 +10,12 @@ struct ignore_points {
     constexpr void operator()(point, double) const noexcept {}
 };
 
-/// Flattens one curve: passes points on it to put(point, t), with 0 < t <= 1 ascending. The last point is the end of
-/// the curve, with t = 1. The start is not passed. Lines are never passed to a discretiser.
+/// Flattens one curve: passes points of the curve to put(point, t), with ascending 0 < t <= 1. The last point is the
+/// end of the curve, with t = 1. The start of the curve is not passed. Lines are never passed to a discretiser.
 ///
 /// The compiler checks the signatures. The author promises the rest: every chord between consecutive points (including
 /// the start) stays within `tolerance` of the curve, and the curve within `tolerance` of its chord. The tolerance is
-/// positive and in the curve's unit. `put` is noexcept and takes any number of points. Broken fonts hold curves as
+/// positive and in the curve's unit. `put` is noexcept and takes any number of points. Broken fonts contain curves as
 /// large as the grid, so limit the number of points. Assertions check that t ascends and that the curve's end comes
 /// last.
 ///
@@ -39,7 +39,7 @@ concept discretiser = requires(const D& d, const quadratic& q, const cubic& c, d
     { d(c, tolerance, put) } noexcept;
 };
 
-/// Whether a finer tolerance brings its chords closer to the curve.
+/// Whether a finer tolerance brings a discretiser's chords closer to the curve.
 template <class D>
 inline constexpr bool keeps_tolerance = [] {
     if constexpr (requires { D::keeps_no_tolerance; })

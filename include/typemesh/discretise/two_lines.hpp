@@ -8,7 +8,8 @@ namespace typemesh::inline TYPEMESH_ABI {
 /// A discretiser that replaces every curve by two lines, which meet at t = 1/2: the lowest quality of the thesis,
 /// exactly as published.
 ///
-/// It keeps no tolerance and ignores the tolerance argument: real fonts are off by up to 1/20 em.
+/// It keeps no tolerance and ignores the tolerance argument: on real fonts, lines deviate from their curves by up to
+/// 1/20 em.
 struct two_lines {
     static constexpr bool keeps_no_tolerance = true;
     template <class Put>

@@ -7,9 +7,9 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// Smooth normals: a wall vertex's normal is the normalised sum of the unit normals of its two walls. So corners look
-/// rounded, and flat walls beside them are shaded unevenly. Caps are flat. 4N vertices, and 2 for each contour's seam
-/// (extruded.hpp).
+/// Smooth normals: a wall vertex's normal is the normalised sum of the unit normals of its two walls. Corners therefore
+/// look rounded, and flat walls beside them are shaded unevenly. Caps are flat. 4N vertices, and 2 for each contour's
+/// seam (extruded.hpp).
 struct averaged_normals {
     static constexpr bool shares_caps = false;
 

@@ -13,10 +13,10 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// The section of a bevel, as a value: either points, or a curve whose number of points depends on its size.
+/// The section of a bevel, as a value: either points, or a curve whose number of points depends on the bevel's size.
 ///
 ///     bevelled{.profile = round_profile(4)}
-///     bevelled{.profile = {{0, 0}, {0.2f, 0.8f}, {1, 1}}}                 your own points, see profile_points
+///     bevelled{.profile = {{0, 0}, {0.2f, 0.8f}, {1, 1}}}                 your own points: see profile_points
 ///     bevelled{.profile = sampled_profile([](float t) { return t * t; })}
 ///
 /// Using an invalid profile (profile_points) gives error::bad_option.
@@ -27,7 +27,8 @@ public:
     bevel_profile(std::initializer_list<profile_point> points) noexcept : points_{points} {}
     bevel_profile(const profile_points& points) noexcept : points_{points} {}
 
-    /// Its points on one glyph. Their number depends on the scale if the profile is a curve without a number of steps.
+    /// The points of the profile on one glyph. Their number depends on the scale if the profile is a curve without a
+    /// number of steps.
     [[nodiscard]] profile_points at(const profile_scale& scale) const noexcept
     {
         if (is_ == kind::points) return points_;
@@ -39,7 +40,7 @@ public:
         return out;
     }
 
-    /// Whether its points are a valid profile (profile_points), however many are drawn.
+    /// Whether the points are a valid profile (profile_points), at every scale.
     [[nodiscard]] bool is_valid() const noexcept
     {
         return at(finest).is_valid() && (is_ != kind::bezier || steps_ != 0 || curve_.is_valid());
@@ -48,7 +49,7 @@ public:
     /// A scale that requests the largest possible number of points.
     static constexpr profile_scale finest{1.0, 1.0, 0x1p-60};
 
-    /// Two different profiles have the same key with a probability of about 2^-128.
+    /// Two distinct profiles have equal keys with a probability of about 2^-128.
     [[nodiscard]] option_bits cache_key() const noexcept
     {
         option_hash all;
@@ -69,7 +70,7 @@ private:
     bevel_profile(kind is, std::uint32_t steps) noexcept : is_{is}, steps_{steps} {}
 
     kind is_ = kind::points;
-    std::uint32_t steps_ = 0;  // 0: by the text's tolerance
+    std::uint32_t steps_ = 0;  // 0: the text's tolerance sets the number of steps
     bezier_section curve_;
     profile_points points_{{0.0f, 0.0f}, {1.0f, 1.0f}};
 };

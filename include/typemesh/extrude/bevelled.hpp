@@ -34,12 +34,13 @@ namespace typemesh::inline TYPEMESH_ABI {
 
 /// The treatment of bevels where a stroke is thinner than twice their width.
 enum class bevel_mode : std::uint8_t {
-    clip,  ///< they close in a ridge
-    fit,   ///< the bevels of that glyph become narrower: at most 0.9 times the width at which one of its connected
-           ///< pieces would lose all of its cap; thinner strokes of a piece still close in ridges. A speck, in which no
-           ///< circle of the tolerance fits, may lose its cap (solid_plan::lost_caps) unless all pieces are specks
-    fit_text,  ///< all bevels of the text become as narrow as in its narrowest glyph: the text is planned twice. Only
-               ///< for text_mesher; otherwise it means fit
+    clip,  ///< the bevels close in a ridge
+    fit,   ///< the glyph's bevels become narrower: at most 0.9 times the width at which a connected component of the
+           ///< glyph would lose all of its cap. Thinner strokes of a component still close in ridges. A speck is a
+           ///< component too small to hold a circle of the tolerance; it may lose its cap (solid_plan::lost_caps)
+           ///< unless all components are specks
+    fit_text,  ///< all bevels of the text become as narrow as the narrowest bevels that any of its glyphs needs; the
+               ///< text is planned twice. Only a text_mesher does this; elsewhere it means fit
 };
 
 /// An extruder that makes a front, a back, walls between them, and bevels along the edges of front, back or both: five
@@ -54,51 +55,52 @@ enum class bevel_mode : std::uint8_t {
 /// An outward bevel is added instead: front and back keep their size, and the walls stand outside of the letter.
 ///
 /// A bevel's height at a point depends only on how far the edges had moved when they reached the point, so a bevel
-/// cannot cut itself. Where a stroke is thinner than twice the width, its bevels meet in a ridge (bevel_mode).
+/// cannot cross itself. Where a stroke is thinner than twice the width, its bevels meet in a ridge (bevel_mode).
 ///
 ///     bevelled{.depth = 0.2f, .width = 0.03f, .bevel_depth = 0.03f}
 ///     bevelled{.profile = round_profile(4)}                                bevel_profile.hpp
 ///     bevelled{.profile = {{0, 0}, {0.2f, 0.8f}, {1, 1}}}
 ///
-/// A bevel that is not proven at its width becomes narrower for that glyph: bevel_carver.hpp. The plan reports this as
-/// solid_plan::narrowed, and also if a bevel had to be less than half as wide to fit.
+/// If a glyph's bevel is not proven simple at its full width, it becomes narrower: see bevel_carver.hpp. The plan
+/// reports this as solid_plan::narrowed. It also reports bevels that had to be less than half as wide to fit.
 ///
-/// Normals are the normals of the contour's curves (curve_normals), tilted by the profile's slope; they stay constant
-/// on the way inwards. Texture coordinates in em mapping: u equals the walls' u and also stays constant on the way
-/// inwards; v continues with the profile's length.
+/// The normals are the normals of the contour's curves (curve_normals), tilted by the profile's slope. They do not
+/// change along the path of an edge inwards. In em mapping, u is the u of the walls and does not change on this path
+/// either; v continues along the length of the profile.
 ///
-/// Fails  error::bad_option: an option is out of range, the profile is not valid (profile_points), the bevels together
-///        are deeper than the whole, or they are as deep and the profile returns to 0 beyond the wall
+/// Fails  error::bad_option: an option is out of range; the profile is not valid (profile_points); the bevels together
+///        are deeper than the solid; or they are as deep as the solid, and the profile returns to 0 beyond the wall
 ///        error::too_large: more than 2^24 points, or 2^30 - 1 vertices of a bevel
-///        error::crossing_contours, too_many_pieces, outline_beyond_grid: the surroundings of an outward bevel are not
-///        proven, or reach beyond the grid; the glyph is left out
+///        error::crossing_contours, too_many_pieces, outline_beyond_grid: the region around an outward bevel is not
+///        proven simple, or reaches beyond the grid; the glyph is left out
 ///        error::out_of_memory
 struct bevelled {
-    float depth = 0.2f;         ///< of the whole solid; in em, or in output units: see text_options::depth_in
-    float width = 0.02f;        ///< the width of a bevel; always in em, below 2^28 cells, outwards 2^25
+    float depth = 0.2f;         ///< the depth of the whole solid, in em or in output units: see text_options::depth_in
+    float width = 0.02f;        ///< the width of a bevel, always in em; below 2^28 cells, or 2^25 cells for outward
+                                ///< bevels
     float bevel_depth = 0.02f;  ///< the depth of a bevel, in the unit of depth
     bevel_sides sides = bevel_sides::both;
     bevel_mode mode = bevel_mode::clip;
     bool outward = false;  ///< bevels are added around the letter: it grows, and its caps keep their size
     bevel_joins joins = bevel_joins::round;
     bevel_shading shading = bevel_shading::by_slope;
-    float mitre_limit = 2.0f;              ///< at least 1; 0: none
-    float crease_degrees = 15.0f;          ///< 0 to 180; along the contour, see curve_normals
+    float mitre_limit = 2.0f;              ///< the limit for sharp corners, at least 1; 0: no limit
+    float crease_degrees = 15.0f;          ///< the crease angle along the contour, 0 to 180: see curve_normals
     float profile_crease_degrees = 30.0f;  ///< the crease angle across the profile, 0 to 180, measured as if the bevel
-                                           ///< were as wide as it is deep; half of it where the bevel meets the wall
-                                           ///< or the cap
-    bool centred = false;                  ///< front at z = depth / 2 and back at -depth / 2
+                                           ///< were as wide as it is deep; it is half as large where the bevel meets
+                                           ///< the wall or the cap
+    bool centred = false;                  ///< whether the front is at z = depth / 2 and the back at -depth / 2
     bool front = true;
     bool back = true;
     bool side = true;
     texture_mapping texture = texture_mapping::em;
     bevel_profile profile = {};
-    float wanted = 0.0f;  ///< the width before refit() reduced it; leave it at 0
+    float wanted = 0.0f;  ///< the width before refit() reduced it; leave this at 0
 
     static constexpr std::size_t part_count = 5;
     using plan_data = bevel_data;
 
-    /// See option_bits. Everything except the two lengths and the switches is hashed to 128 bits.
+    /// See option_bits. All options except depth, width and the switches are hashed to 128 bits.
     [[nodiscard]] option_bits cache_key() const noexcept
     {
         option_bits bits{width, std::uint64_t{0}};
@@ -114,7 +116,7 @@ struct bevelled {
         bits.words[1] |= option_bits{mitre_limit}.words[0] << 32;
         option_hash rest;
         rest.add(option_bits{crease_degrees, profile_crease_degrees});
-        rest.add(option_bits{wanted > width ? wanted : 0.0f}.words[0]);  // joins are computed for that width
+        rest.add(option_bits{wanted > width ? wanted : 0.0f}.words[0]);  // joins are computed for the wanted width
         rest.add_key_of(profile);
         bits.words[2] = rest.first;
         bits.words[3] = rest.second;
@@ -180,7 +182,7 @@ struct bevelled {
             for (const triangle t : s.triangles) put(s.points[t.a], s.points[t.b], s.points[t.c]);
     }
 
-    /// With outward bevels, the outline of the walls.
+    /// The outline of the walls, if bevels are outward.
     [[nodiscard]] solid_outline outline(const solid_with<plan_data>& s) const noexcept
     {
         if (s.points.empty() || !s.data.of<bevel_rims>()[0].outward) return {s.points, s.starts};
@@ -202,7 +204,7 @@ struct bevelled {
         return true;
     }
 
-    /// The same count as extruded's.
+    /// The count of hard points, as in extruded.
     [[nodiscard]] std::uint64_t hard_edges(const solid_with<plan_data>& s) const noexcept
     {
         return count_hard(s.data.of<side_point>());
@@ -275,7 +277,7 @@ private:
     [[nodiscard]] bevel_carver carver_of(const region& filled, bool outwards) const noexcept
     {
         const double em = filled.grid().cells * filled.grid().units_per_em;
-        const double joins_at = wanted > width ? as_double(wanted) * em : 0.0;  // as before refit()
+        const double joins_at = wanted > width ? as_double(wanted) * em : 0.0;  // the width before refit()
         return {{as_double(mitre_limit), filled.tolerance(), joins == bevel_joins::round, outwards, joins_at},
                 mode != bevel_mode::clip};
     }
@@ -296,7 +298,7 @@ private:
         return {};
     }
 
-    /// The same for outward bevels: the sweep covers the surroundings of the region, and the walls stand where it ends.
+    /// Plans outward bevels: the sweep covers the surroundings of the region, and the walls stand where the sweep ends.
     template <cap_maker Caps>
     error plan_outward(const region& filled, profile_scale& scale, plan_data& data, Caps& caps,
                        solid_plan& made) const noexcept
@@ -312,7 +314,7 @@ private:
         const double way = reach / scale.width;
         bevel_carver carve = carver_of(filled, true);
         const auto make = [&](const swept_region&) noexcept {
-            constexpr double slack = 4.0;  // for rounding
+            constexpr double slack = 4.0;  // a margin for rounding
             if (!is_in_reach(data.swept.cap, filled, way * scale.width + slack)) return error{error::crossing_contours};
             leave_frame(data.swept.cap);
             if (filled.corners() != touching::keep) {
@@ -347,7 +349,7 @@ private:
         return {};
     }
 
-    /// Fails  error::crossing_contours: the region that the sweep leaves is not proven
+    /// Fails  error::crossing_contours: the region that the sweep leaves is not proven simple
     template <cap_maker Caps>
     error make_cap(plan_data& data, Caps& caps) const noexcept
     {
@@ -357,7 +359,7 @@ private:
         return kept ? error{} : error{error::out_of_memory};
     }
 
-    /// Outward bevels on both sides have no such cap, but their walls have an outline.
+    /// Stores the outline of the walls, which outward bevels on both sides need because they make no cap there.
     static error keep_outline(plan_data& data) noexcept
     {
         const contours& walls = data.swept.cap;
@@ -368,7 +370,7 @@ private:
 
     static constexpr std::uint32_t none = ~std::uint32_t{0};
 
-    /// `frame` is the first point of an outward bevel's frame, or none.
+    /// `frame` is the index of the first of the four points around an outward bevel's surroundings, or none.
     error make_bevel(const profile_levels& levels, const region& filled, std::uint32_t frame, plan_data& data,
                      workspace& space) const noexcept
     {

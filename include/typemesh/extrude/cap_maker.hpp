@@ -23,10 +23,10 @@ namespace typemesh::inline TYPEMESH_ABI {
 ///     caps.loops()         contours to be filled in, for loops that are no region yet; storage is kept. The loops
 ///                          are valid until the next call
 ///     caps.fill(out)       makes the region that these loops fill by fill_rule::non_zero, with its triangles, as
-///                          above. It refers to loops(), which are unchanged if they already bound it
+///                          above. The region refers to loops(), which are unchanged if they already bound a region
 ///     caps.space()         for scopes of your own, which release their memory at the end
 ///
-/// The library supplies one. Write your own for an extruder's tests, or to call the stage by itself.
+/// The library supplies a cap_maker. Write your own for an extruder's tests, or to call the stage by itself.
 template <class C>
 concept cap_maker = requires(C& caps, const region& r, triangle_list& out) {
     { caps.triangles() } noexcept -> std::convertible_to<array_view<const triangle>>;

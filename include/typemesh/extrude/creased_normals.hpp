@@ -17,7 +17,7 @@ namespace typemesh::inline TYPEMESH_ABI {
 struct creased_normals {
     static constexpr bool shares_caps = false;
 
-    float crease_degrees = 30.0f;  ///< 0 to 180
+    float crease_degrees = 30.0f;  ///< the crease angle, 0 to 180
 
     /// See option_bits.
     [[nodiscard]] option_bits cache_key() const noexcept { return {crease_degrees}; }

@@ -17,32 +17,33 @@ namespace typemesh::inline TYPEMESH_ABI {
 /// the seam of each contour without a hard point (extruded.hpp).
 ///
 ///     inside a curve     soft: one normal, the curve's own; a cusp or a reversal of the curve is treated as a joint
-///     at a joint         hard if the angle between the two curves' tangents exceeds the crease angle: doubled, each
-///                        wall with its own curve's normal. Otherwise soft, with the normalised sum of the two
+///     at a joint         hard if the angle between the two curves' tangents exceeds the crease angle: the point is
+///                        doubled, and each wall has its own curve's normal. Otherwise soft, with the normalised sum of
+///                        the two normals
 ///     along a line       the line's normal: a wall between two corners is shaded evenly
 ///
 /// A tangent is replaced by the edge's direction if it points against its own edge (the polygon is so coarse that it
 /// omits a whole hook there), or if it does not exist (the curve is a point). A soft normal that would point into one
-/// of its two walls is replaced by the normalised sum of the walls' own normals. So normals always point out of their
-/// walls.
+/// of its two walls is replaced by the normalised sum of the walls' own normals. Normals therefore always point out of
+/// their walls.
 ///
-/// No wall longer than 16 tolerances is lit from the side. Where a normal would deviate by more than 45 degrees
-/// from the wall's own normal, the wall uses its own normal, and its point is hard:
+/// Normals on a long wall, longer than 16 tolerances, stay close to the wall's own normal. Where a normal would deviate
+/// from it by more than 45 degrees, the wall uses its own normal, and its point is hard:
 ///
 ///                    ^ the wall's own             The tip of a hairpin inside a curve, narrower than the tolerance.
-///     n <---- o======|=====================       At the point o the curve runs straight down, so its normal n would
-///             |      long wall                    light the long wall from the side. For the short one below, which
-///             '--._                               continues around the tip, it is right. The same happens at joints,
-///                  '---.._____________            soft and hard, where a curve bends at its very end.
+///     n <---- o======|=====================       At the point o the curve runs straight down, so its normal n is at
+///             |      long wall                    right angles to the normal of the long wall. For the short wall
+///             '--._                               below, which continues around the tip, n is right. Joints, soft and
+///                  '---.._____________            hard, have this problem where a curve bends at its very end.
 ///
-/// The tolerance is the region's; if it is unknown, no wall counts as long. For crease angles of 90 degrees and more,
-/// these corrections are omitted: the caller then accepts soft joints that deviate by half the angle.
+/// The tolerance is the region's; if it is unknown, no wall counts as long. Soft joints deviate by up to half the
+/// crease angle, so for crease angles of 90 degrees and more these corrections are omitted.
 ///
 /// Measured on fonts, all but 0.74 % of the angles at joints are below 8 or above 30 degrees.
 struct curve_normals {
     static constexpr bool shares_caps = false;
 
-    float crease_degrees = 15.0f;  ///< 0 to 180
+    float crease_degrees = 15.0f;  ///< the crease angle, 0 to 180
 
     /// See option_bits.
     [[nodiscard]] option_bits cache_key() const noexcept { return {crease_degrees}; }
@@ -62,7 +63,7 @@ struct curve_normals {
     }
 
 private:
-    /// A loop: its points and the edges that they start.
+    /// A loop: its points, and the edges that start at them.
     struct contour {
         const grid_point* points;
         const contour_edge* edges;
@@ -73,10 +74,10 @@ private:
         [[nodiscard]] point along(std::size_t i) const noexcept { return delta(points[i], points[next(i)]); }
     };
 
-    /// The light of a wall at the start or end of its edge.
+    /// The normal of a wall at the start or end of its edge.
     struct wall_end {
         point normal;
-        bool leads;  ///< it is the curve's own, less than 45 degrees from the wall's normal
+        bool leads;  ///< whether the normal is the curve's own and less than 45 degrees from the wall's normal
     };
 
     /// The directions of the two edges at a point.
@@ -112,7 +113,8 @@ private:
             moving_ = 0x1p-40 * longest_leg * longest_leg;
         }
 
-        /// Computes the light of all walls over a contour: the start of a curve, its interior, the next curve.
+        /// Computes the normals of all walls over a contour: at the start of a curve, inside it, then on the next
+        /// curve.
         void shine_on(const contour& c, side_point* sides) const noexcept
         {
             point arriving = c.along(c.last);
@@ -148,7 +150,7 @@ private:
             return e.t0 >= 1.0f ? q.p[q.degree - 1] - q.p[q.degree] : point{};
         }
 
-        /// The same where the edge arrives at an end of its curve.
+        /// The derivative where the edge arrives at an end of its curve.
         [[nodiscard]] point arriving_leg(const contour_edge& e) const noexcept
         {
             const curve& q = curves_[e.curve];
@@ -193,8 +195,9 @@ private:
             return (1.0 / std::sqrt(square)) * outward(direction);
         }
 
-        /// Lights the points inside edge i's curve as long as it is smooth there, which covers nearly all points inside
-        /// curves. Returns the edge after the last of them, and its direction in `arriving`.
+        /// Computes the normals at the points inside edge i's curve as long as the curve is smooth there; nearly all
+        /// points inside curves are of this kind. Returns the edge after the last of them, and its direction in
+        /// `arriving`.
         std::size_t shine_within(const contour& c, std::size_t i, point& arriving, side_point* sides) const noexcept
         {
             const contour_edge& edge = c.edges[i];
@@ -209,7 +212,7 @@ private:
             return shine_along([=](double t) noexcept { return any.derivative(t); }, c, i, arriving, sides);
         }
 
-        /// The same, given the curve's derivative along the edge.
+        /// Continues with the curve's derivative along the edge.
         template <class Derivative>
         std::size_t shine_along(const Derivative& derivative, const contour& c, std::size_t i, point& arriving,
                                 side_point* sides) const noexcept
@@ -241,7 +244,7 @@ private:
         }
 
         /// Joins the walls at point i of a contour in all cases: hairpins, spikes, hooks that the polygon omits, curves
-        /// that are cut or stop.
+        /// that stop or are divided.
         void meet(const contour& c, std::size_t i, side_point& side) const noexcept
         {
             const corner at_i{c.points[c.previous(i)], c.points[i], c.points[c.next(i)]};
@@ -302,7 +305,7 @@ private:
             return from_the_side ? unit(own) : n;
         }
 
-        /// The single normal of a soft point that has two different ones.
+        /// The single normal of a soft point that has two distinct normals.
         [[nodiscard]] static point soft(const corner& at, point before, point after) noexcept
         {
             const point sum = before + after;

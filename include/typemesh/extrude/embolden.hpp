@@ -26,22 +26,22 @@ namespace typemesh::inline TYPEMESH_ABI {
 /// Corners stay sharp up to the mitre limit. A limit of 4, the default for strokes in SVG, keeps corners of 29 degrees
 /// and more; sharper corners would grow spikes, so they become round.
 ///
-/// Advances are the layout's: layout_options::letter_spacing of twice the distance keeps the letters' own spacing.
-/// Letters are merged (text_options::merge) where they meet after they have grown. Thinner letters are merged where
-/// they meet as drawn, or where their solid makes them meet again, for example with outward bevels.
+/// The layout's advances do not change: a shape_options::letter_spacing of twice the distance keeps the gaps between
+/// letters. Bolder letters are merged (text_options::merge) where they meet after they have grown. Thinner letters are
+/// merged where they meet as drawn, or where their solid makes them meet again, for example with outward bevels.
 ///
-/// If the new edges are not proven at a distance, it is halved for that glyph (solid_plan::narrowed). If corners meet
-/// and grow a spike beyond the limit, that glyph is first moved with a limit of 1.5.
+/// If a glyph's new edges are not proven simple, the distance is halved for this glyph (solid_plan::narrowed). If
+/// corners meet and grow a spike beyond the limit, the glyph's edges are first moved again with a limit of 1.5.
 ///
-/// Fails  error::bad_option: `by` is not finite or 2^28 cells or more, the mitre limit is below 1 and not 0
+/// Fails  error::bad_option: `by` is not finite, or is 2^28 cells or more; or the mitre limit is below 1 and not 0
 ///        ("embolden::mitre_limit")
 ///        error::nothing_left: the glyph is nowhere thicker than the thickness that is removed
-///        error::edges_not_moved: at none of these distances are the new edges proven
+///        error::edges_not_moved: the new edges are not proven simple at any of these distances
 ///        error::outline_beyond_grid, error::out_of_memory
 struct embolden {
     float by = 0.02f;  ///< the distance that edges move outwards, always in em; negative: inwards
     bevel_joins joins = bevel_joins::round;
-    float mitre_limit = 4.0f;  ///< at least 1; 0: none
+    float mitre_limit = 4.0f;  ///< the limit for sharp corners, at least 1; 0: no limit
 
     /// The bolder letter, and the working memory for making it.
     struct scratch : inner_region {
@@ -85,7 +85,7 @@ struct embolden {
     }
 
 private:
-    /// The region that the letter becomes; without points if nothing remains.
+    /// The region that the letter becomes; it has no points if nothing remains.
     template <cap_maker Caps>
     [[nodiscard]] result<region> move(const region& drawn, double distance, scratch& made, Caps& caps) const noexcept
     {

@@ -44,7 +44,7 @@ void write_triangles(part p, const solid_of<Extruder>& s, const Extruder& how, c
     }
 }
 
-/// The same; in debug builds it also checks the extruder against its plan(): surplus output is discarded.
+/// Emits these vertices; in debug builds it also checks the extruder against its plan(): surplus output is discarded.
 template <extruder Extruder, mesh_sink Sink>
 void write_vertices(part p, const planned_solid_of<Extruder>& s, const Extruder& how, const placement& at,
                     Sink& sink) noexcept
@@ -56,7 +56,7 @@ void write_vertices(part p, const planned_solid_of<Extruder>& s, const Extruder&
     write_vertices(p, s.form, how, at, to);
     TYPEMESH_ASSERT(to.emitted >= to.planned, "an extruder emitted fewer vertices of a part than its plan() reported");
 }
-/// The same for the triangles of a part.
+/// Emits the triangles of a part with these checks.
 template <extruder Extruder, mesh_sink Sink>
 void write_triangles(part p, const planned_solid_of<Extruder>& s, const Extruder& how, const first_vertices& first,
                      bool turned, Sink& sink) noexcept
@@ -68,7 +68,7 @@ void write_triangles(part p, const planned_solid_of<Extruder>& s, const Extruder
 
 /// Writes one solid: all vertices, then all triangles.
 ///
-/// Fails  error::too_large, or as the sink's begin() does: nothing is written then; or as its end() does
+/// Fails  error::too_large, or as the sink's begin() does, and then writes nothing; or as the sink's end() does
 template <extruder Extruder, mesh_sink Sink>
 result<void> write_solid(const planned_solid_of<Extruder>& s, const Extruder& how, const placement& at,
                          Sink& sink) noexcept
@@ -87,7 +87,7 @@ result<void> write_solid(const planned_solid_of<Extruder>& s, const Extruder& ho
 /// Turns one region into a solid and writes it: the stage by itself.
 ///
 ///     cap      the region's triangles, from any triangulator
-///     data     the extruder's plan data; its old content is replaced, its storage kept for the next call
+///     data     the extruder's plan data; its old content is replaced, and its storage is kept for the next call
 ///
 /// If an extruder needs caps, call plan_solid(), then write_solid().
 ///
@@ -107,7 +107,7 @@ result<void> extrude(const region& filled, array_view<const triangle> cap, const
     return write_solid<Extruder>({form, *plan}, how, at, sink);
 }
 
-/// The same for extruders without plan data, or for a single call.
+/// Writes the solid without plan data from the caller: for extruders that have none, or for a single call.
 template <extruder Extruder, mesh_sink Sink>
 result<void> extrude(const region& filled, array_view<const triangle> cap, const Extruder& how, const placement& at,
                      Sink& sink) noexcept

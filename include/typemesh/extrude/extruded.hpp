@@ -22,18 +22,18 @@ namespace typemesh::inline TYPEMESH_ABI {
 /// An extruder that makes a front, a back and walls between them.
 ///
 ///         front  z = 0                 vertices      front N, back N, walls 2N, and 2 more for every doubled point;
-///     +----------+                                   with shared_normals the walls have none of their own
+///     +----------+                                   with shared_normals the walls have no vertices of their own
 ///     |\         |\      walls:        triangles     front and back n + 2h - 2c each (region.hpp), walls 2 per edge
 ///     | +--------|-+     two triangles
-///     | |        | |     per edge      doubled       the H hard points that the style of normals finds; and one point
-///     +-|--------+ |                                 of each contour without a hard one, its seam, unless the mapping
-///      \|         \|                                 is box
+///     | |        | |     per edge      doubled       the H hard points that the style of normals finds; and the seam
+///     +-|--------+ |                                 of each contour without a hard point: one of its points, unless
+///      \|         \|                                 the mapping is box
 ///       +----------+  back  z = -depth
 ///
-/// A part that is switched off has no vertices and no triangles. Only shared_normals and cap_normals keep the vertices
-/// of a cap that its walls share.
+/// A part that is switched off has no vertices and no triangles. With shared_normals and cap_normals, however, a cap
+/// keeps its vertices as long as walls share them.
 ///
-/// plan() cannot know which attributes a vertex will want. It always finds the normals and places the seams (box
+/// plan() cannot know which attributes a vertex will want, so it always finds the normals and places the seams (box
 /// mapping has no seams). Writing computes only the requested attributes.
 ///
 ///     extruded{}                                     curve_normals, 0.2 em deep, one texture tile per em
@@ -48,16 +48,17 @@ namespace typemesh::inline TYPEMESH_ABI {
 /// Cost   O(n), and one side_point per contour point if there are walls
 template <side_normals Normals = curve_normals>
 struct extruded {
-    float depth = 0.2f;    ///< in em, or in output units: see text_options::depth_in
-    bool centred = false;  ///< front at z = depth / 2 and back at -depth / 2
+    float depth = 0.2f;    ///< the depth of the solid, in em or in output units: see text_options::depth_in
+    bool centred = false;  ///< whether the front is at z = depth / 2 and the back at -depth / 2
     bool front = true;
     bool back = true;
     bool side = true;
     texture_mapping texture = texture_mapping::em;
     Normals normals = {};
 
-    /// See option_bits. Depth matters only for writing, but if plan() refuses a depth, it must not find a result cached
-    /// for another depth. The Normals policy may use the first three of the four numbers in option_bits.
+    /// See option_bits. The depth matters only for writing. But a depth that plan() refuses needs a key of its own, so
+    /// that no result cached for another depth is found. The Normals policy may use the first three of the four numbers
+    /// in option_bits.
     [[nodiscard]] option_bits cache_key() const noexcept
         requires std::is_empty_v<Normals> || requires(const Normals& n) {
             { n.cache_key() } noexcept;
@@ -73,7 +74,7 @@ struct extruded {
         return bits;
     }
 
-    using plan_data = plan_arrays<side_point>;  ///< one per contour point, if there are lit walls
+    using plan_data = plan_arrays<side_point>;  ///< one side_point per contour point, if there are walls with normals
 
     [[nodiscard]] result<part_sizes> plan(const region& filled, plan_data& data) const noexcept
     {
@@ -204,7 +205,7 @@ private:
         const point before{as_double(s.before.x), as_double(s.before.y)},
             after{as_double(s.after.x), as_double(s.after.y)};
         point sum = before + after;
-        if (dot(sum, sum) < 0x1p-30) {  // a needle's tip: the same line from the edges' directions (see joint_normal)
+        if (dot(sum, sum) < 0x1p-30) {  // a needle's tip: the line comes from the edges' directions (see joint_normal)
             sum = {after.y - before.y, before.x - after.x};
             if (!is_zero(cap)) sum = {};
             if (cross(before, after) < 0.0) sum = -1.0 * sum;

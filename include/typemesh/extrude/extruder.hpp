@@ -19,7 +19,7 @@
 namespace typemesh::inline TYPEMESH_ABI {
 
 /// The heights between which a mesh lies, in the unit of the extruder's depths (em, or output units by
-/// text_options::depth_in); the front is the higher one.
+/// text_options::depth_in). The front is at the greater height.
 struct height_range {
     double low = 0.0;
     double high = 0.0;
@@ -45,7 +45,7 @@ struct ignore_places {
     constexpr void operator()(grid_point, grid_point, grid_point) const noexcept {}
 };
 
-/// The number of parts that an extruder writes: its part_count, or three.
+/// The number of parts that an extruder writes: the extruder's part_count, or three.
 template <class E>
 inline constexpr std::size_t part_count_of = 3;
 template <class E>
@@ -63,7 +63,7 @@ using plan_data_of = typename detail::plan_data<E>::type;
 /// The input of an extruder's writing: a solid, with its plan data if it has any.
 template <class E>
 using solid_of = solid_with<plan_data_of<E>>;
-/// The same with its plan.
+/// A solid of an extruder, together with its solid_plan.
 template <class E>
 using planned_solid_of = planned_solid<plan_data_of<E>>;
 
@@ -100,17 +100,19 @@ concept plans_with_caps = requires(const E& e, const region& r, plan_data_of<E>&
 ///                                      Counter-clockwise seen from outside in a right-handed frame; the extruder
 ///                                      ignores mirroring.
 ///
-/// A simple extruder needs no more. Optional:
+/// A simple extruder needs no more. The rest is optional:
 ///
 ///     E::plan_data                     the results of plan() that writing needs, see plan_arrays.hpp: the call is then
 ///                                      plan(region, data) with `data` empty, and `s` is a solid_with<plan_data>
 ///     e.plan(region, data, caps)       instead, to make caps of further regions while it plans: cap_maker.hpp
 ///     E::part_count                    parts 0 to part_count - 1 instead of front, back and side; at most eight
-///     e.hard_edges(s)                  the number of contour points that are doubled because their walls meet hard
+///     e.hard_edges(s)                  the number of contour points that are doubled because their walls meet at a
+///                                      hard edge
 ///     e.cache_key()                    all options that affect plan(), if there are any: option_bits.hpp
 ///     e.heights(s)                     the heights of a planned solid, if its range may be smaller
 ///     e.seen_from_front(s, put)        put(a, b, c) with the grid points of every triangle that is neither upright nor
-///                                      the mirror image of another, if they are not the region's own
+///                                      the mirror image of another triangle; needed if these are not the region's own
+///                                      triangles
 ///     e.outline(s)                     the loops of the whole area that it covers in the plane, if it grows beyond the
 ///                                      region: glyphs whose outlines meet are merged
 ///     e.refit(s)                       adapts the options to a planned solid of the text, if all its solids must agree
@@ -135,7 +137,7 @@ concept extruder = (detail::plans_by_itself<E> || detail::plans_with_data<E> || 
                        requires part_count_of<E> >= 1 && part_count_of<E> <= max_parts;
                    };
 
-/// An extruder that counts a solid's contour points that are doubled because their walls meet hard.
+/// An extruder that counts the contour points that are doubled because their walls meet at a hard edge.
 template <class E>
 concept has_hard_edges = extruder<E> && requires(const E& e, const solid_of<E>& s) {
     { e.hard_edges(s) } noexcept -> std::convertible_to<std::uint64_t>;

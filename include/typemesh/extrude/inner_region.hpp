@@ -15,15 +15,16 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// A region made of loops that a step or an extruder has found, with its triangles. Suitable as region_step's scratch.
+/// A region made of loops that a step or an extruder has found, with its triangles. It is suitable as the scratch of a
+/// region_step.
 ///
 ///     inner.loops = ...                loops that already bound a region: points, edges with their curves, starts,
 ///                                      grid, tolerance
-///     auto filled = inner.fill(caps)   it refers to them; inner.triangles are its cap
+///     auto filled = inner.fill(caps)   the region refers to inner.loops; inner.triangles are its cap
 struct inner_region {
     contours loops;               ///< its boundary
     triangle_list triangles;      ///< its cap
-    buffer<curve> parted_curves;  ///< the curves of loops, if corners were parted or joined
+    buffer<curve> parted_curves;  ///< the curves of the loops, if corners were separated or joined
     corner_parting parting;       ///< the changes to the corners
 
     explicit inner_region(memory source = heap()) noexcept : loops{source}, triangles{source}, parted_curves{source} {}
@@ -35,8 +36,8 @@ struct inner_region {
         parting = {};
     }
 
-    /// Makes the region of `loops`, which refers to them, and its triangles. Where they touch themselves, their corners
-    /// are treated as `loops` says.
+    /// Makes the region of `loops`, which refers to these loops, and its triangles. Where the loops touch themselves,
+    /// their corners are treated as `loops` says.
     ///
     /// Fails  as fill_exactly() and corner_parting do
     template <cap_maker Caps>

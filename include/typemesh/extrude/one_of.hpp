@@ -35,7 +35,7 @@ public:
         }
 
     private:
-        const std::tuple<plan_data_of<Solids>...>* live_ = nullptr;  // or null if stored
+        const std::tuple<plan_data_of<Solids>...>* live_ = nullptr;  // the live data; null if the data are stored
         const std::byte* stored_ = nullptr;
     };
 
@@ -102,7 +102,7 @@ private:
 ///     text_mesher<one_of<flat, extruded<>, bevelled>> mesher{font};       // flat so far
 ///     mesher.solid() = bevelled{.width = 0.03f};
 ///
-/// It has the parts of all its extruders; the parts that the chosen one does not make are empty. The choice is
+/// It has the parts of all its extruders; the parts that the chosen extruder does not make are empty. The choice is
 /// evaluated once per glyph and part, not per vertex. A glyph_cache distinguishes the choices.
 template <extruder... Solids>
 class one_of {
@@ -126,7 +126,7 @@ public:
 
     /// The index of the chosen extruder in the template arguments.
     [[nodiscard]] std::size_t index() const noexcept { return choice_.index(); }
-    /// The chosen extruder, to change its options; null if it is of another type.
+    /// The chosen extruder, for changing its options; null if it has another type.
     template <class Solid>
         requires(times<Solid> == 1)
     [[nodiscard]] Solid* get() noexcept
@@ -160,7 +160,7 @@ public:
     {
         return visit([&s](auto at, const auto& how) noexcept { return heights_of(how, of<at>(s)); });
     }
-    /// The chosen extruder's option that causes heights that cannot be written.
+    /// The name of the chosen extruder's option that is at fault if the heights cannot be written.
     [[nodiscard]] const char* heights_name() const noexcept
     {
         return visit([](auto, const auto& how) noexcept { return heights_name_of(how); });
@@ -187,7 +187,7 @@ public:
                 return solid_outline{s.points, s.starts};
         });
     }
-    /// The chosen extruder's count; 0 if it does not count them.
+    /// The number of hard edges that the chosen extruder counts; 0 if it does not count hard edges.
     [[nodiscard]] std::uint64_t hard_edges(const solid& s) const noexcept
         requires(has_hard_edges<Solids> || ...)
     {
@@ -230,7 +230,7 @@ private:
     {
         return static_cast<std::size_t>(p) < part_count_of<Solid>;
     }
-    /// The solid in the chosen extruder's type.
+    /// The solid, with the type that the chosen extruder needs.
     template <std::size_t Choice>
     static auto of(const solid& s) noexcept
     {

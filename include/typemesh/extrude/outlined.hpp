@@ -103,27 +103,27 @@ struct outlined_data {
 ///     outlined<extruded<>, extruded<>>{.place = outline_place::outer, .letter = {.depth = 0.1f, .centred = true}}
 ///
 /// The ring's parts come first, then the letter's. With two `extruded` these are part{0} to part{2} and part{3} to
-/// part{5}, with their own materials. At most eight parts are possible. Edges that both have are identical, point by
-/// point, in opposite directions, so there is no gap between them. If every edge of the mesh must have two faces
-/// (text_options::corners), the letter keeps 8 cells away from its ring, and from bridges that join its corners.
+/// part{5}, with their own materials. At most eight parts are possible. Edges that ring and letter share are identical,
+/// point by point, in opposite directions, so there is no gap between the two. If every edge of the mesh must have two
+/// faces (text_options::corners), the letter keeps 8 cells away from its ring, and from bridges that join its corners.
 ///
-/// Corners, advances, letters that meet after they have grown, and distances that are not proven are treated as with
-/// `embolden`.
+/// Corners, advances, letters that meet after they have grown, and distances at which the edges are not proven simple
+/// are treated as with `embolden`.
 ///
 /// If a letter is drawn within the ring, neither extruder may grow its solid (for example by outward bevels), because
 /// ring and letter would intersect: error::bad_option "ring" or "letter".
 ///
-/// Fails  error::bad_option: the width is not positive and finite, or on a glyph less than four cells (centre: eight)
-///        or 2^28 and more, the mitre limit is below 1 and not 0 ("outlined::width", "outlined::mitre_limit"), or as
+/// Fails  error::bad_option: the width is not positive and finite, or on a glyph it is below four cells (centre: eight)
+///        or at least 2^28; the mitre limit is below 1 and not 0 ("outlined::width", "outlined::mitre_limit"); or as
 ///        the two extruders do
-///        error::edges_not_moved: at no part of the width are the new edges proven
+///        error::edges_not_moved: the new edges are not proven simple, even at a fraction of the width
 ///        error::outline_beyond_grid, error::out_of_memory
 template <extruder Ring = extruded<>, extruder Letter = no_letter>
 struct outlined {
-    float width = 0.02f;  ///< of the ring, always in em
+    float width = 0.02f;  ///< the width of the ring, always in em
     outline_place place = outline_place::inner;
     bevel_joins joins = bevel_joins::round;
-    float mitre_limit = 4.0f;  ///< at least 1; 0: none
+    float mitre_limit = 4.0f;  ///< the limit for sharp corners, at least 1; 0: no limit
     Ring ring = {};
     Letter letter = {};
 
@@ -213,8 +213,8 @@ struct outlined {
         return changed;
     }
 
-    /// The outline of the letter with the ring around it. If the ring's extruder makes it grow, that extruder's
-    /// outline.
+    /// The outline of the letter with the ring around it, or the outline of the ring's extruder if this extruder makes
+    /// it grow.
     [[nodiscard]] solid_outline outline(const solid_with<plan_data>& s) const noexcept
     {
         if (s.points.empty()) return {s.points, s.starts};

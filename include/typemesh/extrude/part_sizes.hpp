@@ -13,12 +13,12 @@ namespace typemesh::inline TYPEMESH_ABI {
 
 /// One number for each part.
 struct part_counts {
-    std::uint32_t of[max_parts] = {};  ///< indexed by the part's number
+    std::uint32_t of[max_parts] = {};  ///< the numbers, indexed by the part's number
 
     [[nodiscard]] constexpr std::uint32_t operator[](part p) const noexcept { return of[number_of(p)]; }
     [[nodiscard]] constexpr std::uint32_t& operator[](part p) noexcept { return of[number_of(p)]; }
 
-    /// Part by part, modulo 2^32.
+    /// Adds part by part, modulo 2^32.
     friend constexpr part_counts operator+(const part_counts& a, const part_counts& b) noexcept
     {
         part_counts sum;
@@ -33,7 +33,7 @@ struct part_counts {
     }
     friend constexpr bool operator==(const part_counts&, const part_counts&) noexcept = default;
 
-    /// All parts together.
+    /// The sum over all parts.
     [[nodiscard]] constexpr std::uint64_t total() const noexcept
     {
         std::uint64_t sum = 0;
@@ -72,7 +72,7 @@ struct part_sizes {
     }
     friend constexpr bool operator==(const part_sizes&, const part_sizes&) noexcept = default;
 
-    /// All parts together.
+    /// The size of all parts together.
     [[nodiscard]] constexpr mesh_size total() const noexcept { return {vertices.total(), triangles.total()}; }
 
     /// The start of each part if the parts are consecutive from 0.

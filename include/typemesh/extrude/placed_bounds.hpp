@@ -37,8 +37,8 @@ inline void add_placed(bounds3& all, const box& around, float bottom, float top,
 
 namespace detail {
 
-/// The box in which an extruder's vertices must lie, in builds with asserts, whether or not its plan() supplied one. It
-/// is enlarged by the rounding error of positions that are computed in another way.
+/// The box in which an extruder's vertices must lie, in builds with asserts, whether or not its plan() supplied one.
+/// The box is enlarged by the rounding error of positions that are computed in another way.
 [[nodiscard]] inline bounds3 promised_bounds(box around, array_view<const grid_point> points, height_range heights,
                                              const placement& at) noexcept
 {

@@ -21,16 +21,16 @@ struct solid_point {
 ///
 ///     output = frame((cell + pen) * unit_per_cell)        z = depth * unit_per_depth
 ///
-///     at.position({x, y, z})          any point, in double precision; a grid point's to the bit
+///     at.position({x, y, z})          any point, in double precision; bit for bit as for a grid point
 ///     at.direction({x, y, z})         a normal or a tangent: x along the text, y up, z towards the reader
 ///     at.cells_per_depth()            for slopes: cells per unit of heights
 ///     planar_texture, wall_texture    texture coordinates: texture.hpp
 ///     texture_tangent                 and their tangents: texture_tangent.hpp
 ///
-/// Sum and product are computed in double precision, and the result is rounded to the 24 bits of a float, by the same
-/// operations everywhere. So equal sums give equal floats. The frame's products are then exact, whether or not a
-/// compiler fuses them with additions (FMA). If the frame's axes are not parallel to the coordinate axes, the sum of
-/// the products is rounded once more.
+/// Sum and product are computed in double precision, and the result is rounded to the 24 bits of a float. The
+/// operations are identical everywhere, so equal sums give equal floats. Because of this rounding the frame's products
+/// are exact, whether or not a compiler fuses them with additions (FMA). If the frame's axes are not parallel to the
+/// coordinate axes, the sum of the products is rounded once more.
 struct placement {
     /// The position of a point of the plane z = 0, in the caller's axes; position() lifts it to a height.
     struct footprint {
@@ -49,13 +49,13 @@ struct placement {
     point texture_per_cell = {};  ///< box mapping: the growth of u and v per cell; 0 where the box has no extent
     typemesh::frame frame = {};
     glyph_id glyph = no_glyph;        ///< the glyph of vertices that want it
-    cluster_id cluster = no_cluster;  ///< its position in the caller's text, likewise
-    style_id style = no_style;        ///< the style of its look, likewise
+    cluster_id cluster = no_cluster;  ///< the glyph's position in the caller's text, for vertices that want it
+    style_id style = no_style;        ///< the style of the glyph's look, for vertices that want it
 
     /// The common part of a grid point's positions at all heights.
     [[nodiscard]] footprint foot(grid_point p) const noexcept { return foot(exact(p)); }
 
-    /// The same for a point in double precision, in cells.
+    /// The common part for a point in double precision, in cells.
     [[nodiscard]] footprint foot(point p) const noexcept
     {
         const double x = to_24_bits((p.x + pen.x) * unit_per_cell), y = to_24_bits((p.y + pen.y) * unit_per_cell);
@@ -64,7 +64,7 @@ struct placement {
                 as_double(f.right.z) * x + as_double(f.up.z) * y};
     }
 
-    /// A foot lifted to height z, given in output units.
+    /// The position of a foot lifted to height z, in output units.
     [[nodiscard]] vec3 position(footprint f, float z) const noexcept
     {
         const double height = as_double(z);
@@ -73,10 +73,10 @@ struct placement {
                 static_cast<float>(f.z + as_double(t.z) * height)};
     }
 
-    /// A grid point at height z, given in output units.
+    /// The position of a grid point at height z, in output units.
     [[nodiscard]] vec3 position(grid_point p, float z) const noexcept { return position(foot(p), z); }
 
-    /// Any point.
+    /// The position of any point.
     [[nodiscard]] vec3 position(const solid_point& p) const noexcept
     {
         return position(foot(point{p.x, p.y}), height(p.z));
@@ -88,11 +88,12 @@ struct placement {
     /// Cells per unit of heights.
     [[nodiscard]] double cells_per_depth() const noexcept { return unit_per_depth / unit_per_cell; }
 
-    /// A direction given in the text's own axes (x along the text, y up, z towards the reader), in the caller's.
+    /// Converts a direction from the text's own axes (x along the text, y up, z towards the reader) to the caller's
+    /// axes.
     [[nodiscard]] vec3 direction(vec3 d) const noexcept { return frame(d.x, d.y, d.z); }
     [[nodiscard]] vec3 direction(float x, float y, float z) const noexcept { return frame(x, y, z); }
 
-    /// A wall's normal, given in the plane, in the caller's axes.
+    /// Converts a wall's normal in the plane to the caller's axes.
     [[nodiscard]] vec3 normal(vec2 n) const noexcept
     {
         return {frame.right.x * n.x + frame.up.x * n.y, frame.right.y * n.x + frame.up.y * n.y,

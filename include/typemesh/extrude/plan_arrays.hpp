@@ -96,7 +96,7 @@ public:
     /// Empties all arrays; their storage is kept.
     void clear() noexcept { (detail::growing_array<Values>::values.clear(), ...); }
 
-    /// The arrays as they are now; growth invalidates it.
+    /// The arrays as they are now; growth invalidates the view.
     [[nodiscard]] view read() const noexcept
     {
         view all;

@@ -17,11 +17,11 @@ namespace typemesh::inline TYPEMESH_ABI {
 ///                        meaningless
 ///     S::leaves_caps_alone   optional, only with shares_caps: the caps' vertices keep the caps' normals, and the
 ///                        walls use them unchanged; the sides are then not requested
-///     s(filled, sides)   sets before, after and doubled of sides[i] for every point i of filled.points(); both have
-///                        the same number of elements. Everything else has its default value.
+///     s(filled, sides)   sets before, after and doubled of sides[i] for every point i of filled.points(); both arrays
+///                        are equally long. All other members have their default values.
 ///
-/// Available: cap_normals, shared_normals, averaged_normals, creased_normals, curve_normals. Options out of range give
-/// error::bad_option, also for an empty region.
+/// The library has cap_normals, shared_normals, averaged_normals, creased_normals and curve_normals. Options out of
+/// range give error::bad_option, also for an empty region.
 template <class S>
 concept side_normals = requires(const S& s, const region& filled, array_view<side_point> sides) {
     { S::shares_caps } -> std::convertible_to<bool>;

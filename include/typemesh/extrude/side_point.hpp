@@ -16,10 +16,11 @@ namespace typemesh::inline TYPEMESH_ABI {
 struct side_point {
     vec2 before;
     vec2 after;
-    float along = 0.0f;    ///< length of the contour from its seam to this point, in cells or in the texture mapping's
-                           ///< measure; at the seam, for the wall before
-    bool doubled = false;  ///< has a vertex pair for each of its two walls
-    bool seam = false;     ///< `along` restarts for the wall after, as the mapping says; the point is doubled
+    float along = 0.0f;    ///< the length of the contour from its seam to this point, in cells or in the texture
+                           ///< mapping's measure; at the seam, the value for the wall before
+    bool doubled = false;  ///< whether the point has a vertex pair for each of its two walls
+    bool seam = false;     ///< whether `along` restarts for the wall after, as the mapping says; the point is then
+                           ///< doubled
 };
 
 }  // namespace typemesh::inline TYPEMESH_ABI

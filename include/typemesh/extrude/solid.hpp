@@ -10,7 +10,7 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// One planned solid, which its extruder receives to write it.
+/// One planned solid, which is passed back to its extruder for writing.
 ///
 ///     points, starts    the region's (region.hpp)
 ///     triangles         its cap, indices into points
@@ -34,11 +34,12 @@ struct solid_with : solid {
 struct solid_plan {
     part_sizes sizes;
     box around = {};
-    bool narrowed = false;            ///< its edges moved less than wanted because farther edges were not proven, or
-                                      ///< less than half as far in order to fit
-    bool touching = false;            ///< corners touch that should have been parted or joined
-    std::uint32_t corners_moved = 0;  ///< corners that were parted or joined; see contours::corners
-    std::uint32_t lost_caps = 0;      ///< pieces smaller than a tolerance that have no cap in spite of bevel_mode::fit
+    bool narrowed = false;            ///< whether its edges moved less than wanted because edges farther away were not
+                                      ///< proven simple, or less than half as far in order to fit
+    bool touching = false;            ///< whether corners touch that should have been separated or joined
+    std::uint32_t corners_moved = 0;  ///< the number of corners that were separated or joined; see contours::corners
+    std::uint32_t lost_caps = 0;      ///< the number of components smaller than a tolerance that have no cap in spite
+                                      ///< of bevel_mode::fit
 };
 
 /// A solid with the result of its extruder's plan().

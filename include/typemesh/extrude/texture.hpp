@@ -19,11 +19,11 @@ namespace typemesh::inline TYPEMESH_ABI {
 ///                   one text, and for formats limited to [0, 1]
 ///     em            the default: one texture tile is one em wide and high, everywhere, so coordinates go beyond [0, 1]
 ///                   caps    x and y from the text's origin
-///                   walls   u = distance along the contour from its seam, in its own direction; v runs from 1 at the
-///                           front down to 1 - depth (in em), so that an upright image is upright on a wall whose front
-///                           edge is its top
-///     cylindrical   like em, but u runs from 0 to 1 once along each contour, like a label around a can: a picture
-///                   whose sides match has no seam on any letter
+///                   walls   u is the distance from the contour's seam, in the contour's direction; v runs from 1 at
+///                           the front down to 1 - depth (in em), so an image is upright if the wall's front edge is
+///                           at the top
+///     cylindrical   like em, but u runs from 0 to 1 once around each contour, like a label around a can. A picture
+///                   whose left and right sides match has no visible seam on any letter
 ///
 /// Each mapping is a small type below, a wall_mapping. It places the walls' seams when they are planned, and computes
 /// u, v and tangent when they are written. A new mapping needs such a type, its name here and in texture_mappings, and
@@ -36,7 +36,8 @@ inline constexpr texture_mapping texture_mappings[] = {texture_mapping::box, tex
 
 /// Texture coordinates of points by their position in the plane.
 ///
-/// The upper edge of a box gives exactly 1 (and 0 flipped): the product is rounded to 32 bits before it is flipped.
+/// The upper edge of a box has v = 1 exactly, or 0 if v is flipped: the product is rounded to 32 bits before v is
+/// flipped.
 class planar_texture {
 public:
     planar_texture(texture_mapping mapping, const placement& at) noexcept
@@ -49,14 +50,14 @@ public:
 
     [[nodiscard]] vec2 operator()(grid_point p) const noexcept { return (*this)(placement::exact(p)); }
 
-    /// The same for any point, in cells; a grid point's to the bit.
+    /// The coordinates of any point, in cells; for a grid point, the result is bit for bit as above.
     [[nodiscard]] vec2 operator()(point p) const noexcept
     {
         return {static_cast<float>((p.x + pen_.x) * per_cell_.x),
                 turned(static_cast<float>((p.y + pen_.y) * per_cell_.y))};
     }
 
-    /// v as written, from v growing upwards.
+    /// Converts a v that grows upwards to the v that is written.
     [[nodiscard]] float turned(float v) const noexcept { return base_ + sign_ * v; }
 
 private:
@@ -92,15 +93,15 @@ private:
 
 /// The data of a wall's or bevel's vertex that a mapping needs.
 struct wall_place {
-    point at;             ///< in the plane, in cells
+    point at;             ///< the point in the plane, in cells
     float along;          ///< side_point::along
     float v;              ///< from wall_texture
     vec2 outward;         ///< the normal in the plane
     vec3 normal{};        ///< the whole normal, in the text's own axes: only for bevels
     float facing = 1.0f;  ///< 1 on the front's bevel, -1 on the back's
-    bool upright = true;  ///< on a wall or a riser
+    bool upright = true;  ///< whether the place is on a wall or a riser
 
-    /// The same at another v.
+    /// This place with another v.
     [[nodiscard]] wall_place with_v(float other) const noexcept
     {
         wall_place p = *this;
@@ -112,7 +113,7 @@ struct wall_place {
 // A wall_mapping M:
 //
 //     M::plan(filled, sides)     places the seams of contours when a glyph is planned: changes `along`, `seam` and
-//                                `doubled` of all side_points of a region (lit but not measured), and
+//                                `doubled` of all side_points of a region (with normals, without lengths), and
 //                                returns the number of doubled points. measure_sides() does it for lengths.
 //     M::after_seam(along)       `along` of the wall after a seam, from `along` of the wall before it
 //     M::max_apart(em)           the largest difference in `along` between corners of a bevel that share a vertex;

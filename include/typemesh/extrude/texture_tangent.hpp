@@ -11,7 +11,7 @@ namespace typemesh::inline TYPEMESH_ABI {
 ///
 ///     x, y, z   unit length, perpendicular to the vertex's normal: the direction in which u grows
 ///     w         +1 or -1: w * cross(normal, tangent), computed in the caller's own coordinates, is the direction in
-///               which v grows, as v is written. So it changes with uv_origin, and with a frame that mirrors
+///               which v grows, as v is written. It therefore changes with uv_origin, and with a left-handed frame
 ///
 ///          caps       u grows along the text, in all mappings; also on the back, where the text is seen from behind.
 ///                     With shared_normals they lean: the tangent is the text's direction without its component along

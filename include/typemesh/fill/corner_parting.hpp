@@ -21,16 +21,16 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// Parts or joins the corners where the boundary of a region touches itself. Afterwards no two cycles share a point,
-/// and no cycle passes through a point twice.
+/// Separates or joins the corners where the boundary of a region touches itself. Afterwards no two cycles share a
+/// point, and no cycle passes through a point twice.
 ///
 ///        |::::            |::::            |:::::        A small diamond around each such point is removed from the
 ///     ---+----    or    --' .--    or    --' .---        region (part) or added to it (join). The result is resolved
 ///     :::|              ::.'             :::/            like any contours, so it is proven like any region.
 ///
-/// The diamond reaches 4 cells from the point, or 2^-15 em if that is more. If a gap narrows to less than a cell, its
+/// The diamond reaches 4 cells from the point, or 2^-15 em if this is more. If a gap narrows to less than a cell, its
 /// sides meet again a little farther along; the next diamond there is twice as large, up to 128 cells or 2^-10 em.
-/// Corners that still touch are then treated the other way: a slit that cannot be opened is filled.
+/// Corners that still touch then get the opposite treatment: a slit that cannot be opened is filled.
 ///
 ///     corner_parting parting;
 ///     auto filled = parting(loops, curves, space);     // loops bound a region whose boundary touches itself
@@ -38,7 +38,7 @@ namespace typemesh::inline TYPEMESH_ABI {
 /// The new edges are straight. Each has its own curve, a line, which is appended to `curves`.
 class corner_parting {
 public:
-    /// Replaces `loops`. As in every region, they have the interior on their left; loops.curves are `curves`.
+    /// Replaces `loops`. As in every region, the loops have the interior on their left; loops.curves are `curves`.
     /// loops.corners selects the treatment; touching::keep changes nothing.
     ///
     /// The region may be empty: specks smaller than a diamond may vanish.
@@ -52,8 +52,9 @@ public:
     /// The reach of the smallest diamonds, in cells.
     [[nodiscard]] static double reach(const grid& g) noexcept { return smallest(g); }
 
-    std::uint32_t corners = 0;    ///< after a call: points through which the boundary passed more than once
-    bool still_touching = false;  ///< after a call: some of them could not be treated
+    std::uint32_t corners = 0;    ///< after a call: the number of points through which the boundary passed more than
+                                  ///< once
+    bool still_touching = false;  ///< after a call: whether some of these points could not be treated
 
 private:
     static constexpr int doublings = 6;
@@ -67,7 +68,7 @@ private:
         return size;
     }
 
-    /// The points through which the loops pass more than once, each listed once. Null if out of memory.
+    /// Finds the points through which the loops pass more than once, and lists each point once. Null if out of memory.
     [[nodiscard]] static grid_point* find(contours& loops, workspace::scope& scratch, workspace& space,
                                           std::uint32_t& found) noexcept
     {
@@ -83,7 +84,7 @@ private:
         return centres;
     }
 
-    /// False if out of memory.
+    /// Adds a diamond around a point. False if out of memory.
     static bool add_diamond(contours& loops, buffer<curve>& curves, grid_point at, std::int32_t size) noexcept
     {
         const auto room = [](std::int32_t v) noexcept { return frame - (v < 0 ? -v : v); };
@@ -100,7 +101,7 @@ private:
         return loops.starts.push_back(static_cast<std::uint32_t>(loops.points.size()));
     }
 
-    /// Reverses all loops. Within a frame they then bound the outside of the region.
+    /// Reverses all loops. Within the square that add_frame() adds, they then bound the outside of the region.
     static void turn(contours& loops) noexcept
     {
         for (std::uint32_t k = 0; k < loops.contour_count(); ++k) {
@@ -109,14 +110,14 @@ private:
         }
         loops.forget_order();
     }
-    /// False if out of memory.
+    /// Adds a square as large as the grid. False if out of memory.
     static bool add_frame(contours& loops) noexcept
     {
         for (const grid_point p : {grid_point{-frame, -frame}, {frame, -frame}, {frame, frame}, {-frame, frame}})
             if (!loops.points.push_back(p) || !loops.edges.push_back({})) return false;
         return loops.starts.push_back(static_cast<std::uint32_t>(loops.points.size()));
     }
-    /// Removes the frame.
+    /// Removes this square.
     static void leave_frame(contours& loops) noexcept
     {
         std::uint32_t kept = 0;
@@ -149,7 +150,7 @@ result<region> corner_parting::operator()(contours& loops, buffer<curve>& curves
     const resolve_options how{.max_pieces = max_pieces};
     const std::int32_t first = smallest(loops.grid);
     if (loops.corners == touching::keep) return resolve(loops, fill_rule::non_zero, space, how);
-    bool has_room = true;  // for the frame
+    bool has_room = true;  // whether the square of add_frame() fits
     for (const grid_point p : loops.points)
         has_room = has_room && p.x > -frame && p.x < frame && p.y > -frame && p.y < frame;
     std::uint32_t holes = 0, outers = 0;

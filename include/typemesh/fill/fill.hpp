@@ -11,12 +11,12 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// The region that the contours fill under `rule`. If they do not meet, nest() makes it and leaves their points
-/// unchanged; otherwise resolve() makes it. nest() itself finds out whether they meet.
+/// The region that the contours fill under `rule`. If the contours do not meet, nest() makes the region and leaves
+/// their points unchanged; otherwise resolve() makes it. nest() itself finds out whether the contours meet.
 ///
 /// Replaces `loops`; the result may be an empty region.
 ///
-///     how    for contours that meet: see resolve()
+///     how    the options for contours that meet: see resolve()
 ///
 /// Fails  error::too_many_pieces, for contours that meet: more than how.max_pieces points, crossings or pieces
 ///        error::too_large, error::out_of_memory; `loops` is then unchanged

@@ -10,9 +10,9 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// Two edges of the contours, and the grid point where they cross or where one ends on the other.
+/// Two edges of the contours, and the grid point where the edges cross or where one edge ends on the other.
 ///
-///     a.from ---.__                        These are the edges of the contours, not the pieces that they are cut into.
+///     a.from ---.__                        These are whole edges of the contours, not pieces between crossings.
 ///     b.from ____  '--.__                  Two edges that only share an end do not intersect in this sense: the shared
 ///                '-----x-------- b.to      point lies on the curves of both.
 ///                        '---.__ a.to
@@ -35,7 +35,8 @@ concept intersection_filter = requires(J& filter, const intersection& m) {
     { filter(m) } noexcept -> std::same_as<bool>;
 };
 
-/// Refers to a filter of any type, which must outlive it. A default-constructed reference accepts everything.
+/// Refers to a filter of any type, which must outlive the reference. A default-constructed reference accepts
+/// everything.
 class intersection_filter_ref {
 public:
     constexpr intersection_filter_ref() noexcept = default;
@@ -75,7 +76,8 @@ namespace detail {
     return (m.a.ends_in(at) && m.b.ends_in(at)) || filter(m);
 }
 
-/// Filters the point where the boundary passes from one segment to another, if it is an intersection.
+/// Passes the point where the boundary goes from one segment to another to the filter, if this point is an
+/// intersection.
 [[nodiscard]] inline bool filter_change(const arrangement& a, const segment& s, const segment& t, grid_point at,
                                         intersection_filter_ref filter) noexcept
 {
@@ -84,10 +86,11 @@ namespace detail {
     return may_intersect(a, s, t, at, filter);
 }
 
-/// Filters the intersections at each point between all edges that bound the filled area. False if out of memory.
+/// Passes to the filter, at each point, the intersections of all edges that bound the filled area. False if out of
+/// memory.
 ///
-/// If more than 16 edges pass through one point, all are accepted: nothing there is accidental, and there would be many
-/// pairs.
+/// If more than 16 edges pass through one point, all intersections there are accepted: so many edges do not meet by
+/// accident, and there would be many pairs.
 [[nodiscard]] inline bool filter_touches(const arrangement& a, workspace& space, intersection_filter_ref filter,
                                          bool& all_accepted) noexcept
 {

@@ -24,8 +24,9 @@ namespace typemesh::inline TYPEMESH_ABI {
 ///     |  '-----------'  |        |                 |
 ///     '-----------------'        '-----------------'
 ///
-/// Works in place: contours that are not boundary are removed from `loops`. Contours with the interior on their right
-/// are reversed (points and edges). The others keep their order. The result may be an empty region.
+/// Works in place: contours that are not part of the boundary are removed from `loops`. Contours with the interior on
+/// their right are reversed (points and edges). The remaining contours keep their order. The result may be an empty
+/// region.
 ///
 /// Fails  error::crossing_contours: two edges cross, touch or overlap (neighbours in a contour may share only their
 ///        common point), or a contour has one or two points

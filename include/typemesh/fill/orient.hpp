@@ -35,8 +35,8 @@ inline void reverse_contour(array_view<grid_point> points, array_view<contour_ed
 /// Reverses all contours together if the sum of their signed areas is negative. TrueType winds outer contours
 /// clockwise, PostScript counter-clockwise; a region has its interior on the left.
 ///
-/// This is a guess for simple outlines, from exact sums. It may be wrong if contours overlap or disagree in direction;
-/// a proving triangulator then refuses them, and fill() finds the truth. O(n), no allocation.
+/// This is a guess for simple outlines, from exact sums. The guess may be wrong if contours overlap or disagree in
+/// direction; a proving triangulator then refuses the contours, and fill() resolves them. O(n), no allocation.
 inline void orient(contours& loops) noexcept
 {
     std::int64_t high = 0, low = 0;  // 2^32 high + low: a sum of 2^32 terms below 2^58 needs more than 64 bits

@@ -43,8 +43,8 @@ struct loop_extent {
     return made;
 }
 
-/// Whether the loop winds around the points just left of p. Counts crossings of the ray from there to the left; the ray
-/// meets an edge at its lower end but not at its upper end.
+/// Whether the loop winds around the points just left of p. Counts the edges that the ray from there to the left
+/// crosses; the lower end of an edge counts as part of the edge, the upper end does not.
 [[nodiscard]] inline bool winds_left_of(const region& r, std::uint32_t loop, grid_point p) noexcept
 {
     const auto points = r.points();
@@ -76,11 +76,11 @@ struct loop_extent {
 ///     out    r.loop_count() numbers
 ///
 /// The interior around a hole lies just left of the hole's leftmost point, even if the hole touches other loops there.
-/// Of all outer loops around that place, the hole belongs to the smallest.
+/// The hole belongs to the smallest of all outer loops around this place.
 ///
 /// Fails  error::out_of_memory
-/// Cost   O(n); for each hole also a test of all boxes, and of the points of the outer loops whose boxes contain it;
-///        neither if there is one outer loop
+/// Cost   O(n). Each hole is also tested against all boxes, and against the points of the outer loops whose boxes
+///        contain the hole; if there is only one outer loop, neither test is needed
 /// Space  32 bytes per loop from `space`
 /// Exact  in 64 bits
 [[nodiscard]] inline result<void> outer_of(const region& r, workspace& space, array_view<std::uint32_t> out) noexcept

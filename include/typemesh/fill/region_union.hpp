@@ -23,14 +23,14 @@ namespace typemesh::inline TYPEMESH_ABI {
 ///      |   ++--++   |             |             |       join(space)           makes the union
 ///      +----+b +----+             +-------------+       member_of(curve)      the member that a curve comes from
 ///
-/// The members' curves are copied and renumbered; edges of the union refer to them. If boundaries of several members
-/// coincide, the edge belongs to the first of these members. Crossings between members count as real, however shallow.
-/// The tolerance is the members' largest. Memory is kept for the next group.
+/// The members' curves are copied and renumbered, and the edges of the union refer to the copies. If boundaries of
+/// several members coincide, the edge belongs to the first of these members. Crossings between members count as real,
+/// however shallow they are. The tolerance is the largest tolerance of a member. Memory is kept for the next group.
 class region_union {
 public:
     explicit region_union(memory source = heap()) noexcept : loops_{source}, curves_{source}, first_curves_{source} {}
 
-    /// Removes all members. `corners` selects the treatment of corners of the union that touch.
+    /// Removes all members. `corners` selects the treatment of the union's corners that touch.
     void begin(const grid& onto, touching corners = touching::keep) noexcept
     {
         loops_.clear();
@@ -42,8 +42,8 @@ public:
 
     /// Adds a region. Each of its points p is placed at scale * p + (x, y), rounded to the grid.
     ///
-    ///     scale    cells of this grid per cell of the region's own grid. It is a power of two if both come from fonts
-    ///              of equal units per em; with 1 nothing is rounded
+    ///     scale    cells of this grid per cell of the region's own grid. The scale is a power of two if both grids
+    ///              come from fonts with equal units per em; at scale 1 nothing is rounded
     ///
     /// Fails  error::outline_beyond_grid: a point would be farther than grid::reach from 0
     ///        error::too_large: 2^32 - 1 points or curves or more
@@ -62,9 +62,10 @@ public:
         return e;
     }
 
-    /// The region that the members fill together. It lies in this group's memory and is valid until the next begin().
+    /// The region that the members fill together. The region lies in this group's memory and is valid until the next
+    /// begin().
     ///
-    ///     parting    receives the number of corners that touch, and whether some still do
+    ///     parting    receives the number of corners that touched, and whether some of them still touch
     ///
     /// Fails  as resolve() and corner_parting do
     template <class = void>  // see resolve()
@@ -83,7 +84,7 @@ public:
         return join(space, max_pieces, unread);
     }
 
-    /// The number of curves of the members. Curves beyond it belong to corners that were parted or joined.
+    /// The number of curves of the members. Curves with higher numbers belong to corners that were separated or joined.
     [[nodiscard]] std::size_t curve_count() const noexcept { return curves_.size(); }
 
     /// The member that a curve of the union comes from: 0 for the first member added.
@@ -122,7 +123,7 @@ private:
 
     contours loops_;
     buffer<curve> curves_;
-    buffer<std::uint32_t> first_curves_;  // of each member
+    buffer<std::uint32_t> first_curves_;  // the number of each member's first curve
 };
 
 }  // namespace typemesh::inline TYPEMESH_ABI

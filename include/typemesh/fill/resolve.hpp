@@ -21,9 +21,9 @@ namespace typemesh::inline TYPEMESH_ABI {
 
 /// The work that resolve() did, for diagnosis.
 struct resolve_effort {
-    std::uint32_t sweeps = 0;  ///< over the arrangement; nearly always one
-    std::uint32_t rounds = 0;  ///< of snap rounding: none or one
-    std::uint32_t pieces = 0;  ///< that the edges were cut into: n + k
+    std::uint32_t sweeps = 0;  ///< the number of sweeps over the arrangement; nearly always one
+    std::uint32_t rounds = 0;  ///< the number of rounds of snap rounding: none or one
+    std::uint32_t pieces = 0;  ///< the number of pieces into which the edges were divided: n + k
 };
 
 /// The options of resolve().
@@ -34,7 +34,8 @@ struct resolve_options {
 
 namespace detail {
 
-/// One resolve(), step by step. All intermediate results are scratch memory that ends with this object.
+/// One resolve(), step by step. All intermediate results lie in scratch memory that this object gives back when it is
+/// destroyed.
 class resolving {
 public:
     resolving(contours& loops, fill_rule rule, workspace& space, const resolve_options& how) noexcept
@@ -42,7 +43,7 @@ public:
     {
     }
 
-    /// Cuts the contours' edges where they cross: by a sweep if that suffices, otherwise by snap rounding.
+    /// Divides the contours' edges where they cross: by a sweep if a sweep suffices, otherwise by snap rounding.
     [[nodiscard]] error cut() noexcept
     {
         bool is_cut = false;
@@ -75,7 +76,7 @@ private:
     /// Runs one sweep or two; `is_cut` is false if they do not suffice.
     [[nodiscard]] error cut_by_sweep(bool& is_cut) noexcept
     {
-        constexpr std::size_t bytes_per_piece = 144;  // of the arrangement (84) and its sweep
+        constexpr std::size_t bytes_per_piece = 144;  // the bytes of the arrangement (84) and of its sweep
         constexpr int max_sweeps = 2;
         const std::size_t n = loops_.points.size(), most = n + n / 8 + 48;
         if (!scratch_.reserve(bytes_per_piece * most) || !sort_points(loops_, space_) ||
@@ -131,34 +132,37 @@ private:
 
 /// The region that any closed polylines fill under `rule`, however they cross, touch, overlap or double back.
 ///
-///      .------.                .------.            Input may have crossings, corners on edges, shared edges, doubled
-///      |   .--|---.            |      '---.        contours, spikes, edges without length, contours of one point, any
-///      |   |  |   |     ->     |          |        nesting, any winding number. If boundaries touch in a point, each
-///      '---|--'   |            '---.      |        cycle stays in its own sector of interior: a hole joins the outer
-///          '------'                '------'        loop that it touches, touching holes join, outer loops stay apart.
+///      .------.                .------.            Input may have crossings, corners on edges, shared edges, spikes,
+///      |   .--|---.            |      '---.        repeated contours, edges of length zero, contours of one point, any
+///      |   |  |   |     ->     |          |        nesting and any winding number. Where boundaries touch in a point,
+///      '---|--'   |            '---.      |        each cycle stays in its own sector of interior: a hole joins the
+///          '------'                '------'        outer loop that it touches, touching holes join each other, and
+///                                                  touching outer loops stay separate.
 ///
 /// Replaces `loops`; the result may be an empty region. Edges keep their curve and t; if several edges coincide, the
-/// curve with the lowest number wins. t0 > t1 if an edge runs against its curve. Points of the contours that lie on the
-/// boundary stay; points are added only where edges are cut. The region's points are sorted: see region::order().
+/// curve with the lowest number is kept. t0 > t1 if an edge runs against its curve. Points of the contours that lie on
+/// the boundary stay; points are added only where edges cross or touch. The region's points are sorted: see
+/// region::order().
 ///
 /// Crossings are rounded to the grid. The boundary stays within about 1.5 cells of the contours' edges. Every place
-/// farther from all edges than that is filled as the rule says, and so are all others if all crossings are grid points.
+/// farther than this from all edges is filled as the rule says. If all crossings are grid points, every other place is,
+/// too.
 ///
-/// The result, as a set of cyclic sequences of points, depends only on the set of edges. It does not depend on where
-/// contours begin, on their order, or on their direction if all are reversed; under even_odd, not on the direction of
-/// any contour. It is the snap rounding of the edges (see snap_rounding.hpp). One fast sweep suffices if no point lies
-/// within about a cell of an edge that does not end in it: nearly always. Crossings are rounded half up in x and y, so
-/// a mirrored or rotated figure may be rounded differently.
+/// The result is a set of cyclic sequences of points, which depends only on the set of edges. Neither the starts nor
+/// the order of contours matter, nor whether all contours are reversed; under even_odd, no contour's direction matters.
+/// The result is the snap rounding of the edges (see snap_rounding.hpp). One fast sweep suffices unless a point lies
+/// within about a cell of an edge that does not end in it, which is rare. Crossings are rounded half up in x and y, so
+/// a mirrored or rotated figure may be rounded in another way.
 ///
-/// Fails  error::too_many_pieces: more than max_pieces points, crossings or pieces; returned as soon as it is known,
-///        after O(max_pieces log n) steps; a limit above 2^30 counts as 2^30. error::too_large: more than 2^29 points.
+/// Fails  error::too_many_pieces: more than max_pieces points, crossings or pieces. It is returned after at most
+///        O(max_pieces log n) steps. A limit above 2^30 counts as 2^30. error::too_large: more than 2^29 points.
 ///        error::out_of_memory. `loops` is then unchanged. (error::crossing_contours would be a bug in resolve().)
 /// Cost   O((n + k) log n) for n points and k crossings (k may be n^2 / 2): 50 to 70 ns per piece for letters. Snap
 ///        rounding costs about five times as much, including the first sweep, plus about sqrt(n + k) steps per edge to
-///        find the hot pixels on its way; an edge is cut in each of them.
-/// Memory at most 200 bytes per piece from `space`, and a block of 16 kB at least. Until the workspace has seen as many
-///        pieces, they lie in several blocks: up to 210 bytes per piece with snap rounding, and 32 kB. The order of the
-///        points takes 4 bytes per point in `loops`.
+///        find the hot pixels on its way; the edge gets a point in each of these pixels.
+/// Memory at most 200 bytes per piece from `space`, in a block of at least 16 kB. When a workspace holds so many pieces
+///        for the first time, it needs several blocks: up to 210 bytes per piece with snap rounding, and 32 kB. The
+///        order of the points takes 4 bytes per point in `loops`.
 /// Exact  in 64 bits; from equal grid points every compiler makes the same region (except t, which is floating point)
 ///
 /// `filter` is called for intersections on the boundary of the filled area: two contour edges cross, or one ends on the

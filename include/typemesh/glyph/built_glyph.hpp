@@ -17,13 +17,15 @@ namespace typemesh::inline TYPEMESH_ABI {
 
 /// The result of building one glyph, while it is still in the builder's scratch memory: see glyph_builder.
 struct glyph_draft {
-    solid form;                          ///< all empty for a blank glyph and for a refused one
+    solid form;                          ///< the solid; all its arrays are empty for a blank glyph and for a refused
+                                         ///< glyph
     solid_outline drawn;                 ///< the glyph as drawn, if a step has changed it; otherwise empty
     bool merged_as_drawn = false;        ///< whether `drawn` decides which glyphs are merged with it: see
                                          ///< stepped_region
     solid_plan plan;                     ///< the extruder's plan for writing it
     double cells = 512.0;                ///< its grid's cells per font unit
-    error refusal;                       ///< the reason why the glyph cannot be built; none if it can, or is blank
+    error refusal;                       ///< the reason why the glyph cannot be built; error::none if it can be built,
+                                         ///< or is blank
     const plan_scratch* data = nullptr;  ///< the extruder's plan data; null if it has none
 };
 
@@ -75,11 +77,11 @@ public:
     }
     /// Whether its bevel is narrower than requested: see solid_plan.
     [[nodiscard]] bool is_narrowed() const noexcept { return plan_.narrowed; }
-    /// The number of its corners that were parted or joined: see contours::corners.
+    /// The number of its corners that were separated or joined: see contours::corners.
     [[nodiscard]] std::uint32_t corners_moved() const noexcept { return plan_.corners_moved; }
-    /// Whether corners touch that should have been parted or joined.
+    /// Whether corners touch that should have been separated or joined.
     [[nodiscard]] bool is_touching() const noexcept { return plan_.touching; }
-    /// The number of its pieces that have lost their caps: see solid_plan.
+    /// The number of its components that have lost their caps: see solid_plan.
     [[nodiscard]] std::uint32_t lost_caps() const noexcept { return plan_.lost_caps; }
     [[nodiscard]] double cells() const noexcept { return cells_; }
     /// The size of the grid's cells, in font units.
@@ -88,7 +90,7 @@ public:
     /// The bounding box in the plane of everything that is written, in cells and in font units. Meaningless without
     /// points.
     [[nodiscard]] const box& around() const noexcept { return plan_.around; }
-    /// The same in font units.
+    /// This box in font units.
     [[nodiscard]] box ink() const noexcept
     {
         return {font_units_per_cell_ * plan_.around.low, font_units_per_cell_ * plan_.around.high};
@@ -102,7 +104,7 @@ public:
     {
         return refused_ ? *reinterpret_cast<const error*>(this + 1) : error{};
     }
-    /// Nothing to draw, and not refused.
+    /// Whether there is nothing to draw although the glyph was not refused.
     [[nodiscard]] bool is_blank() const noexcept { return form_.points.empty() && !refused_; }
 
 private:

@@ -32,14 +32,14 @@ namespace typemesh::inline TYPEMESH_ABI {
 /// The fill rule of a cap_builder, and its limits.
 struct cap_settings {
     fill_rule rule = fill_rule::non_zero;
-    std::uint32_t max_pieces = default_max_pieces;  ///< the limit of pieces into which crossing contours are cut; see
-                                                    ///< resolve()
-    std::uint32_t max_points = default_max_points;  ///< the limit of points into which curves are flattened
-    touching corners = touching::keep;              ///< the action of part()
+    std::uint32_t max_pieces = default_max_pieces;  ///< the greatest number of pieces into which crossings may divide
+                                                    ///< the contours; see resolve()
+    std::uint32_t max_points = default_max_points;  ///< the greatest number of points for flattened curves
+    touching corners = touching::keep;              ///< the treatment of touching corners in part()
 };
 
-/// Makes caps: the region that curves or contours fill, with its triangles. Owns the contours, the order of their
-/// points, the triangles, and the scratch memory for all this, which is kept for the next cap.
+/// Makes caps: the region that curves or contours fill, with its triangles. It owns the contours, the order of their
+/// points, the triangles, and the scratch memory for making them, which is kept for the next cap.
 ///
 ///     curves -- flatten --> loops() -- prove --------------------------> region + triangles()
 ///                  ^                     + refuses -> resolve -> cap ------>
@@ -51,10 +51,10 @@ struct cap_settings {
 ///     caps.loops() = ...;                                                                          // or from here on
 ///     auto filled = caps.fill({fill_rule::even_odd}, monotone{});
 ///
-/// Simple outlines, which are nearly all, take one sweep. Outlines that only touch in points take at most two. The
-/// points of an outline that crosses itself are sorted once for all sweeps (of a round, see refine()). A region is
-/// valid until the next build(), fill(), flatten(), prove() or trim(), or until loops() change; cap() does not change
-/// it. A builder serves one thread at a time.
+/// Simple outlines take one sweep; nearly all outlines are simple. Outlines that only touch in points take at most two
+/// sweeps. The points of an outline that crosses itself are sorted once for all sweeps (of a round, see refine()). A
+/// region is valid until the next build(), fill(), flatten(), prove() or trim(), or until loops() change; cap() does
+/// not change it. A builder serves one thread at a time.
 class cap_builder {
 public:
     explicit cap_builder(memory source = heap()) noexcept : space_{source}, loops_{source}, triangles_{source} {}
@@ -83,7 +83,7 @@ public:
         return refine(curves, tolerance, cells, how, with);
     }
 
-    /// The region that build() made, after its touching corners are parted or joined as loops() says: see
+    /// The region that build() made, after its touching corners are separated or joined as loops() says: see
     /// corner_parting.
     ///
     ///     curves    the curves given to build(); more may be appended
@@ -145,7 +145,7 @@ public:
         triangles_.clear();
         return cap(r, how, triangles_);
     }
-    /// The same, but appends to `out`; triangles() stay. See cut_region().
+    /// Appends the triangles of any region to `out`; triangles() do not change. See cut_region().
     [[nodiscard]] result<void> cap(const region& r, triangulator_ref how, triangle_list& out) noexcept
     {
         return how.cut(r, space_, out);
@@ -208,12 +208,13 @@ private:
         return made;
     }
 
-    /// Curves are flattened more finely (see crossing_refinement.hpp) if their chords cross or touch, but the curves do
-    /// not, or do so more than 4 tolerances away. Then everything is repeated; often the outline is now simple.
+    /// Curves are flattened more finely (see crossing_refinement.hpp) if their chords cross or touch, but the curves
+    /// themselves do not, or do so only more than 4 tolerances away. Then everything is repeated; often the outline is
+    /// now simple.
     ///
-    /// Cost   each round as much as the first; there are hardly ever two rounds, and never more than 12. The last round
-    ///        begins when the contours have been cut into more than `max_pieces` pieces, or into more than 2,048
-    ///        plus four times the first round's pieces. Doubtful intersections are then accepted.
+    /// Cost   each round costs as much as the first; there are hardly ever two rounds, and never more than 12. The last
+    ///        round begins when crossings have divided the contours into more than `max_pieces` pieces, or into more
+    ///        than 2,048 plus four times the first round's pieces. Doubtful intersections are then accepted.
     [[nodiscard]] result<region> refine(const outline& curves, double tolerance, const grid& cells,
                                         const cap_settings& how, const cap_policies& with) noexcept
     {
@@ -244,7 +245,7 @@ private:
     workspace space_;
     contours loops_;
     triangle_list triangles_;
-    resolve_effort resolved_;  // of the last round
+    resolve_effort resolved_;  // the effort of the last round
     refinement_effort effort_;
 };
 

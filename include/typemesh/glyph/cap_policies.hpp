@@ -7,7 +7,8 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// The policies for building caps: one of each kind, and the observer of stages. It refers to them; none is copied.
+/// The policies for building caps: one policy of each kind, and the observer of stages. The structure refers to them;
+/// none is copied.
 ///
 ///     certified flatten;
 ///     monotone cut;

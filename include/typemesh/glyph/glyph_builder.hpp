@@ -26,9 +26,9 @@ namespace typemesh::inline TYPEMESH_ABI {
 struct glyph_settings {
     double tolerance = 0.0;                         ///< the largest distance between curve and mesh, in em
     std::optional<fill_rule> fill = {};             ///< replaces the outline source's own rule
-    std::uint32_t max_pieces = default_max_pieces;  ///< the limit of pieces into which crossing contours are cut; see
-                                                    ///< resolve()
-    std::uint32_t max_points = default_max_points;  ///< the limit of points into which curves are flattened, and of
+    std::uint32_t max_pieces = default_max_pieces;  ///< the greatest number of pieces into which crossings may divide
+                                                    ///< the contours; see resolve()
+    std::uint32_t max_points = default_max_points;  ///< the greatest number of points for flattened curves, and of
                                                     ///< curves
     touching corners = touching::keep;              ///< how touching corners are treated
 
@@ -44,8 +44,8 @@ concept recordable = requires(F& font, glyph_id id, outline& out) {
     { record(font, id, out, default_max_points) } noexcept -> std::same_as<result<void>>;
 };
 
-/// Builds one glyph from its outline: record, discretise, fill, triangulate, and the extruder's plan. Owns the scratch
-/// memory for this, which is kept for the next glyph. A builder serves one thread at a time.
+/// Builds one glyph from its outline: record, discretise, fill, triangulate, and the extruder's plan. It owns the
+/// scratch memory, which is kept for the next glyph. A builder serves one thread at a time.
 ///
 ///     glyph_builder builder;
 ///     auto draft = builder.build(font, id, {.tolerance = quality::high},
@@ -57,7 +57,8 @@ public:
     /// The glyph's draft, which is stored in this builder until its next call. A glyph that cannot be built is no
     /// failure here: its draft is empty and carries the reason.
     ///
-    /// Fails  with errors that concern more than the glyph: error::out_of_memory, bad_option, bad_tolerance, too_large
+    /// Fails  with errors that do not concern the glyph alone: error::out_of_memory, bad_option, bad_tolerance,
+    ///        too_large
     template <recordable Font>
     [[nodiscard]] result<glyph_draft> build(Font& font, glyph_id id, const glyph_settings& how,
                                             const policies& with) noexcept

@@ -31,10 +31,10 @@ struct no_lock {
 struct cache_statistics {
     std::uint64_t hits = 0;        ///< the number of successful find() calls
     std::uint64_t misses = 0;      ///< the number of unsuccessful find() calls
-    std::uint64_t evictions = 0;   ///< glyphs removed to keep within the bound
-    std::size_t entries = 0;       ///< glyphs held, blank and refused ones included
-    std::size_t bytes = 0;         ///< of their blocks, in total
-    std::size_t pinned = 0;        ///< entries that are pinned
+    std::uint64_t evictions = 0;   ///< the number of glyphs removed to keep within the bound
+    std::size_t entries = 0;       ///< the number of glyphs held, including blank and refused glyphs
+    std::size_t bytes = 0;         ///< the total size of their blocks, in bytes
+    std::size_t pinned = 0;        ///< the number of pinned entries
     std::size_t pinned_bytes = 0;  ///< the bytes of the pinned entries
 };
 
@@ -44,15 +44,16 @@ struct cache_statistics {
 ///     auto mesher = text_mesher{font}.with(cached_in{cache, 1});     // 1: your number for this font
 ///
 /// Glyphs are distinguished by id and glyph_context: font, variation, the look's face and map, tolerance, fill rule,
-/// max_pieces, max_points, policies with their options. Blank and refused glyphs are also kept, so nothing is tried
-/// twice.
+/// max_pieces, max_points, policies with their options. Blank and refused glyphs are also kept, so no glyph is built
+/// twice in vain.
 ///
-/// The results of find() and keep() are pinned: a pinned glyph stays unchanged and in place until release(), even if
-/// other users evict glyphs. The bound applies to all glyphs that are not pinned; the glyph released longest ago is
+/// Glyphs that find() and keep() return are pinned: a pinned glyph stays unchanged and in place until release(), even
+/// if other users evict glyphs. The bound applies to all glyphs that are not pinned; the glyph released longest ago is
 /// evicted first. Any number of threads may use the cache if Lock is a real lock. Each call is one short critical
 /// section; reading a pinned glyph needs no lock.
 ///
-/// Memory   one block per glyph, and the table; used only under the lock. clear() and the destructor return it.
+/// Memory   one block per glyph, and the table. The memory source is called only under the lock. clear() gives back all
+///          memory that no pinned glyph needs, the destructor everything.
 /// Cost     O(1) per call
 template <cache_lock Lock = no_lock>
 class glyph_cache {
@@ -94,13 +95,13 @@ public:
         TYPEMESH_ASSERT(numbers_.entries == 0, "a glyph_cache ended while plans still read its glyphs");
     }
 
-    /// A built glyph, pinned; null if it is not here.
+    /// Finds a built glyph and pins it; null if the cache does not hold it.
     [[nodiscard]] const built_glyph* find(const glyph_context& context, glyph_id id) noexcept
     {
         return find(context, context.hash(), id);
     }
 
-    /// The same for many glyphs of one context: `hash` is context.hash().
+    /// For many glyphs of one context: `hash` is context.hash().
     [[nodiscard]] const built_glyph* find(const glyph_context& context, std::uint64_t hash, glyph_id id) noexcept
     {
         const locked until_end{lock_};
@@ -111,8 +112,8 @@ public:
         return shape_of(e);
     }
 
-    /// Keeps a copy of the draft and returns it, pinned. If another thread was faster, its glyph is returned and
-    /// nothing is kept. Null if out of memory; then nothing has changed.
+    /// Keeps a copy of the draft and returns it, pinned. If another thread was faster, that thread's glyph is returned
+    /// and nothing is kept. Null if out of memory; then nothing has changed.
     [[nodiscard]] const built_glyph* keep(const glyph_context& context, glyph_id id, const glyph_draft& draft) noexcept
     {
         return keep(context, context.hash(), id, draft);
@@ -267,7 +268,7 @@ private:
 /// Refers to a glyph_cache with any lock, which must outlive it.
 class cache_ref {
 public:
-    cache_ref() noexcept = default;  ///< to no cache
+    cache_ref() noexcept = default;  ///< refers to no cache
     template <cache_lock Lock>
     cache_ref(glyph_cache<Lock>& cache) noexcept : cache_{&cache}, does_{&calls_of<Lock>}
     {
@@ -317,14 +318,14 @@ private:
     const calls* does_ = nullptr;
 };
 
-/// The option that makes a text_mesher use a cache: the cache, and the caller's number for the font. Your own fonts
-/// need different numbers if they share a cache. The adapters' fonts (all with variation_key()) are distinguished
-/// automatically, including their axes. The cache must outlive the mesher.
+/// The option that makes a text_mesher use a cache: the cache, and the caller's number for the font. Fonts of your own
+/// that share a cache need distinct numbers. The adapters' fonts have a variation_key(), which distinguishes them and
+/// their axis values automatically. The cache must outlive the mesher.
 struct cached_in {
     cache_ref cache;
     std::uint64_t font = 0;
 
-    cached_in() noexcept = default;  ///< in no cache
+    cached_in() noexcept = default;  ///< uses no cache
 
     template <cache_lock Lock>
     cached_in(glyph_cache<Lock>& c, std::uint64_t font_number) noexcept : cache{c}, font{font_number}

@@ -33,7 +33,7 @@ struct glyph_context {
 
     friend bool operator==(const glyph_context&, const glyph_context&) noexcept = default;
 
-    /// A hash. It almost always differs if the contexts differ.
+    /// A hash. Distinct contexts almost always have distinct hashes.
     [[nodiscard]] std::uint64_t hash() const noexcept
     {
         std::uint64_t h = 0;
@@ -55,7 +55,7 @@ struct glyph_context {
 
 /// The context of glyphs that glyph_builder builds with these policies.
 ///
-///     variation    of the font, see variation_of()
+///     variation    the key of the font's variation: see variation_of()
 [[nodiscard]] inline glyph_context context_of(std::uint64_t font_number, std::uint64_t variation,
                                               const glyph_settings& how, const policies& with) noexcept
 {

@@ -8,7 +8,7 @@
 namespace typemesh::inline TYPEMESH_ABI {
 
 /// The policies for building a glyph: one of each kind, the observer of stages, and the step before the solid, if any.
-/// It refers to them; none is copied.
+/// The structure refers to them; none is copied.
 ///
 ///     certified flatten;
 ///     monotone cut;

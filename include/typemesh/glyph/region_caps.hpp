@@ -12,12 +12,12 @@ namespace typemesh::inline TYPEMESH_ABI {
 /// The caps that an extruder's plan() requests, made by the text's own triangulator: the library's cap_maker.
 class region_caps {
 public:
-    /// For a region that `caps` has built; `further` makes regions of the loops that plan() finds.
+    /// Makes caps for a region that `caps` has built; `further` makes regions of the loops that plan() finds.
     region_caps(cap_builder& caps, cap_builder& further, triangulator_ref cut) noexcept
         : region_caps{caps, further, cut, caps.triangles().view()}
     {
     }
-    /// For another region that has these triangles.
+    /// Makes caps for another region, which has these triangles.
     region_caps(cap_builder& caps, cap_builder& further, triangulator_ref cut,
                 array_view<const triangle> triangles) noexcept
         : caps_{caps}, further_{further}, cut_{cut}, triangles_{triangles}

@@ -22,8 +22,8 @@ struct planned_draft {
     region filled;  ///< the step's region if there is a step
 };
 
-/// Lets an extruder plan the solid of a region, after the step if there is one. Owns the scratch memory for this, which
-/// is kept for the next glyph.
+/// Lets an extruder plan the solid of a region, after the step if there is one. It owns the scratch memory, which is
+/// kept for the next glyph.
 ///
 ///     region + its caps -- step --> region + caps -- raise --> draft
 class solid_planner {
@@ -42,7 +42,8 @@ public:
     /// call.
     ///
     ///     caps      the builder that made the region
-    ///     parted    the number of its corners that were parted or joined so far, and whether some still touch
+    ///     parted    the number of its corners that were separated or joined so far, and whether some corners still
+    ///               touch
     ///
     /// Fails  as the step and the extruder do
     [[nodiscard]] result<planned_draft> plan(const region& drawn, cap_builder& caps, const policies& with,

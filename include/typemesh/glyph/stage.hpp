@@ -13,7 +13,7 @@ namespace typemesh::inline TYPEMESH_ABI {
 enum class stage : std::uint8_t { shape, outline, discretise, fill, triangulate, extrude, idle };
 
 /// A function object that is called at every change of stage, for profilers and statistics: observe(stage) noexcept. It
-/// should be cheap: there are about six calls per glyph.
+/// should be cheap, because it is called about six times per glyph.
 ///
 /// A triangulator that proves (see triangulate/triangulator.hpp) does the work of fill on most glyphs. This work counts
 /// as triangulate.

@@ -11,11 +11,11 @@
 namespace typemesh::inline TYPEMESH_ABI::inspect {
 
 /// The faults that keep loops from being the boundary cycles of an area (see region.hpp). Loops may touch in points;
-/// there each pass must keep to its own sector of interior. Every faulty pair of edges is counted.
+/// there each pass must stay in its own sector of interior. Every faulty pair of edges is counted.
 struct boundary_check {
-    std::size_t short_loops = 0;      ///< fewer than three points
-    std::size_t repeated_points = 0;  ///< a point occurs twice in a row
-    std::size_t spikes = 0;           ///< a loop doubles back
+    std::size_t short_loops = 0;      ///< the number of loops with fewer than three points
+    std::size_t repeated_points = 0;  ///< how often a point occurs twice in a row
+    std::size_t spikes = 0;           ///< how often a loop doubles back
     std::size_t crossings = 0;        ///< pairs of edges that cross, or touch outside a common end
     std::size_t overlaps = 0;         ///< pairs of edges that are equal or overlap
     std::size_t strays = 0;           ///< pairs of edges at a common point where a cycle leaves its sector

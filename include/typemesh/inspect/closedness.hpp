@@ -18,7 +18,7 @@ namespace typemesh::inline TYPEMESH_ABI::inspect {
 ///        /  |  \         inside.
 ///       c---a---d
 struct closedness {
-    std::size_t triangles = 0;        ///< examined
+    std::size_t triangles = 0;        ///< the number of triangles examined
     std::size_t unmatched_edges = 0;  ///< directed edges that occur more often than their reverse
     std::size_t crowded_edges = 0;    ///< undirected edges with more than two faces
     std::size_t crowded_slanted = 0;  ///< crowded edges that are not parallel to the depth axis

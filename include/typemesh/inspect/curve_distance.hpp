@@ -13,9 +13,9 @@ namespace typemesh::inline TYPEMESH_ABI::inspect {
 
 /// The distance of a region's boundary from its curves, in cells (region::grid().cells per font unit).
 struct curve_distance {
-    std::size_t places = 0;  ///< tested places: every point, and the midpoint of every edge
-    std::size_t strays = 0;  ///< places that are farther than allowed from all curves
-    double farthest = 0.0;   ///< the largest distance: to the curve that the edge names, or where that is more than
+    std::size_t places = 0;  ///< the number of tested places: every point, and the midpoint of every edge
+    std::size_t strays = 0;  ///< the number of places that are farther than allowed from all curves
+    double farthest = 0.0;   ///< the largest distance to the curve that the edge names, or, where this is more than
                              ///< allowed, to the nearest curve
 };
 

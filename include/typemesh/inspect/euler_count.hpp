@@ -17,9 +17,9 @@ namespace typemesh::inline TYPEMESH_ABI::inspect {
 ///                                                                two holes
 struct euler_count {
     std::size_t places = 0;
-    std::size_t edges = 0;  ///< undirected, each counted once
+    std::size_t edges = 0;  ///< the number of undirected edges
     std::size_t triangles = 0;
-    std::size_t solids = 0;  ///< components connected by edges
+    std::size_t solids = 0;  ///< the number of components connected by edges
 
     /// places - edges + triangles: 2 for each solid without holes through it.
     [[nodiscard]] constexpr std::int64_t characteristic() const noexcept

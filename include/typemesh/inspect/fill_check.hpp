@@ -15,9 +15,9 @@ namespace typemesh::inline TYPEMESH_ABI::inspect {
 
 /// The number of compared places, and how many of them are filled wrongly.
 struct fill_check {
-    std::size_t places = 0;   ///< compared places
-    std::size_t skipped = 0;  ///< on the given contours or curves, or too near to them to decide
-    std::size_t wrong = 0;    ///< filled by mistake, or left unfilled by mistake
+    std::size_t places = 0;   ///< the number of compared places
+    std::size_t skipped = 0;  ///< the number of places on the given contours or curves, or too near to them to decide
+    std::size_t wrong = 0;    ///< the number of places filled or left unfilled by mistake
 };
 
 /// Compares the area that contours fill under a rule with the region made from them, at grid points in rows: by brute
@@ -71,7 +71,7 @@ struct fill_check {
 ///     kept       the region's loops
 ///     allowed    in cells, as for check_distance(); places nearer to a curve are skipped: both answers are right there
 ///     tries      the number of places
-///     seed       the same seed gives the same places
+///     seed       equal seeds give equal places
 ///
 /// Cost   O(tries * (n + chords))
 [[nodiscard]] inline fill_check check_fill(const curve_chords& given, fill_rule rule, const std::vector<loop>& kept,

@@ -95,7 +95,7 @@ struct slab_edge {
 /// as the resolved loops, unless rerouting makes new crossings.
 struct rerouted_loops {
     std::vector<std::vector<grid_point>> all;  ///< the loops, rerouted
-    double bent_length = 0.0;  ///< total length of the edges that are crossed off the grid points, in cells
+    double bent_length = 0.0;  ///< the total length of the edges with crossings that are not grid points, in cells
 
     [[nodiscard]] std::vector<loop> loops() const { return {all.begin(), all.end()}; }
 };

@@ -19,10 +19,12 @@ namespace typemesh::inline TYPEMESH_ABI::inspect {
 ///       -- p --       At a pinched point they form several fans: for example, two that meet in their tips. Programs
 ///        / | \        that compute with solids reject both kinds of fault.
 struct manifoldness {
-    std::size_t open_edges = 0;      ///< undirected edges with one face, or with two faces in one direction
-    std::size_t crowded_edges = 0;   ///< edges with more than two faces
-    std::size_t pinched_points = 0;  ///< positions whose faces form more than one fan
-    std::size_t bad_triangles = 0;   ///< two corners at one position, or a corner that is no vertex or not finite
+    std::size_t open_edges = 0;      ///< the number of undirected edges with one face, or with two faces in one
+                                     ///< direction
+    std::size_t crowded_edges = 0;   ///< the number of edges with more than two faces
+    std::size_t pinched_points = 0;  ///< the number of positions whose faces form more than one fan
+    std::size_t bad_triangles = 0;   ///< the number of triangles with two corners at one position, or with a corner
+                                     ///< that is no vertex or not finite
 
     /// Whether there is no fault of any kind.
     [[nodiscard]] constexpr bool is_manifold() const noexcept

@@ -10,12 +10,13 @@ namespace typemesh::inline TYPEMESH_ABI::inspect {
 
 /// The size of a mesh, in its own unit.
 struct mesh_measure {
-    double area = 0.0;    ///< of all triangles together
-    double volume = 0.0;  ///< enclosed by a closed mesh; negative if it is inside out. Meaningless for an open mesh
+    double area = 0.0;    ///< the area of all triangles together
+    double volume = 0.0;  ///< the volume that a closed mesh encloses; negative if the mesh is inside out. Meaningless
+                          ///< for an open mesh
 };
 
 /// Measures the area and the volume of a mesh. In a right-handed frame with counter-clockwise triangles the volume is
-/// positive; a mirroring frame changes its sign, and so do clockwise triangles (see vertex/frame.hpp). Triangles that
+/// positive; a left-handed frame changes its sign, and so do clockwise triangles (see vertex/frame.hpp). Triangles that
 /// are not drawable have no size.
 ///
 /// Cost   O(triangles); rounded like any sum in double precision

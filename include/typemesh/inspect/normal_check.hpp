@@ -11,12 +11,15 @@ namespace typemesh::inline TYPEMESH_ABI::inspect {
 
 /// The faults of a mesh's normals.
 struct normal_check {
-    std::size_t vertices = 0;         ///< tested vertices: all of the mesh
-    std::size_t not_unit = 0;         ///< normals that are not finite, or whose length differs too much from 1
+    std::size_t vertices = 0;         ///< the number of tested vertices: all vertices of the mesh
+    std::size_t not_unit = 0;         ///< the number of normals that are not finite, or whose length differs too much
+                                      ///< from 1
     double worst_length = 0.0;        ///< the largest difference of a finite normal's length from 1
-    std::size_t triangles = 0;        ///< triangles with an area: all drawable ones should have one
-    std::size_t against_winding = 0;  ///< of these, triangles that face away from the sum of their corners' normals
-    std::size_t inward_corners = 0;   ///< corners of these whose normal does not point out of the triangle's plane
+    std::size_t triangles = 0;        ///< the number of triangles with an area: all drawable triangles should have one
+    std::size_t against_winding = 0;  ///< the number of these triangles that face away from the sum of their corners'
+                                      ///< normals
+    std::size_t inward_corners = 0;   ///< the number of their corners whose normal does not point out of the triangle's
+                                      ///< plane
 
     /// Whether all normals have unit length and point out of every wall and cap.
     [[nodiscard]] constexpr bool is_right() const noexcept

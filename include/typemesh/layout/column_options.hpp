@@ -24,8 +24,8 @@ enum class column_progress : std::uint8_t {
 /// The orientation of a range of a text in a column.
 enum class column_style : std::uint8_t {
     automatic,  ///< every character follows Unicode (UAX #50) and column_options
-    upright,    ///< all characters, one below the other
-    sideways,   ///< all characters
+    upright,    ///< all characters are upright, one below the other
+    sideways,   ///< all characters lie on their side
     combined,   ///< side by side in the space of one character (tate-chu-yoko), made narrower if necessary
 };
 
@@ -33,7 +33,8 @@ enum class column_style : std::uint8_t {
 struct column_options {
     column_latin latin = column_latin::sideways;
     std::uint8_t combined_digits = 0;  ///< numbers of at most this many ASCII digits are combined: 2 for dates
-    double combined_gap = 0.0;         ///< em added between combined letters, 0 to 0.5: space to make them bolder
+    double combined_gap = 0.0;         ///< the space between combined letters, in em, 0 to 0.5: it lets them become
+                                       ///< bolder
     column_progress progress = column_progress::automatic;  ///< the side of the next column
 };
 

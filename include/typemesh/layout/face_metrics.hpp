@@ -8,16 +8,16 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// A bar that a font suggests. Its upper edge is `top` above the baseline.
+/// A bar that a font suggests. Its upper edge is `top` em above the baseline.
 struct bar_metrics {
     double top = 0.0;
-    double thickness = 0.0;  ///< from top to bottom, in em
+    double thickness = 0.0;  ///< the height of the bar, in em
 };
 
 /// Small letters that a font suggests.
 struct script_metrics {
-    double size = 1.0;  ///< relative to normal letters
-    double rise = 0.0;  ///< of their baseline; negative for subscripts
+    double size = 1.0;  ///< the size relative to normal letters
+    double rise = 0.0;  ///< the rise of their baseline; negative for subscripts
 };
 
 /// The font's suggestions for bars and small letters. Lengths are in em.
@@ -78,9 +78,9 @@ template <class Shaper>
         return s.metrics(d);
 }
 
-/// The distances to which a line of one of a shaper's faces extends to both sides, in units of the first face. This
-/// follows the face's metrics, but a column is at least wide enough for letters of the face that lie on their side in
-/// it. Vertical metrics often cover only an ideograph: half an em to each side and no gap.
+/// The distances to which a line of one of a shaper's faces extends to both sides, in units of the first face. These
+/// distances follow the face's metrics, but a column is at least wide enough for letters of the face that lie on their
+/// side in it. Vertical metrics often cover only an ideograph: half an em to each side and no gap.
 template <class Shaper>
 [[nodiscard]] line_metrics line_reach_of(Shaper& s, direction d, std::uint32_t face = 0) noexcept
 {

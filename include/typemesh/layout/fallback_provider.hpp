@@ -15,10 +15,9 @@ namespace typemesh::inline TYPEMESH_ABI {
 ///
 ///     p.font_for(text, grapheme, script, language)    a font that has all of text[grapheme.first, grapheme.last), or
 ///                                                     null if there is none. The provider owns the font, which lives
-///                                                     as long. The same query returns the same font. `script` is as
-///                                                     in text_item, `language` as in shape_options; they may decide
-///                                                     between two fonts.
-///                                                     fonts they may decide
+///                                                     as long as the provider. Equal queries return the same font.
+///                                                     `script` is as in text_item, `language` as in shape_options;
+///                                                     they may decide between two fonts.
 template <class P, class Font>
 concept fallback_provider =
     requires(P& p, text_view text, text_range grapheme, std::uint32_t script, std::string_view language) {

@@ -20,7 +20,7 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// Shapes with several faces. If a face lacks glyphs, the next face shapes that part.
+/// Shapes with several faces. Where a face lacks glyphs, the next face shapes the text.
 ///
 ///     text      t e a   R S T !      Face 0 shapes the whole text. Face 1 shapes the hole; the text around it is
 ///     face 0    t e a   - - - !      context, so its letters join as with face 1 only.
@@ -33,10 +33,11 @@ namespace typemesh::inline TYPEMESH_ABI {
 /// The parameter `Faces` below is one of several classes:
 ///
 ///     f.face_count()                         faces are numbered from 0; found faces are added
-///     f.shape(text, item, o, glyphs)    as in shaper, by face item.face, in the units of face 0 and with the
+///     f.shape(text, item, o, glyphs)         as in shaper, by face item.face, in the units of face 0 and with the
 ///                                            face's number in the glyphs: see font_faces.hpp
 ///     f.find(text, range, script, language)  result: the number of another face for a grapheme that no face has, or
-///                                            no_face if there is none. Classes that find no faces omit it.
+///                                            no_face if there is no such face. Classes that find no faces omit this
+///                                            function.
 ///
 /// It keeps its memory for the next item.
 class fallback_shaping {
@@ -48,11 +49,11 @@ public:
     {
     }
 
-    /// Shapes an item like an shaper. `face` of each glyph is the face that the glyph belongs to.
+    /// Shapes an item like a shaper. `face` of each glyph is the face that the glyph belongs to.
     ///
     /// Fails  as the faces do, except that error::needs_shaping of other faces counts as a missing script
-    /// Cost   the cost of the item's own face, if that has all glyphs; otherwise one more call for each hole and face,
-    ///        and O(n) for each face that is tried
+    /// Cost   the cost of the item's own face, if this face has all glyphs; otherwise one more call for each hole and
+    ///        face, and O(n) for each face that is tried
     template <class Faces>
     error shape(Faces& faces, text_view text, const text_item& item, const shape_options& how,
                 buffer<shaped_glyph>& glyphs) noexcept
@@ -75,7 +76,7 @@ private:
     struct cluster {
         cluster_id first = 0;
         std::uint32_t glyph = 0, glyph_count = 0;
-        bool missing = false;  // and may be looked up in other faces
+        bool missing = false;  // whether the cluster lacks glyphs and may be looked up in other faces
         bool unsafe = false;
     };
 
@@ -118,7 +119,7 @@ private:
     }
 
     /// Shapes all holes with one face. The item's own face also shapes text that was given up. `open`: whether there
-    /// were any.
+    /// were any holes.
     template <class Faces>
     error fill_with(Faces& faces, const job& of, std::uint32_t face, bool& open) noexcept
     {
@@ -238,8 +239,8 @@ private:
         return false;
     }
 
-    /// The first hole from a cluster on, which begins a grapheme. If there is none, it is empty, after the last
-    /// cluster.
+    /// The first hole from a cluster on; the cluster begins a grapheme. If there is no hole, the result is empty and
+    /// lies after the last cluster.
     [[nodiscard]] hole next_hole(std::size_t from) const noexcept
     {
         hole h{from, from};
@@ -274,7 +275,7 @@ private:
         for (std::size_t i = 0, k = glyphs.size(); i + 1 < k; ++i) swap_values(glyphs[i], glyphs[--k]);
     }
 
-    buffer<shaped_glyph> now_;   // glyphs of the item, in the order of its text
+    buffer<shaped_glyph> now_;   // the glyphs of the item, in the order of its text
     buffer<shaped_glyph> made_;  // the glyphs with the holes filled
     buffer<cluster> clusters_;
     buffer<std::uint32_t> graphemes_;

@@ -19,8 +19,9 @@ struct placed_glyph {
     glyph_id id = 0;
     cluster_id cluster = 0;
     point origin = {};
-    bool missing = false;    ///< the font lacks a glyph for this text: `id` is its .notdef, drawn only on request
-    std::uint32_t look = 0;  ///< its index in glyph_run::looks; 0 if there are none
+    bool missing = false;    ///< whether the font lacks a glyph for this text: `id` is then the font's .notdef, drawn
+                             ///< only on request
+    std::uint32_t look = 0;  ///< the index of its look in glyph_run::looks; 0 if there are no looks
 };
 
 /// One line (or column) of a run: its glyphs, the start of its baseline, its length.
@@ -28,30 +29,34 @@ struct text_line {
     std::uint32_t first_glyph = 0;
     std::uint32_t glyph_count = 0;
     point origin = {};     ///< the pen position at the line's start, alignment included
-    double advance = 0.0;  ///< the distance that the pen moved, in font units, never negative
-    double hanging = 0.0;  ///< the advance of white space at its end, which does not count for `advance`
+    double advance = 0.0;  ///< the distance that the pen moved, in font units; never negative
+    double hanging = 0.0;  ///< the advance of white space at the line's end, which does not count for `advance`
 };
 
 /// Shaped text: the input of every stage after shaping. If you make one by hand, you need no shaper.
 ///
 /// Glyphs are in drawing order (left to right in a horizontal line, for any direction of the script). A line's glyphs
-/// are contiguous. If you make a run by hand, `lines` may be empty; it then counts as one line. A run without looks is
-/// drawn from one face in one style. `id` is the number of a glyph in its own face.
+/// are contiguous. If you make a run by hand, `lines` may be empty; the run then counts as one line. A run without
+/// looks is drawn from one face in one style. `id` is the number of a glyph in its own face.
 struct glyph_run {
     buffer<placed_glyph> glyphs;
     buffer<text_line> lines;
     buffer<look> looks;         ///< the table for placed_glyph::look; usually empty
-    double units_per_em = 0.0;  ///< of the source's first face, the unit of positions; 0: the source's own units
+    double units_per_em = 0.0;  ///< the units per em of the source's first face, in which positions are given; 0: the
+                                ///< source's own units
 
-    std::uint32_t missing = 0;              ///< glyphs that the font lacks (.notdef is drawn only on request)
+    std::uint32_t missing = 0;              ///< the number of glyphs that the font lacks (.notdef is drawn only on
+                                            ///< request)
     cluster_id first_missing = no_cluster;  ///< the place of the first missing glyph in the text
-    std::uint32_t parted = 0;  ///< emoji of several code points whose parts are drawn one by one, because the font has
-                               ///< no glyph for the whole: see emoji_sequence.hpp
-    cluster_id first_parted = no_cluster;  ///< the place of the first of them in the text
-    std::uint32_t invalid_units = 0;       ///< places where the text was not valid UTF and was read as U+FFFD
+    std::uint32_t parted = 0;  ///< the number of emoji of several code points whose parts are drawn one by one, because
+                               ///< the font has no glyph for the whole: see emoji_sequence.hpp
+    cluster_id first_parted = no_cluster;  ///< the place of the first of these emoji in the text
+    std::uint32_t invalid_units = 0;       ///< the number of places where the text was not valid UTF and was read as
+                                           ///< U+FFFD
     cluster_id first_invalid_unit = no_cluster;
-    std::uint32_t unbroken = 0;  ///< runs of Thai, Lao, Khmer and similar scripts in lines with a width; lines could
-                                 ///< end inside, but only a dictionary knows where, and there was none
+    std::uint32_t unbroken = 0;  ///< the number of runs of Thai, Lao, Khmer and similar scripts in lines with a width;
+                                 ///< lines could end inside these runs, but only a dictionary knows where, and there
+                                 ///< was no dictionary
     cluster_id first_unbroken = no_cluster;
 
     explicit glyph_run(memory source = heap()) noexcept : glyphs{source}, lines{source}, looks{source}, index_{source}
@@ -122,7 +127,7 @@ struct glyph_run {
     }
 
 private:
-    value_index<look> index_;  // of looks, if there are many
+    value_index<look> index_;  // the index of looks, if there are many
 };
 
 }  // namespace typemesh::inline TYPEMESH_ABI

@@ -10,15 +10,15 @@ namespace typemesh::inline TYPEMESH_ABI {
 
 /// A line of a paragraph after layout. Lengths are in font units, along the line.
 struct laid_line {
-    std::uint32_t first = 0;  ///< in the text
+    std::uint32_t first = 0;  ///< the start of the line in the text
     std::uint32_t last = 0;
     std::uint32_t first_slice = 0;
     std::uint32_t slices = 0;
-    std::uint8_t level = 0;  ///< of its paragraph: odd levels are read to the left
+    std::uint8_t level = 0;  ///< the level of its paragraph: odd levels are read to the left
     double left = 0.0;       ///< the start of the visible part
-    double width = 0.0;      ///< of the visible part: white space at its end hangs
+    double width = 0.0;      ///< the width of the visible part: white space at the line's end hangs
     line_metrics metrics = {};
-    point origin = {};  ///< the pen at position 0 along the line
+    point origin = {};  ///< the position of the pen at position 0 along the line
 
     /// The end of the visible part.
     [[nodiscard]] constexpr double right() const noexcept { return left + width; }

@@ -16,7 +16,8 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// The error for options that are out of range, or that only a paragraph can follow, or none.
+/// The error for options that are out of range, or that only a paragraph supports; error::none if there are no such
+/// options.
 [[nodiscard]] inline error refused_in_plain_text(const layout_options& options) noexcept
 {
     if (error e = refused_option(options)) return e;
@@ -26,18 +27,18 @@ namespace typemesh::inline TYPEMESH_ABI {
 }
 
 /// Lays out plain text: a text whose lines end only at its line breaks (line feeds, U+2028 and the like; they have no
-/// glyphs). A paragraph with the same options and enough room gives the same run.
+/// glyphs). With these options, a paragraph of sufficient width gives an identical run.
 ///
 ///         x = 0, aligned to the start                columns go from right to left;
 ///     y = 0  |Hello                  <- baseline     the first is centred on x = 0    |   |
 ///            |                                                                        C   A
 ///     y = -d |world!                                                                  D   B
 ///
-/// Columns of Mongolian go from left to right. Lines that are read from right to left start at x = 0, too, and extend
+/// Columns of Mongolian go from left to right. Lines that are read from right to left also start at x = 0, and extend
 /// to the left. The distance d is ascender - descender + gap of the fonts in the lines (one em if that is not
 /// positive), times line_spacing. A text has one line more than it has breaks: an empty text is one empty line. Spaces
-/// at a line's end hang: they do not count for its alignment. A tab moves the pen to the next tab stop and has no
-/// glyph.
+/// at a line's end hang: they do not count for the line's alignment. A tab moves the pen to the next tab stop and has
+/// no glyph.
 ///
 /// It keeps its memory for the next text.
 class plain_layout {

@@ -19,10 +19,11 @@ namespace typemesh::inline TYPEMESH_ABI {
 ///     {.map = {.xy = 0.2}}               slanted
 ///     {.style = style_id{3}}             with its own material or colour
 ///
-/// Looks that differ only in style share their meshes.
+/// Looks that differ only in their style share their meshes.
 struct look {
-    std::uint32_t face = 0;  ///< of the outline source; see outline/face_source.hpp. Bars have bar_face, 0xFFFFFFFF
-    affine map = {};         ///< of the outline, around the glyph's own (0, 0), in the run's units
+    std::uint32_t face = 0;  ///< the face of the outline source: see outline/face_source.hpp. Bars have bar_face,
+                             ///< 0xFFFFFFFF
+    affine map = {};         ///< the map of the outline, around the glyph's own (0, 0), in the run's units
     style_id style = {};     ///< the caller's number
 
     friend constexpr bool operator==(const look& a, const look& b) noexcept

@@ -8,13 +8,13 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// The shaper's notes on a glyph: a set, joined by |. The first two are the same for all glyphs of a cluster; they
+/// The shaper's notes on a glyph: a set, joined by |. The first two flags are equal for all glyphs of a cluster; they
 /// concern the place in the text where the cluster begins.
 enum class glyph_flags : std::uint8_t {
     none = 0,
     unsafe_to_break = 1u << 0,  ///< if a line ends here, both sides must be shaped again
     tatweel = 1u << 1,          ///< U+0640 may be inserted here to fill a line
-    missing = 1u << 2,          ///< the font has no glyph for this text: the id is its .notdef
+    missing = 1u << 2,          ///< the font has no glyph for this text: the id is the font's .notdef
     sideways = 1u << 3,         ///< the glyph lies on its side, in a column; see column_glyphs.hpp
     combined = 1u << 4,         ///< the glyph is beside others, in a column
     parted = 1u << 5,           ///< the first glyph of an emoji that is drawn in parts; see emoji_sequence.hpp
@@ -43,7 +43,7 @@ struct shaped_glyph {
     cluster_id cluster = 0;
     double advance = 0.0;    ///< the pen's move along the line: to the right, in columns down
     point offset = {};       ///< from the pen to the glyph's own (0, 0)
-    std::uint16_t face = 0;  ///< the shaper's face that `id` belongs to
+    std::uint16_t face = 0;  ///< the face of the shaper that `id` belongs to
     glyph_flags flags = glyph_flags::none;
 };
 

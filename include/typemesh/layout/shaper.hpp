@@ -24,22 +24,23 @@ struct line_metrics {
     double gap = 0.0;
 };
 
-/// Turns items of a text into glyphs with advances: HarfBuzz, or your own shaper. layout() and paragraph cut the text
-/// into items and put the glyphs in their places.
+/// Turns items of a text into glyphs with advances: HarfBuzz, or your own shaper. layout() and paragraph divide the
+/// text into items and position the glyphs.
 ///
-///     s.units_per_em()                    as in outline_source; for the same font
+///     s.units_per_em()                    as in outline_source
 ///     s.metrics(direction)                the font's line metrics, for horizontal or vertical lines
 ///     s.shape(text, item, o, glyphs)      appends the glyphs of text[item.first, item.last) in drawing order: to the
-///                                         right, or down. Clusters count from the start of `text`, in its units. They
-///                                         ascend; from right to left they descend. A cluster is at least a base and
-///                                         its marks. Invisible characters may have no glyph. Glyphs that the font
-///                                         lacks are flagged as missing. The item's level decides the direction, for
-///                                         any letters. The script is item.script unless o.script names another. The
-///                                         text around the item is context: letters join across its ends. The item may
-///                                         be any part of another, so a shaper keeps no state between two calls.
-///                                         Only upright items are shaped as in a column; sideways and combined items
-///                                         are shaped as in a line: see column_glyphs.hpp.
-///     s.has_vertical_form(c)              only for columns: whether the font has a different glyph of a character for
+///                                         right, or down. Clusters are offsets from the start of `text`, in its units.
+///                                         They ascend, or descend if the item is read from right to left. A cluster is
+///                                         at least a base and its marks. Invisible characters may have no glyph. A
+///                                         glyph that the font lacks is flagged as missing. The item's level decides
+///                                         the direction, whatever its letters are. The script is item.script unless
+///                                         o.script names another. The text around the item is context: letters join
+///                                         across the item's ends. A later call may shape any part of an item again, so
+///                                         a shaper keeps no state between two calls. Only upright items are shaped as
+///                                         in a column; sideways and combined items are shaped as in a line: see
+///                                         column_glyphs.hpp.
+///     s.has_vertical_form(c)              only for columns: whether the font has a special glyph of a character for
 ///                                         columns; without this function, no character has one
 ///     s.column_middle()                   only for columns: the height above the baseline that is in the middle of a
 ///                                         column if letters lie on their side. By default it is halfway between

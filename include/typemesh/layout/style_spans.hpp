@@ -15,7 +15,7 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// The error for a style that is out of range, or none. `faces`: the number of the shaper's faces.
+/// The error for a style that is out of range; error::none if it is valid. `faces`: the number of the shaper's faces.
 [[nodiscard]] inline error refused_style(const text_style& s, std::uint32_t faces) noexcept
 {
     if (s.face >= faces) return {error::no_such_face, faces};
@@ -40,12 +40,14 @@ public:
         moved_ = 0;
     }
 
-    /// Reads spans in any order; empty ones are dropped. An end inside a grapheme is moved out of it. If two spans meet
-    /// inside a grapheme, it belongs to the first one. Features and languages must outlive this object.
+    /// Reads spans in any order; empty ones are dropped. An end inside a grapheme is moved out of the grapheme. If two
+    /// spans meet inside a grapheme, the grapheme belongs to the first span. Features and languages must outlive this
+    /// object.
     ///
     ///     faces    the number of the shaper's faces
     ///
-    /// Fails  error::overlapping_spans: two spans contain the same unit; the cluster is the second one's beginning;
+    /// Fails  error::overlapping_spans: two spans contain the same unit; the cluster is the beginning of the second
+    ///        span;
     ///        error::bad_option: a span ends before it begins or after the text, or a number of its style is out of
     ///        range; error::no_such_face; error::out_of_memory. There are then no spans.
     /// Cost   O(n log n) for n spans, O(n) if they are in the text's order
@@ -57,7 +59,7 @@ public:
         return e;
     }
 
-    /// Moves ends out of graphemes that have been joined since.
+    /// Moves ends of spans out of graphemes that have been joined since read().
     ///
     /// Fails  error::out_of_memory
     /// Cost   O(n) for n spans

@@ -7,11 +7,11 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// The minimum distance of a tab stop to which a tab may move, from the advance of "0". It is half of that, as in CSS,
-/// so that text before and after the tab does not look like one word.
+/// The least distance by which a tab moves the pen, from the advance of "0". It is half of this advance, as in CSS, so
+/// that text before and after the tab does not look like one word.
 [[nodiscard]] constexpr double least_tab(double digit) noexcept { return 0.5 * digit; }
 
-/// The pen's position after a tab: the next stop, or the stop after it if the next one is nearer than `least`.
+/// The pen's position after a tab: the next stop, or the stop after it if the next stop is nearer than `least`.
 ///
 ///     apart    the distance between stops, which start at 0; more than 0
 [[nodiscard]] inline double tab_stop_behind(double pen, double apart, double least) noexcept

@@ -21,13 +21,13 @@ struct text_item {
     std::uint32_t first = 0;
     std::uint32_t last = 0;
     std::uint32_t script = 0;  ///< ISO 15924, its first letter in the highest byte ('Latn'); 0: none
-    std::uint32_t style = 0;   ///< its index in a table of the item's creator; 0: plain
+    std::uint32_t style = 0;   ///< the index of its style in a table of the item's creator; 0: plain
     std::uint16_t face = 0;    ///< the face that shapes it first, if the shaper has several faces
-    std::uint8_t level = 0;    ///< by UAX #9: odd levels are set from right to left
+    std::uint8_t level = 0;    ///< its level by UAX #9: odd levels are set from right to left
     glyph_orientation orientation = glyph_orientation::horizontal;
-    double squeeze = 1.0;  ///< for combined glyphs: the factor that makes them narrower, a result of shaping
+    double squeeze = 1.0;  ///< the factor that makes combined glyphs narrower, a result of shaping
 
-    /// Whether it is read from right to left.
+    /// Whether the item is read from right to left.
     [[nodiscard]] constexpr bool to_the_left() const noexcept { return (level & 1u) != 0; }
 };
 

@@ -32,29 +32,29 @@ enum class decoration : std::uint8_t {
     return (static_cast<unsigned>(set) & static_cast<unsigned>(one)) != 0;
 }
 
-/// Small letters above or below the others. The font's own letters ("sups", "subs") are used if it has them for the
-/// whole part; otherwise smaller letters, with the size and height that the font suggests.
+/// Small letters above or below the others. If the font has letters of its own ("sups", "subs") for the whole range,
+/// they are used; otherwise smaller letters, with the size and height that the font suggests.
 enum class script_position : std::uint8_t { normal, superscript, subscript };
 
-/// The style of a part of a text. Lengths are in em of the whole text, for any size here.
+/// The style of a range of a text. Lengths are in em of the whole text, whatever `size` is here.
 ///
-///     shaping    face, size, letter_spacing, features, language, position, column: the text is divided for shaping
-///                where they change, so there is no kerning and no ligature across
-///     painting   all others: letters do not change. A ligature, or any other text that a font keeps together, is
-///                painted like its first character.
+///     shaping    face, size, letter_spacing, features, language, position, column: where one of them changes, the text
+///                is divided for shaping, so neither kerning nor ligatures cross the change
+///     painting   all other members: they do not change the letters. A ligature, or any other text that a font keeps
+///                together, is painted like its first character.
 struct text_style {
-    std::uint16_t face = 0;  ///< of the shaper's faces
-    double size = 1.0;       ///< times the text's size; more than 0. It does not change the depth of solids and the
-                             ///< width of bevels
-    double letter_spacing = 0.0;             ///< in addition to the whole text's
-    std::span<const feature> features = {};  ///< after the features of the whole text
-    std::string_view language = {};          ///< empty: the whole text's
+    std::uint16_t face = 0;  ///< the number of the face among the shaper's faces
+    double size = 1.0;       ///< multiplies the text's size; greater than 0. It changes neither the depth of solids nor
+                             ///< the width of bevels
+    double letter_spacing = 0.0;             ///< the letter spacing, in addition to the whole text's
+    std::span<const feature> features = {};  ///< features, applied after the features of the whole text
+    std::string_view language = {};          ///< the language; empty: the whole text's language
     script_position position = script_position::normal;
     column_style column = column_style::automatic;  ///< the orientation in columns; combined text takes one em
 
-    double word_spacing = 0.0;  ///< added to every space
-    double rise = 0.0;          ///< of the baseline
-    double slant = 0.0;         ///< to the right, for each em upwards
+    double word_spacing = 0.0;  ///< the width added to every space
+    double rise = 0.0;          ///< the rise of the baseline
+    double slant = 0.0;         ///< the slant to the right, for each em upwards
     decoration decorations = decoration::none;
     style_id style = {};  ///< the caller's number for a material or colour
 };

@@ -14,9 +14,9 @@
 
 namespace typemesh::inline TYPEMESH_ABI::detail {
 
-/// The fallback for a speck whose faces cannot be cut on the grid. A speck is a component of the region that is swept
-/// completely within a few cells, such as the crescent between two nearly equal circles. The triangles of the given
-/// triangulation cover it instead, as if it had not been swept.
+/// The fallback for a speck whose faces cannot be divided into triangles on the grid. A speck is a component of the
+/// region that is swept completely within a few cells, such as the crescent between two nearly equal circles. The
+/// triangles of the given triangulation cover the speck instead, as if it had not been swept.
 ///
 ///      ____----____          All their corners are points of the region, at distance 0. This is as accurate as a node
 ///     /__--------__\         on the grid: the error is at most `few` cells. Everything around is swept as usual.
@@ -82,7 +82,7 @@ private:
         return best;
     }
 
-    buffer<bool> covered_;  // of each component; empty: no component is covered
+    buffer<bool> covered_;  // whether each component is covered; empty: no component is covered
 };
 
 }  // namespace typemesh::inline TYPEMESH_ABI::detail

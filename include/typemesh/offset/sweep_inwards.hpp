@@ -25,22 +25,23 @@ namespace typemesh::inline TYPEMESH_ABI {
 
 /// The options of sweep_inwards(). All lengths are in cells.
 struct sweep_options {
-    /// The distances at which faces are cut: from 0 to the width, each at least finest_band more than the last.
+    /// The distances at which faces are divided: from 0 to the width, each at least finest_band more than the last.
     array_view<const double> levels;
     /// A reflex corner that would move farther than mitre_limit times the sweep distance is cut off by join edges, at
     /// most 31 of them. 0: only needles are cut off.
     double mitre_limit = 2.0;
-    /// A mitre limit near 1 is raised (to 1.42 at most) so that at the full width a corner may end up to this far
-    /// beyond the round join's arc. 0: unknown.
+    /// The distance by which a corner may end beyond the round join's arc at the full width. A mitre limit near 1 is
+    /// raised to allow this, at most to 1.42. 0: unknown.
     double tolerance = 0.0;
-    /// Joins are rounded to the tolerance at the width; otherwise they have only the edges that the limit needs.
+    /// Whether joins are rounded, to the tolerance at the full width; otherwise they have only the edges that the mitre
+    /// limit requires.
     bool round = true;
-    /// The number of joins is chosen as if the sweep went to this width, so corners move exactly as in that wider
-    /// sweep. 0: the last level.
+    /// The number of joins is chosen as if the sweep went to this width, so corners move exactly as in the wider sweep.
+    /// 0: the last level.
     double joins_at = 0.0;
     /// swept_region::first_loss ignores components that are swept completely before this distance, unless all are.
     double speck = 0.0;
-    /// The faces are not needed: it is no failure if some of them cannot be cut.
+    /// Whether the faces are not needed: the sweep then does not fail if some faces cannot be divided into triangles.
     bool only_cap = false;
 };
 
@@ -256,8 +257,8 @@ private:
         return true;
     }
 
-    /// Cuts all cells. If a cell cannot be cut, it is mended, and all are cut again. If that does not end, specks are
-    /// covered.
+    /// Divides all cells into triangles. If this fails for a cell, the cell is mended, and all cells are divided again.
+    /// If the repetition does not end, specks are covered.
     [[nodiscard]] error cut_cells(std::uint32_t band) noexcept
     {
         constexpr int max_attempts = 64;
@@ -272,7 +273,7 @@ private:
         }
     }
 
-    /// `mends`: a ring that cannot be cut is first mended; changed_ becomes true if anything was changed.
+    /// `mends`: a ring that cannot be divided is first mended; changed_ becomes true if anything was changed.
     [[nodiscard]] error try_to_cut(std::uint32_t band, bool mends) noexcept
     {
         const auto& corners = front_.outlines.corners;
@@ -298,7 +299,7 @@ private:
         return error::none;
     }
 
-    /// Handles a ring that cannot be cut.
+    /// Handles a ring that cannot be divided into triangles.
     [[nodiscard]] error get_round(const buffer<std::uint32_t>& ring, const cell_outlines::cell& c, std::uint32_t band,
                                   bool mends) noexcept
     {
@@ -324,8 +325,8 @@ private:
         return front_.mesh.segments[c.line].component;  // the first segment of a line has the line's number
     }
 
-    /// Cuts the closed path where it returns to a node, and passes each ring of 3 nodes or more to `take`, until `take`
-    /// fails. A path from a node to the next and back bounds nothing.
+    /// Divides the closed path where it returns to a node, and passes each ring of 3 nodes or more to `take`, until
+    /// `take` fails. A path from a node to the next and back encloses nothing.
     template <class Take>
     [[nodiscard]] error each_ring(Take take) noexcept
     {
@@ -408,17 +409,17 @@ private:
     speck_cover cover_;
     cell_repair repair_;
     array_view<const triangle> given_;
-    std::size_t first_node_ = 0;  // of a band
+    std::size_t first_node_ = 0;  // the first node of a band
     bool only_cap_ = false, changed_ = false;
 };
 
 }  // namespace detail
 
 /// Sweeps the boundary of a region inwards, each edge with the same speed, up to the last level. The result has the
-/// faces of the straight skeleton, cut at the levels, and the region that remains.
+/// faces of the straight skeleton, divided at the levels, and the region that remains.
 ///
-///     triangles   any triangulation of the region without additional points; the results of two triangulations differ
-///                 at most where several events happen within a fraction of a cell
+///     triangles   any triangulation of the region without additional points. The results for two triangulations can
+///                 differ only where several events happen within a fraction of a cell
 ///     scratch     provides all memory; `out`, which is empty, may also draw from it
 ///
 /// The remaining region (`out.cap`) is bounded by nodes on the grid. It is a region once fill or a proving triangulator
@@ -426,11 +427,11 @@ private:
 /// and their common boundary is the boundary of the region.
 ///
 /// Fails  error::crossing_contours: on the grid a cell's outline crosses itself, flips do not end, or rounding loses a
-///        hole; the content of `out` is then undefined. No glyph is known to cause this
+///        hole; the content of `out` is then undefined. No known glyph causes this
 ///        error::too_large: more than 2^24 points
 ///        error::out_of_memory
-/// Cost   O(n log n) and O(log n) per event (see wavefront.hpp). A band in which a cell must be mended is cut again;
-///        mending takes time quadratic in the cell's nodes (cell_repair.hpp)
+/// Cost   O(n log n) and O(log n) per event (see wavefront.hpp). A band in which a cell must be mended is divided
+///        again; the time for mending is quadratic in the cell's nodes (cell_repair.hpp)
 [[nodiscard]] inline error sweep_inwards(const region& r, array_view<const triangle> triangles,
                                          const sweep_options& how, workspace::scope& scratch,
                                          swept_region& out) noexcept

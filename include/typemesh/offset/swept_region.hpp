@@ -13,7 +13,7 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// The least distance between two levels, in cells: nodes on the grid would destroy anything finer.
+/// The least distance between two levels, in cells: rounding nodes to the grid would destroy anything finer.
 inline constexpr double finest_band = 4.0;
 
 /// A point that the moving boundary of a region has passed, and the distance at which it did.
@@ -22,12 +22,13 @@ struct swept_node {
     float distance = 0.0f;  ///< in cells, from 0 at the region's boundary to the width
 };
 
-/// The area that one edge sweeps between two levels: the part of its face between them. A split or a bow can make it
-/// any polygon, so its triangles are listed instead of its outline.
+/// The area that one edge sweeps between two levels. Splits and joins can give this area the shape of any polygon, so
+/// its triangles are listed instead of its outline.
 struct swept_cell {
-    std::uint32_t edge = 0;            ///< of the region; numbers from the region's number of points on are joins
-    std::uint32_t band = 0;            ///< lies between levels[band] and levels[band + 1]
-    std::uint32_t first_triangle = 0;  ///< the next cell's first triangle ends them
+    std::uint32_t edge = 0;            ///< the edge of the region; numbers from the region's number of points on are
+                                       ///< joins
+    std::uint32_t band = 0;            ///< the cell lies between levels[band] and levels[band + 1]
+    std::uint32_t first_triangle = 0;  ///< the triangles end before the next cell's first triangle
 };
 
 /// The position of a moving edge at a level: from node a to node b, the interior on the left.
@@ -38,11 +39,11 @@ struct swept_edge_at {
 
 /// An edge of zero length, inserted at a reflex corner sharper than the mitre limit: it grows as its neighbours move.
 struct swept_join {
-    std::uint32_t point = 0;  ///< of the region
+    std::uint32_t point = 0;  ///< the point of the region
     vec2 inward;              ///< unit vector: its direction of movement
 };
 
-/// A region's boundary swept inwards and cut at levels: the faces of its straight skeleton up to a width, and the
+/// A region's boundary swept inwards: the faces of its straight skeleton up to a width, divided at levels, and the
 /// region that remains inside.
 ///
 ///     +-----------------+      nodes      the first n are the region's own points, in its order, at distance 0
@@ -66,7 +67,7 @@ struct swept_region {
     contours cap;
     buffer<std::uint32_t> cap_nodes;
     /// The distance at which the first connected component that is no speck (sweep_options) was swept completely. If
-    /// all components were swept and are specks, the distance of the last one; otherwise -1.
+    /// all components were swept and are specks, the distance of the last component; otherwise -1.
     double first_loss = -1.0;
     std::uint32_t lost = 0;  ///< how many connected components were swept completely, including specks
     /// The amount of work, only for tests and benchmarks.

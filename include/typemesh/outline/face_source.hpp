@@ -16,8 +16,8 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// An outline source with several faces, numbered from 0. The looks of a glyph_run choose among them. Used as an
-/// outline_source, it is its face 0.
+/// An outline source with several faces, numbered from 0. The looks of a glyph_run choose among the faces. Where only
+/// an outline_source is needed, face 0 is used.
 ///
 ///     s.face_count()                the number of faces; at least 1
 ///     s.units_per_em(face)          as in outline_source, for one face; face < face_count()
@@ -32,7 +32,7 @@ concept face_source = outline_source<S> && requires(S& s, std::uint32_t face, gl
     { s.outline(face, id, sink) } noexcept -> std::same_as<error>;
 };
 
-/// The number of faces of an outline source: one if it has no face_count().
+/// The number of faces of an outline source: one if the source has no face_count().
 template <outline_source Source>
 [[nodiscard]] std::uint32_t face_count_of(Source& source) noexcept
 {
@@ -74,7 +74,7 @@ error outline_of(Source& source, std::uint32_t face, glyph_id id, Sink& sink) no
         return source.outline(id, sink);
 }
 
-/// The key of one face's variation, as variation_of() gives it for a whole source.
+/// The key of one face's variation, like the key that variation_of() gives for a whole source.
 template <class Source>
 [[nodiscard]] std::uint64_t variation_of(const Source& source, std::uint32_t face) noexcept
 {
@@ -87,7 +87,8 @@ template <class Source>
         return variation_of(source);
 }
 
-/// Maps every point of an outline. Curves that shrink to a point are dropped, and so are contours without other curves.
+/// Maps every point of an outline. Curves that shrink to a point are dropped, and so are contours in which no other
+/// curve is left.
 ///
 /// Fails  error::outline_not_finite; the content of `out` is then meaningless
 inline error map_outline(const affine& map, outline& out) noexcept
@@ -116,7 +117,7 @@ inline error map_outline(const affine& map, outline& out) noexcept
 }
 
 /// One face of an outline source as a source of its own. Its outlines are mapped, and the caller chooses the units. The
-/// source and the map must outlive it.
+/// original source and the map must outlive it.
 template <outline_source Source>
 class mapped_face {
 public:
@@ -137,7 +138,8 @@ public:
         return outline_of(*source_, face_, id, through);
     }
 
-    /// Gives the same result as record(), but maps after recording. The source thus draws into only one type of sink.
+    /// Gives the result of record() for the mapped outline, but maps after recording. The source thus draws into only
+    /// one type of sink.
     error record(glyph_id id, typemesh::outline& out) noexcept
     {
         outline_recorder recorder{out};

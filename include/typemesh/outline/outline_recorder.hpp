@@ -16,8 +16,8 @@ namespace typemesh::inline TYPEMESH_ABI {
 /// contours are closed with a line. After the first error all further calls are ignored; finish() returns it.
 class outline_recorder {
 public:
-    /// Starts recording into `out`, which is emptied first and must outlive the recorder. It gets `most` curves at
-    /// most.
+    /// Starts recording into `out`, which is emptied first and must outlive the recorder. At most `most` curves are
+    /// recorded.
     explicit outline_recorder(outline& out, std::uint32_t most = 0xFFFF'FFFFu) noexcept : out_{out}, most_{most}
     {
         out_.clear();
@@ -98,14 +98,14 @@ private:
     std::uint32_t most_;
     point start_;
     point current_;
-    box bounds_before_;  // of the contours before the current one
+    box bounds_before_;  // the bounds of the contours before the current one
     bool open_ = false;
     error error_;
 };
 
 static_assert(outline_sink<outline_recorder>);
 
-/// Reads one glyph of a source into `out`, with its fill rule. This is the whole stage in one call.
+/// Reads one glyph of a source, with its fill rule, into `out`. This is the whole stage in one call.
 ///
 ///     most    the maximum number of curves of the glyph
 ///

@@ -7,8 +7,8 @@ namespace typemesh::inline TYPEMESH_ABI {
 
 /// Receives an outline in five kinds of call, in font units, y up.
 ///
-/// Every contour begins with move(). It ends with close(), the next move(), or the outline's end. In each case it is
-/// closed, with a straight line if its last point is not its first.
+/// Every contour begins with move(). It ends with close(), with the next move(), or at the outline's end. In each case
+/// the contour is closed, by a straight line if its last point is not its first.
 template <class S>
 concept outline_sink = requires(S& s, point p) {
     { s.move(p) } noexcept;

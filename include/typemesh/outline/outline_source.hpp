@@ -12,9 +12,10 @@ namespace typemesh::inline TYPEMESH_ABI {
 /// Turns a glyph id into an outline: a font, or your own set of drawings.
 ///
 ///     s.units_per_em()      font units per em; positive
-///     s.fill()              the fill rule of the last outline, called after outline(); fonts use non_zero
-///     s.outline(id, sink)   makes the sink's five calls (any outline_sink). A blank glyph makes no calls, and is no
-///                           error. If an id does not exist or cannot be loaded, it is error::unknown_glyph.
+///     s.fill()              the fill rule of the outline drawn last; it is called after outline(). Fonts use non_zero
+///     s.outline(id, sink)   draws a glyph by calls of the sink (any outline_sink). For a blank glyph it makes no calls
+///                           and returns no error. If the glyph does not exist or cannot be loaded, it returns
+///                           error::unknown_glyph.
 template <class S>
 concept outline_source = requires(S& s, glyph_id id, ignore_outline& sink) {
     { s.units_per_em() } noexcept -> std::convertible_to<double>;

@@ -26,8 +26,8 @@ struct mapping_sink {
 
 }  // namespace detail
 
-/// A source that transforms the outlines of another source: slanted (`{.xy = 0.2}`), condensed, mirrored. Advances stay
-/// the same. The other source must outlive it.
+/// A source that transforms the outlines of another source: slanted (`{.xy = 0.2}`), condensed, mirrored. Advances do
+/// not change. The other source must outlive it.
 template <outline_source Source>
 class transformed_outlines {
 public:

@@ -15,9 +15,9 @@ struct broken_line {
     std::size_t first = 0;
     std::size_t last = 0;
     double pen = 0.0;    ///< the start of the line
-    bool drops = false;  ///< this is the last line, and the text after it is dropped
+    bool drops = false;  ///< whether this is the last line, and the text after it is dropped
 
-    /// The end of the line if the spaces after its last tab shrink as far as they may. Cost: O(pieces)
+    /// The end of the line if the spaces after its last tab shrink as far as possible. Cost: O(pieces)
     [[nodiscard]] double least_end(const line_room& room) const noexcept
     {
         const std::span<const break_piece> p = all.pieces.view();

@@ -9,8 +9,8 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// Fills line after line: each line ends at the last place where it still fits. A word that is longer than a line
-/// begins a new line. It is broken at in_need places if there are any, and otherwise sticks out.
+/// Fills line after line: each line ends at the last place where it still fits the width. A word that is longer than a
+/// line begins a new line. It is broken at in_need places if there are any, and otherwise sticks out.
 ///
 /// Cost  O(n): no piece is read in more than two lines
 struct first_fit {

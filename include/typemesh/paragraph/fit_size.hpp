@@ -14,7 +14,7 @@ namespace detail {
 template <class Paragraph>
 struct size_trial {
     Paragraph& words;
-    double width, height;  // of the box
+    double width, height;  // the width and height of the box
     layout_options options;
 
     /// Whether the text fits into the box at this size.
@@ -34,8 +34,8 @@ struct size_trial {
 
 }  // namespace detail
 
-/// The largest size of an em at which a paragraph's text fits into a box, to a millionth. Lines end as the options say,
-/// but no word is broken to fit a larger size, except with wrap_mode::grapheme.
+/// The largest size of an em at which a paragraph's text fits into a box, to a millionth. Lines end as the options say.
+/// However, no word is broken for the sake of a larger size, except with wrap_mode::grapheme.
 ///
 ///     auto size = fit_size(words, 30.0, 10.0, options);            30 by 10, in the unit of the mesh
 ///     options.width = 30.0 / *size;
@@ -45,11 +45,11 @@ struct size_trial {
 ///     height    across the lines, from the first line's ascender to the last line's descender
 ///     options   width and ellipsis are ignored; the text has at most max_lines lines
 ///
-/// Some breakers, such as total_fit, may make more lines in a wider room. A larger size that fits may then be missed.
+/// Some breakers, such as total_fit, may make more lines if the width is greater. A larger size that fits may then be
+/// missed.
 ///
 /// Fails  error::bad_option: width or height are not positive and finite, the text needs more than max_lines lines,
-///        or there is no text, as before set(); and
-///        as paragraph::measure() does
+///        or there is no text, as before set(). It also fails as paragraph::measure() does
 /// Cost   some 30 calls of measure()
 template <class Paragraph>
 result<double> fit_size(Paragraph& words, double width, double height, const layout_options& options = {}) noexcept

@@ -22,7 +22,7 @@ enum class affinity : std::uint8_t {
 /// The position of a caret.
 struct caret {
     std::uint32_t line = 0;
-    point at = {};             ///< on the baseline, in em
+    point at = {};             ///< the caret's position on the baseline, in em
     bool to_the_left = false;  ///< the direction of the grapheme that it belongs to
 };
 
@@ -30,14 +30,15 @@ struct caret {
 struct text_place {
     std::uint32_t unit = 0;
     affinity side = affinity::downstream;
-    bool inside = false;  ///< the point was in a line, between its beginning and its end
+    bool inside = false;  ///< whether the point was in a line, between its beginning and its end
 };
 
-/// A text that a paragraph has laid out, for carets, selections and mice. All lengths are in em; text_options::size
-/// converts them to output units. It is a view: it lives until the paragraph's next call.
+/// A text that a paragraph has laid out, for placing carets, showing selections and finding the text under a mouse
+/// pointer. All lengths are in em; text_options::size converts them to output units. It is a view, valid until the
+/// paragraph's next call.
 ///
 /// Places are between graphemes. If a cluster has several graphemes (a ligature), the font decides the caret positions;
-/// otherwise each grapheme has an equal part of the cluster.
+/// if the font does not say, each grapheme has an equal share of the cluster.
 class laid_text {
 public:
     laid_text(const shaped_text& shaped, std::span<const laid_line> lines, std::span<const line_slice> slices,
@@ -46,7 +47,8 @@ public:
     {
     }
 
-    /// The box of a line: as wide as its visible part, from descender to ascender. Empty if there is no such line.
+    /// The box of a line: as wide as its visible part, from descender to ascender. The box is empty if there is no such
+    /// line.
     [[nodiscard]] box line_box(std::size_t line) const noexcept
     {
         if (line >= lines_.size()) return {};
@@ -106,8 +108,9 @@ public:
     }
 
     /// The grapheme below a point, among the graphemes of the cluster that contains text[unit]; in a ligature, one of
-    /// its letters. If the cluster shows other text (an ellipsis), it is the text that the cluster replaces. The range
-    /// is empty without lines, or if the text is not visible there. Cost: O(log lines), and O(clusters of the line)
+    /// its letters. If the cluster shows other text (an ellipsis), the result is the text that the cluster replaces.
+    /// The range is empty without lines, or if the text is not visible there. Cost: O(log lines), and O(clusters of the
+    /// line)
     [[nodiscard]] text_range grapheme_at(std::uint32_t unit, point p) const noexcept
     {
         if (lines_.empty() || unit >= shaped_->text().size()) return {};
@@ -215,7 +218,7 @@ private:
         return {{a.x, a.y + low}, {b.x, a.y + high}};
     }
 
-    /// The line with the nearest box. If several boxes contain the point, the line with the nearest middle.
+    /// The line with the nearest box. If several boxes contain the point, it is the line with the nearest middle.
     [[nodiscard]] std::size_t line_near(point p) const noexcept
     {
         std::size_t best = 0;
@@ -281,7 +284,7 @@ private:
     {
         for (const line_slice& s : slices_of(line)) each_grapheme(s, with, [](text_range, const edges&) noexcept {});
     }
-    /// Calls foreign(text_range, edges) for clusters that show other text in place of a range.
+    /// Also calls foreign(text_range, edges) for clusters that show other text in place of a range.
     template <class With, class Foreign>
     void each_grapheme(const line_slice& s, const With& with, const Foreign& foreign) const noexcept
     {
@@ -309,8 +312,8 @@ private:
         }
     }
 
-    /// Visits the graphemes of a cluster that has this width and is at the pen, or before it. The font divides the
-    /// cluster, otherwise the parts are equal.
+    /// Visits the graphemes of a cluster of this width, which lies to the right of the pen, or to its left if `back`.
+    /// The font's caret positions divide the cluster; without caret positions, the graphemes have equal widths.
     template <class With>
     void each_part(std::uint32_t cluster, double pen, double width, bool back, const With& with) const noexcept
     {

@@ -24,14 +24,15 @@ namespace typemesh::inline TYPEMESH_ABI {
 
 /// The range of widths within which changing the width changes the line breaks, in em.
 struct paragraph_widths {
-    double narrowest = 0.0;  ///< of the longest word: with less room it is broken, or sticks out
-    double widest = 0.0;     ///< of the longest line, if lines end only at the text's line breaks
+    double narrowest = 0.0;  ///< the width of the longest word: in a narrower line the word is broken, or sticks out
+    double widest = 0.0;     ///< the width of the longest line, if lines end only at the text's line breaks
 };
 
 /// The size of a text in a layout, in em.
 struct paragraph_size {
-    double width = 0.0;   ///< of the longest line with its indent; with more width, only the alignment changes
-    double height = 0.0;  ///< from the first line's ascender to the last line's descender
+    double width = 0.0;   ///< the width of the longest line with its indent; if more width is given, only the alignment
+                          ///< changes
+    double height = 0.0;  ///< the distance from the first line's ascender to the last line's descender
 };
 
 /// A text that is shaped once and then laid out at any width, as often as needed, with mixed directions.
@@ -41,9 +42,10 @@ struct paragraph_size {
 ///     auto laid = words.lay_out({.width = 20.0, .align = alignment::justify}, run);
 ///     auto plan = mesher.plan(run);
 ///
-/// The text, and everything that the options refer to, must stay unchanged until the next set(). If glyphs change at a
-/// line's end, they are shaped again, with the text around them. Memory is kept: after warm-up nothing is allocated
-/// here. Only one thread at a time may use a paragraph. Once moved from, it has no text until its next set().
+/// The text, and everything that the options refer to, must stay unchanged until the next set(). Where the end of a
+/// line changes glyphs, they are shaped again, together with the text around them. Memory is kept: after warm-up
+/// nothing is allocated here. Only one thread at a time may use a paragraph. A moved-from paragraph has no text until
+/// its next set().
 template <shaper Font, text_analyser Analyser = unicode_analyser, line_breaker Breaker = first_fit>
 class paragraph {
 public:
@@ -75,8 +77,8 @@ public:
     [[nodiscard]] Breaker& breaker() noexcept { return breaker_; }
 
     /// Analyses and shapes a text. how.direction applies to the whole text; `automatic` takes each paragraph's
-    /// direction from its first letter. how.styles gives parts of the text another style; shaped().styles.moved() is the
-    /// number of their ends that were moved out of a grapheme.
+    /// direction from its first letter. how.styles gives parts of the text another style; shaped().styles.moved() is
+    /// the number of ends of spans that were moved out of a grapheme.
     ///
     ///     words.set("E = mc2", {.styles = spans});      // const style_span spans[] = {{6, 7, {.rise = 0.3}}};
     ///
@@ -120,7 +122,7 @@ public:
 
     /// Lays the text out without writing it to a run. lines() and laid() then describe this layout.
     ///
-    /// It fails and costs as lay_out() does.
+    /// Errors and cost are as for lay_out().
     result<paragraph_size> measure(const layout_options& options) noexcept
     {
         if (error e = compose_lines(options)) {
@@ -150,7 +152,7 @@ public:
     /// The lines of the last layout. There are none after set(), or if the layout failed.
     [[nodiscard]] std::span<const laid_line> lines() const noexcept { return lines_.lines(); }
 
-    /// The last layout, for carets, selections and mice. It lives until the next call of set(), lay_out()
+    /// The last layout, for carets, selections and mouse pointers. It is valid until the next call of set(), lay_out()
     /// or measure().
     [[nodiscard]] laid_text laid() const noexcept
     {
@@ -277,8 +279,8 @@ private:
     text_pieces pieces_;
     elision elision_;
     line_justifier justifier_;
-    buffer<std::uint32_t> ends_;                     // of the lines, as indices in the list of pieces
-    std::size_t own_clusters_ = 0, own_glyphs_ = 0;  // of the text: later ones belong to one layout
+    buffer<std::uint32_t> ends_;                     // the ends of the lines, as indices in the list of pieces
+    std::size_t own_clusters_ = 0, own_glyphs_ = 0;  // the numbers of the text's own: later ones belong to one layout
 };
 
 template <class Font>

@@ -16,20 +16,22 @@ namespace typemesh::inline TYPEMESH_ABI {
 /// demerits is minimal: D. Knuth and M. Plass, "Breaking paragraphs into lines" (1981), without their classes of
 /// fitness.
 ///
-///     stretch     the part of their own width by which a line's spaces grow until the line is full
-///     badness     100 (2 stretch)^3; if spaces shrink, 100 (part of the maximum shrink)^3; 0 for a line that ends at a
-///                 line break of the text
+///     stretch     the growth of a line's spaces that fills the line, as a fraction of their own width
+///     badness     100 (2 stretch)^3; if spaces shrink, 100 (fraction of the maximum shrink)^3; 0 for a line that ends
+///                 at a line break of the text
 ///     demerits    (10 + badness)^2, and at a hyphen hyphen_penalty^2
 ///
-/// If no lines are within the tolerance, first_fit makes one, from the last place where a line may still begin.
+/// If no choice of lines is within the tolerance, first_fit makes one line, from the last place where a line may still
+/// begin.
 ///
-/// At most 32 starts of lines are compared at a time. If more are possible, as in lines of hundreds of words, the least
-/// promising ones are dropped. Lines still keep the tolerance, but may not be the best.
+/// At most 32 starts of lines are compared at a time. If more starts are possible, as in lines of hundreds of words,
+/// the least promising starts are dropped. Lines still keep the tolerance, but may not be the best.
 ///
-/// Cost  O(n) for n pieces, at most 32 comparisons each; twice that if emergency_stretch is needed
+/// Cost  O(n) for n pieces, with at most 32 comparisons per piece; twice as much if emergency_stretch is needed
 struct total_fit {
-    double tolerance = 1.0;          ///< the maximum stretch of a line: 1 lets spaces double
-    double hyphen_penalty = 50.0;    ///< 0: hyphens are as good as spaces; infinite: only from first_fit
+    double tolerance = 1.0;          ///< the greatest stretch of a line: 1 lets spaces double
+    double hyphen_penalty = 50.0;    ///< the penalty for a hyphen; 0: hyphens are as good as spaces; infinite: only
+                                     ///< first_fit uses hyphens
     double emergency_stretch = 0.0;  ///< if no lines are within the tolerance, try again with each line allowed to
                                      ///< stretch further, by this fraction of the width
 
@@ -63,13 +65,14 @@ public:
     }
 
 private:
-    /// A place where a line may begin, with the best lines before it. Lengths are sums of the pen.
+    /// A place where a line may begin, with the best lines before it. Lengths are measured along the pieces since
+    /// begin_at().
     struct start {
         std::uint32_t piece = 0;
         double origin = 0.0;   // the pen's sum at x = 0 of the line
         double before = 0.0;   // the stretch before the line's own
-        double width = 0.0;    // of the line up to the current piece, without hanging white space
-        double stretch = 0.0;  // the same for the stretch
+        double width = 0.0;    // the width of the line up to the current piece, without hanging white space
+        double stretch = 0.0;  // the stretch of the line up to the current piece
         double demerits = 0.0;
         double forecast = 0.0;  // demerits minus the minimum of the lines before
     };
@@ -136,7 +139,7 @@ private:
     }
 
     /// Processes piece k. Returns the best line that ends after it, with infinite demerits if there is none. Starts of
-    /// lines that are now too long are dropped; lost_ gets the last of them.
+    /// lines that are now too long are dropped; lost_ gets the last dropped start.
     start pass(std::size_t k) noexcept
     {
         const break_piece& p = pieces_[k];
@@ -177,7 +180,7 @@ private:
         return best;
     }
 
-    /// Of a line with this much spare room; infinite beyond the tolerance.
+    /// The demerits of a line with this much spare width; infinite if its spaces cannot shrink so far.
     [[nodiscard]] double demerits_of(double spare, double stretch, double shrink, bool ends, bool hyphen) const noexcept
     {
         double share = 0.0;

@@ -13,14 +13,14 @@ namespace typemesh::inline TYPEMESH_ABI {
 /// `reach` em from the origin. It is a power of two from 2^9 to 2^23.
 ///
 /// At a distance of r em, adjacent floats are at most r * 2^-23 em apart, in every unit. Places one cell apart are
-/// therefore written as different positions if an em has at most 2^23 / r cells. A frame with slanted axes rotates
-/// rounded places and rounds again, so its limit is an eighth of this. Beyond 2^14 em (2^11 in slanted frames) this is
-/// not guaranteed.
+/// therefore written as distinct positions if an em has at most 2^23 / r cells. A frame whose axes are not parallel to
+/// the output's axes rotates rounded places and rounds again, so its limit is an eighth of this. Beyond 2^14 em (2^11
+/// in these frames) distinct positions are not guaranteed.
 ///
 ///     along_axes    whether the frame's axes are parallel to the output's axes
 [[nodiscard]] inline double cells_told_apart(double reach, bool along_axes) noexcept
 {
-    constexpr double slack = 1.0 + 0x1p-20;  // for rounding of places computed in double
+    constexpr double slack = 1.0 + 0x1p-20;  // a margin for rounding of places computed in double precision
     double cells = 0x1p23;
     while (cells * slack * reach * (along_axes ? 1.0 : 8.0) > 0x1p23 && cells > 0x1p9) cells *= 0.5;
     return cells;
@@ -37,7 +37,7 @@ namespace typemesh::inline TYPEMESH_ABI {
     return farthest / units_per_em + 2.0;
 }
 
-/// The same for a text whose ink has this box, in font units.
+/// The distance for a text whose ink has this box, in font units.
 [[nodiscard]] inline double reach_of(const box& ink, double units_per_em) noexcept
 {
     double farthest = 0.0;

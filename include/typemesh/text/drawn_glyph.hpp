@@ -14,7 +14,7 @@ namespace typemesh::inline TYPEMESH_ABI {
 /// by the first one.
 struct drawn_glyph {
     const built_glyph* built = nullptr;
-    point origin;  ///< font units
+    point origin;  ///< the glyph's origin, in font units
     glyph_id id = no_glyph;
     cluster_id cluster = no_cluster;
     style_id style = {};
@@ -22,7 +22,7 @@ struct drawn_glyph {
     std::uint32_t glyph = 0;          ///< its index in the run
     std::uint32_t merged = none;      ///< its index in text_glyphs::merged.groups, or none
     std::uint32_t mesh = 0;           ///< its index in the text's meshes
-    std::uint32_t next_alike = none;  ///< the next record of that mesh, or none
+    std::uint32_t next_alike = none;  ///< the next record with this mesh, or none
     part_sizes before = {};           ///< the counts of all preceding glyphs
 
     static constexpr std::uint32_t none = 0xFFFF'FFFFu;

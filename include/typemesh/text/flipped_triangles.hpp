@@ -10,16 +10,16 @@
 namespace typemesh::inline TYPEMESH_ABI {
 
 /// The number of triangles of caps and bevels, seen from the front, that are reversed or flattened when placed
-/// positions are rounded to 32-bit floats. It is 0 if every triangle is higher than two of the plan's position_step().
-/// Front and back cap have the same triangles: they are counted once, and so are the bevels. Walls over the rim of an
-/// affected cap may be flattened too. If an extruder makes its own caps and has no seen_from_front() (extruder.hpp),
-/// only the region's triangles are counted.
+/// positions are rounded to 32-bit floats. It is 0 if the height of every triangle is greater than two of the plan's
+/// position_step(). Front and back have equal triangles, in caps and in bevels, and each of them is counted once. Walls
+/// over the rim of an affected cap may be flattened too. If an extruder makes its own caps and has no seen_from_front()
+/// (extruder.hpp), only the region's triangles are counted.
 ///
 /// On the grid no triangle is reversed or flat. Floats are coarser than the grid wherever units per em are not a power
-/// of two, and far from the origin everywhere. Within 4 em of the origin three kinds remain: triangles that no other
-/// diagonals avoid (see triangulate/impl/low_triangles.hpp), triangles that a triangulator keeps (has_final_diagonals),
-/// and slivers of bevels where edges meet. Glyphs with an origin of their own (see text_plan::write_meshes) do not have
-/// this problem.
+/// of two, and far from the origin everywhere. Within 4 em of the origin three kinds of triangles are still affected:
+/// triangles that no other diagonals avoid (see triangulate/impl/low_triangles.hpp), triangles that a triangulator
+/// keeps (has_final_diagonals), and slivers of bevels where edges meet. Glyphs with an origin of their own (see
+/// text_plan::write_meshes) do not have this problem.
 ///
 /// Cost   O(triangles), computed in double precision from the positions as they are written
 template <extruder Extruder>

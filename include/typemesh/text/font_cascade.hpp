@@ -18,10 +18,10 @@ namespace typemesh::inline TYPEMESH_ABI {
 ///     text_mesher mesher{fonts};
 ///     auto plan = mesher.plan(text);
 ///
-/// Text that the first font supports is shaped once, by the first font only, with the same result as without the
-/// others. Glyphs of the other fonts are scaled to the first font's em. The first font sets the line spacing; in a
-/// paragraph, the fonts used in a line set its spacing unless the options request uniform lines. fallback_shaping.hpp
-/// says how missing glyphs are found and replaced. font_list.hpp is for fonts whose number is known only at run time.
+/// Text that the first font supports is shaped once, by the first font only, and the result is as without the other
+/// fonts. Glyphs of the other fonts are scaled to the first font's em. The fonts used in a line set its spacing, unless
+/// the lines are uniform (line_box::uniform). fallback_shaping.hpp says how missing glyphs are found and replaced.
+/// font_list.hpp is for fonts whose number is known only at run time.
 ///
 /// Move-only. Used by one thread at a time.
 template <outline_source... Fonts>

@@ -26,7 +26,7 @@ inline void belong_to(array_view<shaped_glyph> glyphs, std::uint16_t face, doubl
     }
 }
 
-/// Several faces as one source, in units of the first. `Store` keeps them:
+/// Several faces as one source, in units of the first face. `Store` keeps the faces:
 ///
 ///     face_count()                        the number of faces
 ///     first()                             the first face
@@ -56,7 +56,7 @@ public:
         return rule;
     }
 
-    /// See variation_key.hpp: the first face's key stands for all of them.
+    /// See variation_key.hpp: the first face's key stands for all faces.
     [[nodiscard]] std::uint64_t variation_key() const noexcept { return variation_of(first()); }
     [[nodiscard]] std::uint64_t variation_key(std::uint32_t face) const noexcept
     {
@@ -102,7 +102,7 @@ public:
         return e;
     }
 
-    /// Metrics, bars and carets of one face, in units of the first: see face_metrics.hpp, ligature_carets.hpp.
+    /// Metrics, bars and carets of one face, in units of the first face: see face_metrics.hpp, ligature_carets.hpp.
     [[nodiscard]] line_metrics metrics(direction d, std::uint32_t face) const noexcept
         requires shaper<first_type>
     {
@@ -143,7 +143,7 @@ public:
     }
 };
 
-/// Sources of different types; they must outlive it.
+/// Sources of distinct types; they must outlive the store.
 template <class... Sources>
 class faces_of_types {
 public:

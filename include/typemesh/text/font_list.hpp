@@ -33,7 +33,7 @@ public:
     /// face < face_count()
     [[nodiscard]] Font& font(std::uint32_t face) const noexcept { return face == 0 ? *first_ : *others_[face - 1]; }
 
-    /// See fallback_shaping: the provider finds a font, which is added to these.
+    /// See fallback_shaping: the provider finds a font, which is added to the list.
     result<std::uint32_t> find(text_view text, text_range grapheme, std::uint32_t script,
                                std::string_view language) noexcept
         requires(!std::same_as<Provider, no_fallback<Font>>)
@@ -82,9 +82,9 @@ private:
 ///     font_list fonts{latin};                    // or {latin, provider}: both must outlive it
 ///     if (auto face = fonts.add(arabic); !face) return face.error();
 ///
-/// Fonts that the provider finds are added after the others, in the order in which texts need them, and stay: the next
-/// text tries them before it queries the provider. A shaped run must therefore be drawn by the list that shaped it. The
-/// lists of glyph_workers have no provider, because each list would number the added fonts differently.
+/// Fonts that the provider finds are added after the others, in the order in which texts need them, and stay in the
+/// list: the next text tries them before it queries the provider. A shaped run must therefore be drawn by the list that
+/// shaped it. The lists of glyph_workers have no provider, because each list would number the added fonts differently.
 ///
 /// Move-only. Used by one thread at a time.
 template <outline_source Font, fallback_provider<Font> Provider = no_fallback<Font>>

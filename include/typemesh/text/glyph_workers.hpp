@@ -18,13 +18,14 @@ namespace typemesh::inline TYPEMESH_ABI {
 
 /// Makes the outline source of one worker: clone(worker) returns a result<Source>, once per worker.
 ///
-/// All sources must draw and shape alike. None may share mutable state with another one, or with the mesher's font:
+/// All sources must draw and shape alike. No source may share mutable state with another source, or with the mesher's
+/// font:
 ///
 ///     HarfBuzz    [&](std::size_t) noexcept { return harfbuzz_font::wrap(font.handle()); }
 ///                 all large data is shared; only the text's own buffers are not
 ///     FreeType    [&](std::size_t) noexcept { return freetype_font::open(path, options); }
-///                 a face and a library for each: two threads may use neither at once
-///     your own    if reading it changes nothing: transformed_outlines<const My_source> over a shared source
+///                 each worker has a face and a library of its own: two threads may use neither at once
+///     your own    a shared source that reading does not change: transformed_outlines<const My_source> over it
 template <class C>
 concept source_maker = requires(C& clone, std::size_t worker) {
     { clone(worker) } noexcept;
@@ -35,15 +36,15 @@ concept source_maker = requires(C& clone, std::size_t worker) {
 /// The workers that shape a text's lines and build its glyphs in parallel: an executor and, for each of its workers, an
 /// outline source, scratch memory, and a store for the glyphs that it builds. See workers_of().
 ///
-/// Move-only. It refers to its executor. It holds one plan at a time: the next plan() with these workers ends the
-/// previous plan, whichever mesher made it, unless a glyph_cache holds the glyphs.
+/// Move-only. It refers to its executor. It holds one plan at a time: the next plan() with these workers invalidates
+/// the previous plan, whichever mesher made it, unless a glyph_cache holds the glyphs.
 ///
-/// Memory   from `source`, by several workers at once: the source must allow this, as heap() does. It is kept for the
-///          next text. It is not defined which worker builds which glyph, so a worker may need more memory than for
-///          the last text until each worker has built most of the glyphs.
+/// Memory   several workers take memory from `source` at once; the source must allow this, as heap() does. The memory
+///          is kept for the next text. It is not defined which worker builds which glyph. A worker may therefore need
+///          more memory than for the last text, until each worker has built the majority of the glyphs.
 template <executor Executor, outline_source Source>
 class glyph_workers {
-    struct alignas(64) own_source {  // aligned for the same reason: reading a font changes it
+    struct alignas(64) own_source {  // aligned to a cache line, because reading a font changes it
         Source font;
     };
     struct block {
@@ -117,7 +118,7 @@ public:
     /// The font units per em of its sources.
     [[nodiscard]] double units_per_em() noexcept { return sources_[0].font.units_per_em(); }
 
-    /// The team that a mesher plans with. Its address stays the same when the workers are moved.
+    /// The team that a mesher plans with. Its address does not change when the workers are moved.
     [[nodiscard]] glyph_team& team() noexcept { return block_->team; }
 
     /// Returns the scratch memory for building glyphs to its source. Plans stay as they are.

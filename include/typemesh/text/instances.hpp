@@ -10,23 +10,23 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// One of a text's different glyphs, which is drawn glyph_count times; for instanced drawing.
+/// One of a text's distinct glyphs, which is drawn glyph_count times; for instanced drawing.
 struct glyph_mesh {
-    const built_glyph* built = nullptr;  ///< valid as long as the plan
+    const built_glyph* built = nullptr;  ///< the built glyph, valid as long as the plan
     glyph_id id = no_glyph;
     std::uint32_t first_vertex = 0;  ///< its start in the output of write_meshes()
     std::uint32_t first_index = 0;
     std::uint32_t first_instance = 0;  ///< the position of its first instance in the output of write_instances()
     std::uint32_t glyph_count = 0;     ///< the number of instances
     std::uint32_t first_glyph = 0;     ///< the first instance among the text's glyphs;
-    std::uint32_t last_glyph = 0;      ///< the last one; drawn_glyph::next_alike links them
+    std::uint32_t last_glyph = 0;      ///< the last instance; drawn_glyph::next_alike links the instances
 };
 
 /// One occurrence of a glyph_mesh: every position of the mesh is translated, and nothing else changes.
 struct glyph_instance {
-    vec3 translation;         ///< in the output's unit and frame
-    std::uint32_t mesh = 0;   ///< which of the plan's meshes()
-    std::uint32_t glyph = 0;  ///< which of the plan's glyphs()
+    vec3 translation;         ///< the translation, in the output's unit and frame
+    std::uint32_t mesh = 0;   ///< the index in the plan's meshes()
+    std::uint32_t glyph = 0;  ///< the index in the plan's glyphs()
     glyph_id id = no_glyph;
     cluster_id cluster = no_cluster;
     style_id style = {};

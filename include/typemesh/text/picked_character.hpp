@@ -29,7 +29,7 @@ namespace detail {
 
 /// The extent of the letters of one cluster of a plain line, in font units of the run.
 struct picked_cluster {
-    std::uint32_t line = 0, glyph = 0;  // glyph: the first of the cluster in drawing order
+    std::uint32_t line = 0, glyph = 0;  // glyph: the first glyph of the cluster in drawing order
     std::uint32_t glyphs = 0;
     text_range text = {};
     double left = 0.0, right = 0.0;  // along the line; downwards in columns
@@ -111,7 +111,7 @@ template <class Font>
     return in.last;
 }
 
-/// The glyph of the run that was hit. If merged glyphs share the triangle, it is the one of them nearest to `at`.
+/// The glyph of the run that was hit. If merged glyphs share the triangle, it is the glyph nearest to `at`.
 template <class Plan>
 [[nodiscard]] std::uint32_t glyph_hit(const Plan& plan, const mesh_hit& hit, double at, bool down) noexcept
 {
@@ -137,10 +137,10 @@ template <class Plan>
 ///     auto letter = character_at(*plan, what, point, text, font);      the text and the font of mesher.plan(text)
 ///
 ///     at      where the ray hit the mesh, in the mesh's coordinates; for an instance, in the whole text's coordinates
-///     down    the text was set in columns
+///     down    whether the text was set in columns
 ///
-/// The font divides a ligature into letters (ligature_carets.hpp); otherwise the letters get equal shares. Cost:
-/// O(glyphs of the line); may allocate where a cluster is several letters
+/// The font divides a ligature into letters (ligature_carets.hpp); without the font's caret positions, the letters get
+/// equal shares. Cost: O(glyphs of the line); may allocate where a cluster is several letters
 template <class Plan, class Font>
 [[nodiscard]] picked_character character_at(const Plan& plan, const mesh_hit& hit, vec3 at, text_view text, Font& font,
                                             bool down = false) noexcept
@@ -176,11 +176,13 @@ template <class Plan, class Font>
     return found;
 }
 
-/// The same for a paragraph: `laid` is its laid(), and the plan is of the run that it was laid out into.
+/// The character of a paragraph that a ray hit. `laid` is the paragraph's laid(), and the plan was made from the run
+/// into which the paragraph was laid out.
 ///
 ///     auto letter = character_at(*plan, plan->hit(part::front, triangle), point, words.laid());
 ///
-/// For a hyphen or an ellipsis, `text` is the text that it stands for. Cost: O(clusters of the line)
+/// For a hyphen or an ellipsis, `text` is the text that the hyphen or ellipsis stands for. Cost: O(clusters of the
+/// line)
 template <class Plan, class Laid>
     requires requires(const Laid& laid) { laid.grapheme_at(std::uint32_t{}, point{}); }
 [[nodiscard]] picked_character character_at(const Plan& plan, const mesh_hit& hit, vec3 at, const Laid& laid) noexcept

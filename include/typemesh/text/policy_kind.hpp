@@ -39,7 +39,7 @@ template <class P>
 
 namespace detail {
 
-/// The extruder among a mesher's options, or the default.
+/// The extruder among a mesher's options, or the default extruder.
 template <class... Option>
 struct find_solid {
     using type = extruded<>;
@@ -51,13 +51,13 @@ struct find_solid<First, Option...>
 template <class... Option>
 using solid_among = typename find_solid<Option...>::type;
 
-/// An int if every solid among the options converts to the mesher's. Before clang 17, class template argument
+/// An int if every solid among the options converts to the mesher's solid. Before clang 17, class template argument
 /// deduction ignores the requires clauses of constructors, but not their template parameters.
 template <class Solid, class... Option>
 using takes = std::enable_if_t<
     ((kind_of<Option>() != policy_kind::extruder || std::is_convertible_v<Option, Solid>) && ... && true), int>;
 
-/// Whether no two options are of the same kind.
+/// Whether all options are of distinct kinds.
 template <class... Option>
 inline constexpr bool is_given_once = [] {
     int times[static_cast<int>(policy_kind::several) + 1] = {};
@@ -85,7 +85,7 @@ inline constexpr bool cacheable_option =
     cacheable_policy<Option> || std::is_same_v<Option, memory> || kind_of<Option>() == policy_kind::cache ||
     kind_of<Option>() == policy_kind::observer;
 
-// A type that models no concept but was meant to: it can be called like a policy, but guarantees less.
+// A type that models no concept but was meant to model one: it can be called like a policy, but guarantees less.
 template <class P>
 concept nearly_discretiser = requires(P& how, const quadratic& q, ignore_points put) { how(q, 1.0, put); } ||
                              requires(P& how, const cubic& c, ignore_points put) { how(c, 1.0, put); };
@@ -101,7 +101,7 @@ concept nearly_extruder = requires(P& how, const solid_of<P>& s, const placement
 template <class P>
 concept nearly_observer = requires(P& observe) { observe(stage::idle); };
 
-/// Says why with() does not accept a type. If it is nearly a policy, the compiler adds which requirement fails.
+/// Says why with() does not accept a type. If the type is nearly a policy, the compiler adds which requirement fails.
 template <class P>
 constexpr void refuse_policy() noexcept
 {

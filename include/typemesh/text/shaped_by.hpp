@@ -8,8 +8,8 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// A shaper and an outline source combined: one library shapes the text, another one draws it. Both must outlive it and
-/// have the same font, with the same units per em.
+/// A shaper and an outline source combined: one library shapes the text, another draws it. Both must outlive this
+/// object, and both must have one font, with equal units per em.
 template <shaper Shaper, outline_source Source>
 class shaped_by {
 public:

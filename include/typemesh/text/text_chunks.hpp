@@ -14,14 +14,14 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// One chunk of a text: its range of the output, and the part of the text that it holds.
+/// One chunk of a text: its range of the output, and the glyphs that it holds.
 struct text_chunk {
     std::uint32_t first_vertex = 0;
     std::uint32_t first_index = 0;
     part_sizes sizes;
-    std::uint32_t first_glyph = 0;  ///< in plan.glyphs()
+    std::uint32_t first_glyph = 0;  ///< the chunk's first glyph in plan.glyphs()
     std::uint32_t glyph_count = 0;
-    std::uint32_t piece = whole_glyphs;  ///< the piece number, if its only glyph had to be split
+    std::uint32_t piece = whole_glyphs;  ///< the number of the piece, if its only glyph had to be split
 
     static constexpr std::uint32_t whole_glyphs = 0xFFFF'FFFFu;  ///< `piece` of a chunk that splits no glyph
 
@@ -37,7 +37,8 @@ struct text_chunk {
     }
 };
 
-/// A planned text, cut into chunks that small indices can number. Each chunk is a mesh of its own with indices from 0.
+/// A planned text, divided into chunks that small indices can number. Each chunk is a mesh of its own with indices from
+/// 0.
 ///
 ///     vertices   [ chunk 0: front | back | side ][ chunk 1: front | back | side ] ...
 ///     indices    [ chunk 0: front | back | side ][ chunk 1: front | back | side ] ...      each from 0
@@ -52,16 +53,16 @@ struct text_chunk {
 ///
 /// A chunk holds as many whole glyphs as fit, in drawing order. A glyph that is too large for a chunk is split into
 /// pieces, each with a chunk of its own. A piece holds consecutive triangles and the vertices that they use, so
-/// vertices along the cuts are repeated.
+/// vertices between two pieces are repeated.
 ///
-/// Chunks are valid as long as the plan is. Then call cut() again.
+/// Chunks are valid as long as the plan is valid; call cut() for a new plan.
 class text_chunks {
 public:
     static constexpr std::uint32_t max_for_16_bits = 0xFFFF;  ///< 0xFFFF itself is reserved: it means "restart"
 
     explicit text_chunks(memory source = heap()) noexcept : chunks_{source}, pieces_{source} {}
 
-    /// Cuts a text into chunks of at most `most` vertices, which replace the previous chunks.
+    /// Divides a text into chunks of at most `most` vertices, which replace the previous chunks.
     ///
     /// Fails  error::bad_option: most < 3; error::too_large: more than 2^32 - 1 vertices or indices;
     ///        error::out_of_memory; there are then no chunks
@@ -91,7 +92,7 @@ public:
     /// The size of all chunks together.
     [[nodiscard]] mesh_size size() const noexcept { return total_; }
 
-    /// The range of a style in one part of chunk k. `plan` is the plan that was cut.
+    /// The range of a style in one part of chunk k. `plan` is the plan that cut() divided.
     template <extruder Extruder>
     [[nodiscard]] mesh_range range(const text_plan<Extruder>& plan, std::size_t k, style_id style,
                                    part p) const noexcept
@@ -104,7 +105,7 @@ public:
         };
         const std::size_t own_first = in_chunk(all.first_of(style)), own_last = in_chunk(all.last_of(style));
         mesh_range found = c.range(p);
-        if (c.piece != text_chunk::whole_glyphs) {  // a piece of one glyph: all or nothing
+        if (c.piece != text_chunk::whole_glyphs) {  // a piece of one glyph: it has the style as a whole or not at all
             if (own_first < own_last) return found;
             if (own_first == last) {
                 found.first_vertex += found.vertex_count;
@@ -120,7 +121,7 @@ public:
     }
 
     /// Writes all chunks: every vertex and every index once, ascending. Only the sink can fail, in begin_chunks() or
-    /// end(); nothing is allocated. `plan` is the plan that was cut.
+    /// end(); nothing is allocated. `plan` is the plan that cut() divided.
     template <extruder Extruder, class Sink>
         requires chunked_sink<std::remove_reference_t<Sink>>
     result<void> write(const text_plan<Extruder>& plan, Sink&& sink) const noexcept
@@ -129,7 +130,7 @@ public:
         return write(plan, std::forward<Sink>(sink), alone);
     }
 
-    /// The same with several workers, chunk by chunk. The output is identical.
+    /// Writes all chunks with several workers, chunk by chunk. The output is identical.
     template <extruder Extruder, class Sink, executor Executor>
         requires chunked_sink<std::remove_reference_t<Sink>>
     result<void> write(const text_plan<Extruder>& plan, Sink&& sink, Executor& workers) const noexcept

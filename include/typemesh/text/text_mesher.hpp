@@ -37,10 +37,10 @@ concept run_edit = std::is_nothrow_invocable_v<E&, glyph_run&>;
 ///     text_mesher quick_text{font, cached_in{cache, 1}};        // see glyph_cache.hpp
 ///
 /// The type names only the solid, because the solid writes each vertex. The other policies are called once per glyph
-/// and can be exchanged at any time:
+/// and can be replaced at any time:
 ///
 ///     struct hud {
-///         text_mesher<flat> mesher;                             // without a font so far
+///         text_mesher<flat> mesher;                             // has no font yet
 ///         ...
 ///         mesher.use(font);
 ///         mesher.use(constrained_delaunay{});
@@ -48,8 +48,8 @@ concept run_edit = std::is_nothrow_invocable_v<E&, glyph_run&>;
 /// one_of.hpp chooses the solid at run time.
 ///
 /// `font` is an outline source and, for plan(text), also a shaper; it must outlive the mesher. A glyph that occurs more
-/// than once in a text is built once. Memory grows to the largest text's needs and is kept: after warm-up, a text of
-/// the same size allocates nothing here. Policies are stored in the mesher: stored_policy::room bytes each.
+/// than once in a text is built once. Memory grows to the needs of the largest text and is kept: after warm-up, a text
+/// of this size allocates nothing here. Policies are stored in the mesher: stored_policy::room bytes each.
 ///
 /// Move-only. A mesher serves one thread at a time.
 template <extruder Solid = extruded<>>
@@ -88,7 +88,7 @@ public:
         (void)refuse_result<Font>();
     }
 
-    /// The same mesher with one option replaced: a policy of any kind, or cached_in (no_cache{} removes the cache).
+    /// Returns the mesher with one option replaced: a policy of any kind, or cached_in (no_cache{} removes the cache).
     /// Another solid changes the mesher's type.
     template <class Option>
     [[nodiscard]] auto with(Option option) && noexcept
@@ -101,7 +101,7 @@ public:
         }
     }
 
-    /// Exchanges the font, which must outlive the mesher, or one option of it. Ends the plan.
+    /// Replaces the font, which must outlive the mesher, or one option of the mesher. This invalidates the plan.
     template <outline_source Font>
     void use(Font& font) noexcept
     {
@@ -123,11 +123,11 @@ public:
         (void)refuse_result<Font>();
     }
 
-    /// The solid, to change its options between texts. A plan keeps the options that it was made with.
+    /// The solid, for changing its options between texts. A plan keeps the options with which it was made.
     [[nodiscard]] Solid& solid() noexcept { return solid_; }
 
-    /// The discretiser, triangulator, step or observer, to change its options between texts or to read the data that it
-    /// gathered. Null if the mesher's policy has another type.
+    /// The discretiser, triangulator, step or observer, for changing its options between texts or reading the data that
+    /// it gathered. Null if the mesher's policy has another type.
     template <class Policy>
     [[nodiscard]] Policy* policy() noexcept
     {
@@ -145,10 +145,10 @@ public:
     }
 
     /// Returns the scratch memory for building glyphs to its source, for example after a text with unusual glyphs.
-    /// Plans stay as they are.
+    /// Plans stay valid.
     void trim() noexcept { planner_.trim(); }
 
-    /// Shapes, lays out and meshes a text: everything except the writing. Ends the previous plan.
+    /// Shapes, lays out and meshes a text: everything except the writing. This invalidates the previous plan.
     ///
     /// Glyphs that cannot be built are left out, and the plan reports them. Empty text and blank glyphs give an empty
     /// mesh.
@@ -160,9 +160,9 @@ public:
         return plan_text(text, options, nullptr);
     }
 
-    /// The same, but `edit` may change the run between layout and meshing: it can move glyphs, remove them, or give
-    /// them another style. What layout() reported about the text (missing glyphs and so on) is kept. An invalid run is
-    /// refused, like an invalid run of your own.
+    /// Plans a text whose run `edit` may change between layout and meshing: it can move glyphs, remove them, or give
+    /// them another style. Everything that layout() reported about the text (missing glyphs and so on) is kept. An
+    /// invalid run is refused, like an invalid run of your own.
     ///
     ///     mesher.plan("wave", {}, [](glyph_run& run) noexcept {
     ///         for (placed_glyph& g : run.glyphs) g.origin.y += 50.0 * std::sin(g.origin.x / 100.0);
@@ -173,20 +173,22 @@ public:
         return plan_text(text, options, nullptr, edit);
     }
 
-    /// The same from shaped text; needs no shaper. The run must not change while the plan is used.
+    /// Plans shaped text, and needs no shaper. The run must not change while the plan is used.
     [[nodiscard]] result<plan_type> plan(const glyph_run& run, const text_options& options = {}) & noexcept
     {
         return plan_run(run, options, nullptr);
     }
 
-    /// Both overloads with several workers (see glyph_workers.hpp), whose sources replace the mesher's font for shaping
-    /// lines and building glyphs. The plan is the same, to the bit. If several glyphs fail, the error of the lowest one
-    /// is returned. The plan's glyphs are stored in the workers, which must outlive it.
+    /// These overloads plan with several workers (see glyph_workers.hpp). The workers' sources replace the mesher's
+    /// font for shaping lines and building glyphs. The plan is bit for bit the plan of one worker. If several glyphs
+    /// fail, the error of the first of these glyphs is returned. The workers store the plan's glyphs and must outlive
+    /// the plan.
     ///
-    /// Several threads call the policies at once, as const. While glyphs are built, the observer sees only
-    /// stage::outline. One worker does the merging (text_options::merge).
+    /// Several threads call the policies, which are const, at once. While glyphs are built, the observer sees only
+    /// stage::outline. One worker merges glyphs (text_options::merge).
     ///
-    /// Fails  also with error::unlocked_cache; error::no_such_face if the sources have fewer faces than the font
+    /// Fails  also with error::unlocked_cache, and with error::no_such_face if the sources have fewer faces than the
+    ///        font
     template <executor Executor, outline_source Source>
     [[nodiscard]] result<plan_type> plan(text_view text, const text_options& options,
                                          glyph_workers<Executor, Source>& workers) & noexcept
@@ -217,7 +219,8 @@ public:
         return finish(*made, made->write(observed(sink)));
     }
 
-    /// The same with several workers. All of them write the sink if it takes subranges (see ranged_sink).
+    /// plan() and write() in one with several workers. All workers write the sink if the sink takes subranges (see
+    /// ranged_sink).
     template <class Text, class Sink, executor Executor, outline_source Source>
         requires mesh_sink<std::remove_reference_t<Sink>>
     result<text_report> build(const Text& text, Sink&& sink, const text_options& options,
@@ -235,7 +238,7 @@ private:
     template <extruder>
     friend class text_mesher;
 
-    /// The font and options of `before`, with this solid.
+    /// A mesher with the font and the options of `before`, and this solid.
     template <class Before>
     text_mesher(text_mesher<Before>&& before, Solid solid) noexcept
         : planner_{std::move(before.planner_)},

@@ -20,13 +20,14 @@ enum class output_unit : std::uint8_t {
     em,          ///< an em is 1, so `size` is the size of an em
     font_units,  ///< the font's own units, units_per_em per em
     pixels,      ///< pixels_per_em per em
-    unit_box,    ///< the text's box, scaled to fit [-1, 1]: its longer side spans the interval, its centre is at 0
+    unit_box,    ///< the text's box is scaled to fit [-1, 1]: its longer side spans the interval, and its centre is at
+                 ///< 0
 };
 
 /// The unit of an extruder's depths.
 enum class depth_unit : std::uint8_t {
-    em,      ///< in em: depth scales with the size of the letters
-    output,  ///< in output units, for any unit and size of x and y: a depth of 1 ends at z = -1
+    em,      ///< em: depth scales with the size of the letters
+    output,  ///< output units, for any unit and size of x and y: a depth of 1 ends at z = -1
 };
 
 /// The area that the square [0, 1] of the `box` texture mapping covers: the whole text, each line, or each glyph.
@@ -40,9 +41,9 @@ enum class texture_box : std::uint8_t { text, line, glyph };
 ///      .depth_in = depth_unit::output}             z = -1
 ///
 /// Tolerance is given in em, and so is depth unless depth_in says otherwise. Both scale with the size; vertices and
-/// triangles stay the same. If 32-bit floats cannot hold the result, plan() fails with error::bad_option: an em is
-/// below 2^-100 output units, or a depth or size takes coordinates beyond 3.4e38. Letters that are too far away are
-/// left out and reported.
+/// triangles stay the same. plan() fails with error::bad_option if 32-bit floats cannot hold the result, that is, if an
+/// em is below 2^-100 output units, or if a depth or size makes coordinates greater than 3.4e38. Letters that are too
+/// far away are left out and reported.
 struct text_options {
     shape_options shape = {};    ///< direction, language, features, letter spacing, styles
     layout_options layout = {};  ///< alignment, spacing of lines, tab stops
@@ -50,12 +51,14 @@ struct text_options {
     double tolerance = quality::high;    ///< the largest distance between curve and mesh, in em; see quality.hpp
     std::optional<fill_rule> fill = {};  ///< replaces the outline source's own rule
 
-    /// A glyph (or a group of merged glyphs) whose crossing contours cut its edges into more pieces is left out and
-    /// reported: error::too_many_pieces. This bounds memory; a hostile glyph may still take ten seconds.
+    /// The greatest number of pieces into which crossings may divide the edges of a glyph, or of a group of merged
+    /// glyphs. A glyph with more pieces is left out and reported: error::too_many_pieces. This limits memory; a hostile
+    /// glyph may still take ten seconds.
     std::uint32_t max_pieces = default_max_pieces;
 
-    /// A glyph with more curves, or whose curves need more points at this tolerance, is left out and reported:
-    /// error::too_many_points. This bounds the memory that a font can use: 0.3 kB per point, 1.5 kB with bevels.
+    /// A glyph with more curves than this, or with curves that need more points at the given tolerance, is left out and
+    /// reported: error::too_many_points. This limits the memory that a font can use: 0.3 kB per point, 1.5 kB with
+    /// bevels.
     std::uint32_t max_points = default_max_points;
 
     output_unit unit = output_unit::em;
@@ -65,21 +68,23 @@ struct text_options {
     texture_box texture_over = texture_box::text;  ///< only for the `box` texture mapping; see texture.hpp
     typemesh::frame frame = right_handed_y_up;
 
-    /// Merges glyphs whose outlines meet into one solid without inner walls: kerned, cursive or accented glyphs, and
-    /// emboldened ones or ones with outward bevels after they have grown. See glyph_merger.hpp.
+    /// Whether glyphs whose outlines meet are merged into one solid without inner walls: kerned, cursive or accented
+    /// glyphs. Emboldened glyphs, and glyphs with outward bevels, are merged where they meet after they have grown. See
+    /// glyph_merger.hpp.
     bool merge = false;
 
-    /// How corners are treated in which a letter touches itself. With touching::part or join, the mesh is a manifold:
+    /// The treatment of corners at which a letter touches itself. With touching::part or join, the mesh is a manifold:
     /// every edge has two faces, and the surface around every point is a disc. Programs that compute with solids
-    /// require this (OpenSCAD, CGAL). Upright pieces of bevels then lean by a few cells. The grid is then so coarse
+    /// require this (OpenSCAD, CGAL). Upright sections of bevels then lean by a few cells. The grid is then so coarse
     /// that floats distinguish neighbouring cells at every letter, up to 16,000 em from the origin. For letters that
-    /// touch each other, also set `merge`. The report counts such corners.
+    /// touch each other, also set `merge`. The report counts the treated corners.
     touching corners = touching::keep;
 
-    /// Build a repeated glyph only once. If false, every occurrence is built again, to the same mesh: for measurements.
+    /// Whether a repeated glyph is built only once. If false, every occurrence is built again, with an identical mesh:
+    /// for measurements.
     bool reuse = true;
 
-    /// Draw the font's .notdef (usually a box) for missing glyphs; they are reported either way.
+    /// Whether the font's .notdef (usually a box) is drawn for missing glyphs; they are reported in either case.
     bool draw_missing = false;
 };
 

@@ -24,10 +24,10 @@ namespace typemesh::inline TYPEMESH_ABI {
 
 /// The owner of a triangle: see text_plan::hit().
 struct mesh_hit {
-    std::size_t glyph = 0;            ///< its index in glyphs()
-    std::uint32_t of_run = 0;         ///< in the run, or shared_glyph: see text_plan::owner()
-    cluster_id cluster = no_cluster;  ///< its place in the text; for shared glyphs the first one's; no_cluster for a
-                                      ///< decoration's bar
+    std::size_t glyph = 0;            ///< the glyph's index in glyphs()
+    std::uint32_t of_run = 0;         ///< the glyph's index in the run, or shared_glyph: see text_plan::owner()
+    cluster_id cluster = no_cluster;  ///< the glyph's place in the text; for shared glyphs, the place of the first
+                                      ///< glyph; no_cluster for a decoration's bar
 };
 
 /// Consecutive glyphs of a plan: glyphs [first, last).
@@ -43,11 +43,12 @@ struct glyph_span {
 ///
 /// Glyphs are numbered style by style (see look.hpp) and in drawing order within a style, so each style is also
 /// contiguous within a part. Without looks there is one style, and the order is the drawing order. glyphs() contains
-/// only glyphs that fill something.
+/// only glyphs with a filled area.
 ///
-/// Move-only. It refers to its mesher, which must outlive it. It ends when the mesher is moved or makes another plan();
-/// using it after that is asserted. Until then, glyphs that it took from a glyph_cache stay in place, even if others
-/// evict them; glyphs that a glyph_workers built are stored there.
+/// Move-only. A plan refers to its mesher, which must outlive it. It becomes invalid when the mesher is moved or makes
+/// another plan(); an assertion fails if an invalid plan is used. As long as the plan is valid, glyphs that it took
+/// from a glyph_cache stay in place, even if others evict them. Glyphs that glyph_workers built are stored in these
+/// workers.
 template <extruder Extruder>
 class text_plan {
     friend class text_chunks;
@@ -104,15 +105,15 @@ public:
     /// The styles in the mesh, ascending.
     [[nodiscard]] std::span<const style_id> styles() const noexcept { return fresh().styles(); }
 
-    /// The glyphs of one style; empty (first == last) if it has none in the mesh. Cost: O(log glyphs).
+    /// The glyphs of one style; empty (first == last) if the mesh has no glyph of this style. Cost: O(log glyphs).
     [[nodiscard]] glyph_span glyphs_of(style_id style) const noexcept
     {
         return {fresh().first_of(style), fresh().last_of(style)};
     }
 
-    /// The glyphs that come from a position in the caller's text; empty (first == last) if it left no glyph in the
-    /// mesh. The glyphs of a cluster are consecutive, whatever the script's direction. If a cluster has several styles,
-    /// the result is the glyphs of its first style. Cost: O(glyphs).
+    /// The glyphs that come from a position in the caller's text; empty (first == last) if the mesh has no glyph from
+    /// there. The glyphs of a cluster are consecutive, whatever the script's direction. If a cluster has several
+    /// styles, the result is the glyphs of its first style. Cost: O(glyphs).
     [[nodiscard]] glyph_span glyphs_of(cluster_id cluster) const noexcept { return glyphs_of(cluster, all_glyphs()); }
 
     /// The glyphs of the cluster that have one style. Cost: O(glyphs of the style).
@@ -124,7 +125,7 @@ public:
     /// The glyphs in the mesh: style by style, in drawing order within a style.
     [[nodiscard]] std::span<const drawn_glyph> glyphs() const noexcept { return fresh().records.view(); }
 
-    /// The glyphs of the run that one of glyphs() represents, ascending: only itself, or all glyphs that
+    /// The glyphs of the run that one of glyphs() represents, ascending: this glyph alone, or all glyphs that
     /// text_options::merge merged with it. glyph < glyphs().size().
     [[nodiscard]] std::span<const std::uint32_t> members(std::size_t glyph) const noexcept
     {
@@ -133,11 +134,11 @@ public:
         return glyphs_->merged.members_of(glyphs_->merged.groups[s.merged]);
     }
 
-    /// The owner of a triangle, as an index in the run. It is the glyph to whose outline all contour edges at the
-    /// triangle's corners belong (for a wall, the glyph on whose outline it stands); if they belong to several, it is
-    /// shared_glyph. This requires an extruder that writes caps in the order of the region's triangles and walls as two
-    /// triangles per edge, such as flat and extruded. If an extruder makes its own caps (bevelled), all triangles of
-    /// merged glyphs are shared.
+    /// The owner of a triangle, as an index in the run. A wall's triangle belongs to the glyph on whose outline the
+    /// wall stands. A cap's triangle belongs to the glyph to whose outline all contour edges at its corners belong. If
+    /// these edges belong to several glyphs, the owner is shared_glyph. This requires an extruder that writes caps in
+    /// the order of the region's triangles and walls as two triangles per edge, such as flat and extruded. If an
+    /// extruder makes its own caps (bevelled), all triangles of merged glyphs are shared.
     ///
     ///     triangle    its position in range(glyph, p), below index_count / 3
     [[nodiscard]] std::uint32_t owner(std::size_t glyph, part p, std::uint32_t triangle) const noexcept
@@ -166,7 +167,7 @@ public:
         return hit_within(glyph, p, (index - range(glyph, p).first_index) / 3);
     }
 
-    /// The same for instances. Cost: O(log contours) for merged glyphs, otherwise O(1)
+    /// The owner of a triangle of an instance. Cost: O(log contours) for merged glyphs, otherwise O(1)
     ///
     ///     drawn       from this plan's write_instances()
     ///     triangle    its position in mesh_part(drawn.mesh, p), below index_count / 3
@@ -177,8 +178,8 @@ public:
         return hit_within(drawn.glyph, p, triangle);
     }
 
-    /// The place in the text of a point of the mesh, in em: the units of laid_text, and of run() divided by units per
-    /// em. character_at() in picked_character.hpp finds the letter there.
+    /// The place in the text that a point of the mesh shows, in em: the unit of laid_text. Positions in run(), divided
+    /// by the units per em, are also in em. character_at() in picked_character.hpp finds the letter at the place.
     [[nodiscard]] point place_of(vec3 p) const noexcept
     {
         const text_placement& placed = fresh().placed;
@@ -190,7 +191,7 @@ public:
         return (1.0 / placed.units_per_em) * ((1.0 / placed.unit_per_font_unit) * from + placed.centre);
     }
 
-    /// The glyphs that are not in the mesh, and why.
+    /// The report: which glyphs are not in the mesh, and why.
     [[nodiscard]] const text_report& report() const noexcept { return fresh().report; }
 
     /// The shaped text of the mesh: every glyph with its position and cluster, every line.
@@ -205,8 +206,8 @@ public:
     [[nodiscard]] bounds3 bounds() const noexcept { return fresh().bounds; }
 
     /// The distance between adjacent 32-bit floats at the mesh's farthest coordinate, in em. No position is rounded by
-    /// more than half of it, or by little more than one step if the frame's axes are not parallel to the coordinate
-    /// axes. Features thinner than two steps may collapse; see flipped_triangles.hpp.
+    /// more than half this distance, or by little more than the distance if the frame's axes are not parallel to the
+    /// coordinate axes. Features thinner than twice the distance may collapse; see flipped_triangles.hpp.
     [[nodiscard]] double position_step() const noexcept
     {
         const text_glyphs& all = fresh();
@@ -218,7 +219,7 @@ public:
         return (as_double(next) - as_double(farthest)) / (all.placed.unit_per_font_unit * all.placed.units_per_em);
     }
 
-    /// The placement of one glyph that its extruder receives.
+    /// The placement that the extruder receives for one glyph.
     [[nodiscard]] placement place(std::size_t glyph) const noexcept { return fresh().place(fresh().records[glyph]); }
 
     /// Calls put(a, b, c) with the grid points of each triangle of a glyph that faces the front, as its extruder
@@ -229,9 +230,10 @@ public:
         typemesh::each_seen_from_front(extruder_, fresh().records[glyph].built->template planned<Extruder>().form, put);
     }
 
-    /// N and H of the vertex counts 2N, 4N and 4N + 2H: contour points, and the hard points among them, whose side
-    /// vertices are doubled. Seams of em mapping are not hard points and are counted in addition. N counts the letters
-    /// as drawn, before an extruder moves their edges. Cost: O(glyphs), and O(points) for H.
+    /// N in the vertex counts 2N, 4N and 4N + 2H: the number of contour points. H is the number of hard points among
+    /// them, whose side vertices are doubled. Seams of em mapping are no hard points; their vertices come in addition.
+    /// N is the number for letters as drawn, before an extruder moves their edges. Cost: O(glyphs), and O(points) for
+    /// H.
     [[nodiscard]] std::uint64_t contour_points() const noexcept
     {
         std::uint64_t points = 0;
@@ -258,8 +260,9 @@ public:
         return end_of(sink);
     }
 
-    /// The same with several workers, in equal shares; the output is the same to the bit. The sink must take subranges
-    /// (see ranged_sink), like the sinks over arrays and containers. Each share is written in ascending order.
+    /// Emits the mesh with several workers, in equal shares; the output is bit for bit the output of one worker. The
+    /// sink must take subranges (see ranged_sink), like the sinks over arrays and containers. Each share is written in
+    /// ascending order.
     template <class Sink, executor Executor>
         requires ranged_sink<std::remove_reference_t<Sink>>
     result<void> write(Sink&& sink, Executor& workers) const noexcept
@@ -273,17 +276,19 @@ public:
         return end_of(sink);
     }
 
-    /// Writes only some consecutive glyphs, each part to its range of the whole mesh: for a text that has changed
-    /// little since it was written. In each part, vertices ascend, then indices. Everything else is left unchanged.
+    /// Writes only some consecutive glyphs, each part to its range of the whole mesh. It is for a text that has changed
+    /// little since it was written. In each part, vertices are written in ascending order, then indices. Everything
+    /// else is left unchanged.
     ///
     ///     keep of the previous text   size(), and range(glyph, part) of each glyph that will change
-    ///     if size() and these ranges are still the same, nothing else has moved: write these glyphs
-    ///     otherwise                   write the whole
+    ///     if size() and these ranges have not changed, nothing else has moved: write these glyphs
+    ///     otherwise                   write the whole mesh
     ///
     /// The vertices of the other glyphs must also be unchanged. They depend on the pen positions (the advance of the
     /// changed glyphs) and, with texture_box::text, texture_box::line or output_unit::unit_box, on the box.
     ///
-    /// Fails as write() does. For sinks over memory that holds the whole mesh, not for a container of another size.
+    /// Fails as write() does. The sink must refer to memory that holds the whole mesh, not to a container of another
+    /// size.
     template <class Sink>
         requires ranged_sink<std::remove_reference_t<Sink>>
     result<void> write(glyph_span some, Sink&& sink) const noexcept
@@ -315,7 +320,7 @@ public:
         return refuse_arrays<Vertices>();
     }
 
-    /// The text's different glyphs; write_meshes() writes each of them once.
+    /// The text's distinct glyphs; write_meshes() writes each of them once.
     [[nodiscard]] std::span<const glyph_mesh> meshes() const noexcept { return fresh().meshes.view(); }
 
     /// The exact size of write_meshes()'s output. There are glyphs().size() instances.
@@ -333,11 +338,11 @@ public:
         return m.built->sizes().range(p, m.first_vertex, m.first_index);
     }
 
-    /// For instanced drawing: every different glyph once, at the output's origin.
+    /// Writes every distinct glyph once, at the output's origin, for instanced drawing.
     ///
     ///     vertices   [ mesh 0: front, back, side | mesh 1: front, back, side | ... ]      indices likewise
     ///
-    /// Further parts of the extruder follow the side. Textures span each glyph's own box; in em mapping they begin at
+    /// Further parts of the extruder follow the side. Textures cover each glyph's own box; in em mapping they begin at
     /// the glyph's own origin. Fails as write() does.
     template <class Sink>
         requires mesh_sink<std::remove_reference_t<Sink>>
@@ -359,7 +364,7 @@ public:
 
     /// The counterpart of write_meshes(): put(const glyph_instance&) for every glyph, first the glyphs of mesh 0
     /// (glyph_mesh::glyph_count of them, style by style), then the glyphs of mesh 1, and so on. A mesh moved by the
-    /// translation equals the placed glyph, except for the rounding of the sum and the origin of its textures.
+    /// translation equals the placed glyph, except for the rounding of the sum and for the origin of its textures.
     template <class Put>
     void write_instances(Put&& put) const noexcept
     {
@@ -408,7 +413,7 @@ private:
 
     [[nodiscard]] glyph_span all_glyphs() const noexcept { return {0, fresh().records.size()}; }
 
-    /// The first consecutive glyphs of a cluster within `among`.
+    /// The first consecutive glyphs of a cluster within the span `among`.
     [[nodiscard]] glyph_span glyphs_of(cluster_id cluster, glyph_span among) const noexcept
     {
         const auto records = glyphs();
@@ -421,7 +426,8 @@ private:
 
     [[nodiscard]] mesh_layout whole() const noexcept { return {fresh(), 0, fresh().records.size()}; }
 
-    /// So many shares that no worker waits long for another, but none too small to be worth distributing.
+    /// The number of shares: so many that no worker waits long for another, but so few that each share is worth
+    /// distributing.
     [[nodiscard]] std::size_t shares_for(std::size_t workers) const noexcept
     {
         if (workers <= 1) return 1;

@@ -20,7 +20,7 @@ namespace typemesh::inline TYPEMESH_ABI {
 
 /// The triangulator for well-shaped triangles: the constrained Delaunay triangulation of the region, exact and unique.
 ///
-/// Of all triangulations over the region's own points it has the largest smallest angle. An edge that is not the
+/// It has the largest smallest angle of all triangulations over the region's own points. An edge that is not the
 /// region's own belongs to the triangulation exactly if some circle through the edge's ends contains no point that is
 /// visible from the edge. If four or more points that see each other are cocircular, all free diagonals between them
 /// end at the lexicographically smallest point (by x, then y). So the set of triangles depends only on the region: not
@@ -30,12 +30,13 @@ namespace typemesh::inline TYPEMESH_ABI {
 /// (monotone_sweep) and made Delaunay by flipping edges (delaunay_flips). Then the points left out are inserted into
 /// the boundary, each between its neighbours, coarse to fine. The triangulation stays Delaunay, without point location
 /// and with two flips per point. The coarse outline may cross itself: the sweep checks it like any other. Outlines may
-/// also cross between coarse and fine: all triangles stay counter-clockwise throughout, and such triangles with a
-/// simple boundary cover the inside once. A short outline that is not smooth is swept whole. Divide and conquer
-/// (delaunay_slabs) triangulates all points if the outline has too many points for that, if too many flips are needed,
-/// or if outlines touch themselves: the same triangles in another order. docs/triangulation.md measures each method:
-/// coarse loops save a fifth of the instructions at 1/800 em; flipping from a sweep of all points saves 4 to 6 % of the
-/// mispredicted branches there; slabs keep the worst case from being quadratic.
+/// also cross while points are inserted: all triangles stay counter-clockwise throughout, and counter-clockwise
+/// triangles with a simple boundary cover the inside once. A short outline that is not smooth is swept with all its
+/// points. Divide and conquer (delaunay_slabs) triangulates all points if the outline has too many points for that, if
+/// too many flips are needed, or if outlines touch themselves: it makes the same triangles in another order.
+/// docs/triangulation.md measures each method: coarse loops save a fifth of the instructions at 1/800 em; flipping from
+/// a sweep of all points saves 4 to 6 % of the mispredicted branches there; slabs keep the worst case from being
+/// quadratic.
 ///
 /// Cost   O(n log n)
 /// Space  at most 220 bytes per point and 128 per loop from `space`; no other memory once `out` has the capacity
@@ -43,10 +44,10 @@ namespace typemesh::inline TYPEMESH_ABI {
 struct constrained_delaunay {
     // Its functions are templates, so that translation units that do not call them do not compile the sweep.
 
-    static constexpr bool has_final_diagonals = true;  ///< low triangles stay, if there are any
+    static constexpr bool has_final_diagonals = true;  ///< thin triangles stay, if there are any
 
     /// The maximum number of flips per triangle before divide and conquer takes over; 1 to 3 are usual, and 0 always
-    /// uses divide and conquer. Affects only time, never the triangles.
+    /// uses divide and conquer. The option affects only the time, never the triangles.
     std::uint32_t max_flips = 4;
 
     /// See option_bits: the triangles do not depend on the option.
@@ -66,7 +67,7 @@ struct constrained_delaunay {
         return proven_by<false>(loops, space, out);
     }
 
-    /// The same for loops that touch in points. Fails as monotone{}.prove_touching() does.
+    /// Like prove(), for loops that touch in points. Fails as monotone{}.prove_touching() does.
     template <class = void>
     [[nodiscard]] result<region> prove_touching(const contours& loops, workspace& space,
                                                 triangle_list& out) const noexcept

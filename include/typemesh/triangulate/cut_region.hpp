@@ -16,9 +16,9 @@ namespace typemesh::inline TYPEMESH_ABI {
 
 namespace detail {
 
-/// Checks a triangulator's guarantees for the triangles that it appended after the first `before`. Flips edges of
-/// triangles too low for 32-bit floats, unless the diagonals are final. This rule depends only on the region, not on
-/// its later position. After an error `out` is unchanged.
+/// Checks a triangulator's guarantees for the triangles that it appended after the first `before` triangles. Flips
+/// edges of triangles that are too thin for 32-bit floats, unless the diagonals are final. This rule depends only on
+/// the region, not on its later position. After an error `out` is unchanged.
 [[nodiscard]] inline error settle_triangles(const region& r, triangle_list& out, std::size_t before, workspace& space,
                                             bool has_final_diagonals) noexcept
 {
@@ -31,7 +31,7 @@ namespace detail {
 }  // namespace detail
 
 /// Appends a region's triangles to `out`: calls how(r, space, out) and checks the result. If the triangulator's
-/// diagonals are not final, flips edges of triangles too low for 32-bit floats (see low_triangles.hpp).
+/// diagonals are not final, flips edges of triangles that are too thin for 32-bit floats (see low_triangles.hpp).
 ///
 /// Fails  as the triangulator does; error::out_of_memory. `out` is then unchanged
 template <triangulator Triangulator>

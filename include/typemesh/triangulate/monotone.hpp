@@ -19,10 +19,11 @@ namespace typemesh::inline TYPEMESH_ABI {
 ///
 /// Loops come in any order, holes need no mark, collinear points and vertical edges are no special cases. No point is
 /// dropped or added: every edge of the loops is an edge of exactly one triangle. The triangles are as slender as the
-/// sweep makes them. Only triangles too low for 32-bit floats (see low_triangles.hpp) are changed: their edges are
-/// flipped afterwards. If triangle quality matters (lighting per vertex, bending), use another triangulator.
+/// sweep makes them. Only triangles that are too thin for 32-bit floats (see low_triangles.hpp) are changed: their
+/// edges are flipped afterwards. If triangle quality matters (lighting per vertex, bending), use another triangulator.
 ///
-/// Cost   O(n log n); one pass. Only points that open a span need a search; all others find their span by their edges.
+/// Cost   O(n log n); one pass. Only points that open a span need a search; all other points find their span by their
+///        edges.
 /// Space  at most 130 bytes per point from `space`; no other memory once `out` has the capacity
 /// Exact  orientation in 64 bits (see core/orientation.hpp) is the only predicate of the sweep; heights take 128 bits
 /// From   de Berg et al., Computational Geometry, 3rd ed. (2008), 3.2 and 3.3; Shamos & Hoey, Geometric intersection
@@ -30,7 +31,7 @@ namespace typemesh::inline TYPEMESH_ABI {
 struct monotone {
     // Its functions are templates, so that translation units that do not call them do not compile the sweep.
 
-    static constexpr bool has_final_diagonals = true;  ///< low triangles are already raised here
+    static constexpr bool has_final_diagonals = true;  ///< edges of thin triangles are already flipped here
 
     /// Relies on the guarantees of a region. Fails with error::out_of_memory; `out` is then unchanged.
     template <class = void>
@@ -60,9 +61,9 @@ struct monotone {
         return r;
     }
 
-    /// The same for loops that may pass through a point more than once, each time along a separate sector of interior
-    /// (see fill/impl/touching_cycles.hpp). Fails as prove() does, and also if a visit leaves its sector. Takes about
-    /// 40 bytes more per point from `space`.
+    /// Like prove(), for loops that may pass through a point more than once, each time along a separate sector of
+    /// interior (see fill/impl/touching_cycles.hpp). Fails as prove() does, and also if a visit leaves its sector.
+    /// Takes about 40 more bytes per point from `space`.
     template <class = void>
     [[nodiscard]] result<region> prove_touching(const contours& loops, workspace& space,
                                                 triangle_list& out) const noexcept

@@ -18,12 +18,12 @@ namespace typemesh::inline TYPEMESH_ABI {
 /// aspect unchanged.
 struct triangle_quality {
     std::uint64_t triangles = 0;
-    double smallest_angle = 60.0;  ///< of all; 60 if there are none
-    double largest_aspect = 0.0;   ///< of all; 0 if there are none
+    double smallest_angle = 60.0;  ///< the smallest angle of all triangles; 60 if there are none
+    double largest_aspect = 0.0;   ///< the largest aspect of all triangles; 0 if there are none
     /// angles[i] counts triangles with an angle in [i, i + 1) tenths of a degree; the last entry includes 60.
     std::uint64_t angles[600] = {};
 
-    /// The angle that a share (0 to 1) of the triangles stay below, to a tenth of a degree: angle_at(0.05) is the 5th
+    /// The angle below which a share (0 to 1) of the triangles lie, to a tenth of a degree: angle_at(0.05) is the 5th
     /// percentile, angle_at(0.5) the median. 0 if there are no triangles.
     [[nodiscard]] double angle_at(double share) const noexcept
     {

@@ -11,7 +11,7 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// Cuts a region into counter-clockwise triangles over its own points. No point is added or dropped.
+/// Divides a region into counter-clockwise triangles over its own points. No point is added or dropped.
 ///
 ///     t(r, space, out)    appends r.triangle_count() triangles of indices into r.points() to `out`
 ///
@@ -20,21 +20,21 @@ namespace typemesh::inline TYPEMESH_ABI {
 /// region must be an edge of exactly one triangle, so that the walls on it meet the caps without a crack. No triangle
 /// may have zero area. Assertions check the cheap parts: the number, corners, orientation and area of the triangles.
 ///
-/// Scratch memory comes from `space`. If it runs out, the result is error::out_of_memory, and `out` is unchanged. If
-/// r.order() is not empty, it lists the points from left to right, which saves a sort.
+/// Scratch memory comes from `space`. If memory runs out, the result is error::out_of_memory, and `out` is unchanged.
+/// If r.order() is not empty, it lists the points from left to right, which saves a sort.
 template <class T>
 concept triangulator = requires(const T& t, const region& r, workspace& space, triangle_list& out) {
     { t(r, space, out) } noexcept -> std::same_as<error>;
 };
 
-/// A triangulator that also takes unproven loops, and proves them during its work.
+/// A triangulator that also takes unproven loops, and proves while it works that they bound a region.
 ///
 ///     t.prove(loops, space, out)    returns the region that the loops bound and appends its triangles to `out`; or
-///                                   returns error::crossing_contours and leaves `out` unchanged. This is a refusal,
-///                                   not a verdict: the loops then go through fill. The error's count may be 1: two
-///                                   equal points were in the way, and so far no other fault was found.
+///                                   returns error::crossing_contours and leaves `out` unchanged. The error does not
+///                                   prove that contours cross: the loops then go through fill. Its count is 1 if two
+///                                   equal points stopped the proof and no other fault had been found.
 ///
-/// It may refuse anything. It may accept only loops that do not cross, touch or overlap, and whose interior lies on
+/// It may refuse any loops. It may accept only loops that do not cross, touch or overlap, and whose interior lies on
 /// the left of every edge under both the even-odd and the non-zero rule (see fill/orient.hpp).
 template <class T>
 concept proving_triangulator =
@@ -52,9 +52,9 @@ concept touching_triangulator =
         { t.prove_touching(loops, space, out) } noexcept -> std::same_as<result<region>>;
     };
 
-/// Whether a triangulator's diagonals must not be changed. It declares this by `static constexpr bool
-/// has_final_diagonals = true;`. For all others, making caps flips edges of triangles too low for 32-bit floats (see
-/// cut_region.hpp) and changes nothing else about the triangles.
+/// Whether a triangulator's diagonals must not be changed. A triangulator declares this by `static constexpr bool
+/// has_final_diagonals = true;`. For all other triangulators, edges of triangles that are too thin for 32-bit floats
+/// are flipped when caps are made (see cut_region.hpp); nothing else about the triangles changes.
 template <class T>
 inline constexpr bool has_final_diagonals = [] {
     if constexpr (requires { T::has_final_diagonals; })

@@ -15,8 +15,9 @@ struct no_line_ends {
     no_line_ends(const character*, std::size_t) noexcept {}
 };
 
-/// The same as unicode_analyser except for line ends: text_mark::may_break, must_break and text_analysis::unbroken. For
-/// text whose lines end only at line breaks. Text of printable ASCII needs no table of Unicode.
+/// Finds what unicode_analyser finds, except for line ends: text_mark::may_break, must_break and
+/// text_analysis::unbroken. It is for text whose lines end only at line breaks. Text of printable ASCII needs no table
+/// of Unicode.
 ///
 /// Cost   O(n); for ASCII a few instructions for each character
 class bidi_analyser : public basic_analyser<no_line_ends> {

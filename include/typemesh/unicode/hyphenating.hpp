@@ -33,7 +33,7 @@ concept hyphenator = requires(H& h, text_view text, text_range word, std::string
     { h.hyphenate(text, word, language, detail::ignore_place{}) } noexcept;
 };
 
-/// An analyser that adds hyphenation to another analyser: it also finds where words may be divided with a hyphen:
+/// An analyser that adds hyphenation to another analyser: it also finds where words may be divided with a hyphen.
 ///
 ///     paragraph words{font, heap(), hyphenating{unicode_analyser{}, my_patterns}};
 ///

@@ -19,8 +19,8 @@ namespace typemesh::inline TYPEMESH_ABI {
     return tag;
 }
 
-/// Whether text of two scripts is set as text of one script. This is true for equal scripts, and for Han, the kana and
-/// Bopomofo: these change within words, share their punctuation and are kerned with each other.
+/// Whether text of two scripts is set like text of one script. This is true for equal scripts, and for Han, the kana
+/// and Bopomofo: these change within words, share their punctuation and are kerned with each other.
 [[nodiscard]] constexpr bool set_as_one(std::uint32_t a, std::uint32_t b) noexcept
 {
     const auto east_asian = [](std::uint32_t s) noexcept {
@@ -42,7 +42,8 @@ class script_set {
 public:
     constexpr script_set() noexcept = default;
 
-    /// The set of one code point. It is universal for Common, Inherited and Unknown ones, including private ones.
+    /// The set of one code point. It is universal for Common, Inherited and Unknown code points, including private
+    /// ones.
     ///
     /// Cost   O(log(ranges)): eleven reads of a table of 9 kB, none for ASCII
     [[nodiscard]] static script_set of(char32_t c) noexcept { return numbered(range_of(c).number); }
@@ -93,7 +94,7 @@ public:
     /// The script to use if nothing decides between several; 'Zyyy' for the universal set.
     [[nodiscard]] constexpr std::uint32_t tag() const noexcept { return detail::script_tags[preferred_]; }
 
-    /// Keeps the scripts that are in both sets. If there are none, returns false and changes nothing.
+    /// Keeps the scripts that are in both sets. If no script is in both, returns false and changes nothing.
     constexpr bool intersect(const script_set& other) noexcept
     {
         if (other.universal()) return true;

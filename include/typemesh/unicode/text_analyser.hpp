@@ -13,8 +13,8 @@ namespace typemesh::inline TYPEMESH_ABI {
 
 /// The input of an analyser besides the text.
 struct analysis_options {
-    paragraph_direction direction = paragraph_direction::automatic;  ///< of every paragraph
-    std::string_view language = {};  ///< BCP 47, such as "th"; for analysers whose line breaks depend on it
+    paragraph_direction direction = paragraph_direction::automatic;  ///< the direction of every paragraph
+    std::string_view language = {};  ///< BCP 47, such as "th"; for analysers whose line breaks depend on the language
 };
 
 /// Finds what a paragraph must know about a text before shaping: levels, scripts, graphemes, and where lines may end.

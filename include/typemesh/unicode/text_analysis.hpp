@@ -33,9 +33,10 @@ struct text_analysis {
     buffer<text_mark> marks;            ///< where graphemes begin and lines may end
     buffer<script_run> scripts;         ///< no run goes beyond a paragraph
     buffer<text_paragraph> paragraphs;  ///< one more than there are paragraph separators; the last one may be empty
-    buffer<text_range> unbroken;        ///< Thai, Lao, Khmer, Burmese: lines could end inside, but only a dictionary
-                                        ///< knows where, and the analyser has none; each range has one script
-    std::uint32_t invalid_units = 0;    ///< places that are not valid UTF and are read as U+FFFD
+    buffer<text_range> unbroken;        ///< ranges of Thai, Lao, Khmer, Burmese: lines could end inside, but only a
+                                        ///< dictionary knows where, and the analyser has no dictionary; each range has
+                                        ///< one script
+    std::uint32_t invalid_units = 0;    ///< the number of places that are not valid UTF and are read as U+FFFD
     std::uint32_t first_invalid_unit = 0;
 
     explicit text_analysis(memory source = heap()) noexcept

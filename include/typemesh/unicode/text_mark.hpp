@@ -17,8 +17,9 @@ enum class text_mark : std::uint8_t {
     may_break = 1u << 2,   ///< a line may end before this unit (UAX #14)
     must_break = 1u << 3,  ///< a line ends before this unit, for example after a line feed
     space = 1u << 4,       ///< white space, which may extend beyond the width at a line's end; not no-break spaces
-    trailing = 1u << 5,    ///< spaces, invisible characters: they get the paragraph's level at a line's end (L1)
-    separator = 1u << 6,   ///< tabs, paragraph separators: they get it anywhere, with trailing units before them
+    trailing = 1u << 5,    ///< a space or an invisible character, which gets the paragraph's level at a line's end (L1)
+    separator = 1u << 6,   ///< a tab or a paragraph separator, which gets it anywhere, together with trailing units
+                           ///< before it
     hyphen = 1u << 7,      ///< a line that ends before this unit shows a hyphen; U+00AD needs no mark
 };
 

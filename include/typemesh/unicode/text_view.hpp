@@ -91,7 +91,8 @@ concept foreign_text =
     !std::is_convertible_v<const Text&, text_view> && !std::is_convertible_v<const Text&, std::string_view> &&
     (std::is_convertible_v<const Text&, std::u32string_view> || std::is_convertible_v<const Text&, std::wstring_view>);
 
-/// Makes the compiler refuse foreign text in one sentence: for overloads beside the ones that take a text.
+/// Makes the compiler refuse text in other encodings in one sentence. It is for overloads beside functions that take a
+/// text.
 template <class Text>
 constexpr error refuse_text() noexcept
 {

@@ -18,8 +18,8 @@ struct code_point {
 /// i < end <= text.size().
 ///
 /// UTF-8 follows Unicode's "substitution of maximal subparts" (The Unicode Standard, 3.9), and so does WHATWG's
-/// decoder. As many bytes as could begin a code point become one U+FFFD. Any other byte becomes a separate U+FFFD.
-/// Overlong forms, surrogates and values beyond U+10FFFF are invalid.
+/// decoder. The longest sequence of bytes that could begin a code point becomes one U+FFFD. Any other byte becomes a
+/// separate U+FFFD. Overlong forms, surrogates and values beyond U+10FFFF are invalid.
 ///
 ///     E2 82 | 41        one U+FFFD, then A         E2 82 begins a sequence that is incomplete
 ///     C0 | AF           two U+FFFD                 no sequence begins with C0

@@ -39,7 +39,7 @@ void order_visually(Parts&& parts) noexcept
         }
 }
 
-/// Finds the parts of a line that get the level of their paragraph: rule L1 of UAX #9. Ask it about the parts of a line
+/// Finds the parts of a line that get the level of their paragraph: rule L1 of UAX #9. Call it for the parts of a line
 /// from the line's end to its start. These parts are separators (tabs), and white space before a separator or at the
 /// line's end.
 class line_end_rule {
@@ -76,7 +76,8 @@ inline error line_runs(const std::uint8_t* levels, const text_mark* marks, std::
 
 /// Puts one line in visual order: rules L1 and L2 of UAX #9.
 ///
-///     levels, marks   of the text's units, as in a text_analysis; only the units of the line are read
+///     levels, marks   the levels and marks of the text's units, as in a text_analysis; only the units of the line are
+///                     read
 ///     paragraph       the level of its paragraph
 ///     runs            emptied first; gets the line's runs from left to right. Within a run of odd level the characters
 ///                     are ordered from right to left.

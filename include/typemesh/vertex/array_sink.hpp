@@ -17,8 +17,8 @@
 namespace typemesh::inline TYPEMESH_ABI {
 
 /// Writes whole vertices and indices into two arrays of the caller, which may be mapped GPU memory. Each element is
-/// written once, in ascending order, and never read back. Both arrays must stay in place until end(). base_vertex is
-/// added to every index.
+/// written once, in ascending order, and never read. Both arrays must stay in place until end(). base_vertex is added
+/// to every index.
 ///
 /// Fails in begin(), before anything is written:
 ///        error::buffer_too_small  a span is too short; count = the number of elements that it needs
@@ -98,7 +98,7 @@ template <class Vertex, std::size_t V, class Index, std::size_t I>
     return array_sink<Vertex, Index, vertex_traits<Vertex>>{vertices, indices, {}, base_vertex};
 }
 
-/// The same with a writer of your own, which may have state.
+/// A sink over two arrays with a writer of your own, which may have state.
 template <class Vertex, std::size_t V, class Index, std::size_t I, vertex_writer Writer>
 [[nodiscard]] auto into(std::span<Vertex, V> vertices, std::span<Index, I> indices, Writer writer,
                         std::uint32_t base_vertex = 0) noexcept
@@ -106,7 +106,7 @@ template <class Vertex, std::size_t V, class Index, std::size_t I, vertex_writer
     return array_sink<Vertex, Index, Writer>{vertices, indices, std::move(writer), base_vertex};
 }
 
-/// The same with a lambda, see lambda_writer.
+/// A sink over two arrays with a lambda: see lambda_writer.
 template <class Vertex, std::size_t V, class Index, std::size_t I, vertex_lambda Make>
 [[nodiscard]] auto into(std::span<Vertex, V> vertices, std::span<Index, I> indices, Make make,
                         std::uint32_t base_vertex = 0) noexcept

@@ -7,7 +7,7 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// The attributes of a surface point; a set, joined by |. Only requested attributes are computed.
+/// The attributes of a surface point: a set, joined by |. Only requested attributes are computed.
 enum class attribute : std::uint32_t {
     none = 0,
     position = 1u << 0,

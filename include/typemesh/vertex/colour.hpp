@@ -8,7 +8,7 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// A colour of four bytes, red first in memory (R8G8B8A8, GL_RGBA). Made from numbers from 0 to 1.
+/// A colour of four bytes, red first in memory (R8G8B8A8, GL_RGBA). It is made from numbers between 0 and 1.
 struct rgba8 {
     unorm8 r;
     unorm8 g;
@@ -31,7 +31,7 @@ struct bgra8 {
 };
 
 /// One colour (or any other T) per part, for a writer that wants attribute::part: call it with s.part. For a single
-/// colour, use a plain member of the writer. Bevels have the colour of the side unless they get their own.
+/// colour, use a plain member of the writer. Bevels have the colour of the side unless they get a colour of their own.
 template <class T = rgba8>
 struct part_colours {
     T front;

@@ -10,12 +10,12 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// An array of any values computed from surface points: element i is the result of `make` for vertex i. For
-/// stream_sink.
+/// An array of any values computed from surface points, for stream_sink: element i is the result of `make` for vertex
+/// i.
 ///
 ///     make(surface_point<Wants>) noexcept -> element
 ///
-/// Made by computed_stream and constant_stream:
+/// computed_stream and constant_stream make it:
 ///
 ///     auto places = computed_stream<attribute::position>(
 ///         std::span{packed}, [box](const surface_point<attribute::position>& s) noexcept { return box(s.position); });
@@ -24,8 +24,8 @@ template <attribute Wants, class T, class Make>
 struct computed_elements {
     static constexpr attribute wants = Wants;
 
-    void* data = nullptr;            ///< the first element; aligned for T
-    std::size_t capacity = 0;        ///< elements
+    void* data = nullptr;            ///< the first element, aligned for T
+    std::size_t capacity = 0;        ///< the number of elements
     std::size_t stride = sizeof(T);  ///< bytes from one element to the next
     Make make;
 
@@ -45,7 +45,8 @@ template <attribute Wants, class T, std::size_t N, class Make>
     return computed_elements<Wants, T, Make>{elements.data(), elements.size(), sizeof(T), std::move(make)};
 }
 
-/// A stream of Ts in a block of bytes: the first one `offset` bytes from its start, then one every `bytes_apart` bytes.
+/// A stream of Ts in a block of bytes: the first T is `offset` bytes from the start of the block, then one T follows
+/// every `bytes_apart` bytes.
 template <attribute Wants, class T, class Make>
 [[nodiscard]] auto computed_stream(std::span<std::byte> bytes, std::size_t offset, std::size_t bytes_apart,
                                    Make make) noexcept
@@ -54,7 +55,7 @@ template <attribute Wants, class T, class Make>
     return computed_elements<Wants, T, Make>{place.data, place.capacity, bytes_apart, std::move(make)};
 }
 
-/// A stream with the same element for every vertex: a colour, a material number.
+/// A stream that gives every vertex one constant element: a colour, a material number.
 template <class T, std::size_t N>
 [[nodiscard]] constexpr auto constant_stream(std::span<T, N> elements, T value) noexcept
 {

@@ -16,10 +16,10 @@ enum class uv_origin : std::uint8_t { top_left, bottom_left };
 ///        up                       Text runs along `right`, stands along `up` and faces `toward` (the front cap's
 ///         |   the text's front    normal). The three are unit vectors at right angles; they may be left-handed.
 ///         |
-///         +------ right           winding: the sign of dot(cross(b - a, c - a), normal) for a triangle a, b, c,
-///        /                        computed in these very coordinates. +1 for OpenGL, glTF, Direct3D and Unity; -1 for
-///     toward                      Godot. Unlike "clockwise" it is unambiguous: a left-handed frame by itself reverses
-///                                 no triangle.
+///         +------ right           winding: the sign of dot(cross(b - a, c - a), normal) for every triangle a, b, c
+///        /                        of the output, in the caller's coordinates. +1 for OpenGL, glTF, Direct3D and Unity;
+///     toward                      -1 for Godot. Unlike "clockwise", the sign means the same in left-handed frames, in
+///                                 which corners are swapped to keep it (see turns_triangles()).
 struct frame {
     vec3 right{1.0f, 0.0f, 0.0f};
     vec3 up{0.0f, 1.0f, 0.0f};
@@ -36,8 +36,8 @@ struct frame {
         return determinant < 0.0f;
     }
 
-    /// Whether two corners of each triangle must be swapped: either the frame mirrors or the winding is negative, but
-    /// not both.
+    /// Whether two corners of each triangle must be swapped: either the frame is left-handed or the winding is
+    /// negative, but not both.
     [[nodiscard]] constexpr bool turns_triangles() const noexcept { return mirrors() != (winding < 0); }
 
     /// Whether the three are unit vectors at right angles, up to rounding.

@@ -23,10 +23,10 @@ concept sizable_array = requires(C& c, std::size_t n) {
     { c.data() } -> std::same_as<typename C::value_type*>;
 };
 
-/// Resizes two containers of the caller to fit, then writes like array_sink. Their old elements are replaced. It refers
-/// to them until end(). base_vertex is added to every index.
+/// Resizes two containers of the caller to the size of the mesh, then writes like array_sink. The old elements are
+/// replaced. The sink refers to the containers until end(). base_vertex is added to every index.
 ///
-/// resize() of a std::vector first sets new elements to zero; if that is too slow, see uninitialised_allocator.hpp.
+/// resize() of a std::vector first sets new elements to zero; if this is too slow, see uninitialised_allocator.hpp.
 ///
 /// If a container throws because it is out of memory, the result is error::out_of_memory (if exceptions are enabled).
 /// Both containers are then unchanged if they have reserve().
@@ -118,14 +118,14 @@ template <sizable_array Vertices, sizable_array Indices>
         vertices, indices, {}, base_vertex};
 }
 
-/// The same with a writer of your own, which may have state.
+/// A sink that resizes two containers, with a writer of your own, which may have state.
 template <sizable_array Vertices, sizable_array Indices, vertex_writer Writer>
 [[nodiscard]] auto into(Vertices& vertices, Indices& indices, Writer writer, std::uint32_t base_vertex = 0) noexcept
 {
     return growing_sink<Vertices, Indices, Writer>{vertices, indices, std::move(writer), base_vertex};
 }
 
-/// The same with a lambda, see lambda_writer.
+/// A sink that resizes two containers, with a lambda: see lambda_writer.
 template <sizable_array Vertices, sizable_array Indices, vertex_lambda Make>
 [[nodiscard]] auto into(Vertices& vertices, Indices& indices, Make make, std::uint32_t base_vertex = 0) noexcept
 {

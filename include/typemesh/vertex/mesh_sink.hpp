@@ -39,7 +39,7 @@ concept nothing_or_error = std::same_as<T, void> || std::same_as<T, error>;
 ///     s.begin(exact)       comes first, with the exact sizes; if it fails, nothing else is called
 ///     s.vertex(p)          exactly exact.vertices times: vertex 0, 1, 2, ...; p is a surface_point<S::wants>
 ///     s.triangle(a, b, c)  exactly exact.triangles times, after all vertices: numbers below exact.vertices
-///     s.end()              comes last; returns nothing, or an error, for example error::not_written
+///     s.end()              comes last; returns nothing or an error, for example error::not_written
 template <class S>
 concept mesh_sink = requires(S& s, mesh_size exact, const surface_point<S::wants>& p, std::uint32_t v) {
     { S::wants } -> std::convertible_to<attribute>;
@@ -67,7 +67,8 @@ concept array_without_sink =
         a.size();
     });
 
-/// Makes the compiler report a forgotten into() in one sentence: for overloads beside the ones that take a sink.
+/// Makes the compiler report a forgotten into() in one sentence. It is for overloads that take arrays where a sink is
+/// needed.
 template <class A>
 constexpr error refuse_arrays() noexcept
 {

@@ -15,8 +15,9 @@ namespace typemesh::inline TYPEMESH_ABI {
 ///
 ///     value = bits / most        most = 127, 255, 32,767 or 65,535; for snorm, bits = -most - 1 also means -1
 ///
-/// A float out of range is clamped (NaN becomes one of the ends). All others are rounded to the nearest step, ties away
-/// from 0, as Direct3D specifies. The rounding is exact: the product with `most` is computed in double precision.
+/// A float out of range is clamped (NaN becomes one of the ends). All other floats are rounded to the nearest step,
+/// ties away from 0, as Direct3D specifies. The rounding is exact: the product with `most` is computed in double
+/// precision.
 ///
 ///     struct my_vertex { float position[3]; snorm8 normal[4]; };  // {..., {s.normal.x, s.normal.y, s.normal.z, 0.0f}}
 template <std::integral Integer>

@@ -34,7 +34,7 @@ struct octahedral {
 
     octahedral() = default;
 
-    /// Encodes any vector except zero; its length does not matter.
+    /// Encodes any vector except zero; the vector's length does not matter.
     octahedral(float nx, float ny, float nz) noexcept : octahedral{nx, ny, nz, every<1>{}, 0} {}
 
     /// The unit vector that it encodes.
@@ -51,7 +51,7 @@ protected:
     template <int Apart>
     using every = std::integral_constant<int, Apart>;
 
-    /// The same, restricted to some steps of y: their bits are y_first, y_first + y_apart and so on.
+    /// Encodes a vector with only some steps of y: the bits of these steps are y_first, y_first + y_apart and so on.
     template <int Apart>
     octahedral(float nx, float ny, float nz, every<Apart> y_apart, int y_first) noexcept
     {

@@ -14,8 +14,8 @@ namespace typemesh::inline TYPEMESH_ABI {
 ///
 ///     octahedral_tangent<snorm8>   2 bytes, within 1.1 degrees    octahedral_tangent<snorm16>   4 bytes, within 0.0043
 ///
-/// A shader decodes the direction as if there were no sign: the bounds include this error. Tangents of 8, 10 or 16 bits
-/// per component do not need this type: {x, y, z, w} of snorm8 or snorm16, snorm10{x, y, z, w}.
+/// A shader decodes the direction as if there were no sign: the bounds above include this error. Tangents of 8, 10 or
+/// 16 bits per component do not need this type: {x, y, z, w} of snorm8 or snorm16, snorm10{x, y, z, w}.
 template <class Step>
 struct octahedral_tangent : private octahedral<Step> {
     using octahedral<Step>::x;

@@ -23,7 +23,7 @@ struct box_position {
 ///
 /// Both corners of the box are steps themselves. A position inside the box is decoded with an error of at most half a
 /// step per axis, scale / 131,070, plus the rounding of the decoded float. A position outside is clamped to the box.
-/// Equal positions stay equal, so caps and walls still meet. Positions less than a step apart may coincide.
+/// Equal positions stay equal, so caps and walls still meet. Positions that are less than a step apart may coincide.
 ///
 ///     position_box quantise = position_box::around(plan.bounds().low, plan.bounds().high);
 ///     my_vertex operator()(const surface_point<wants>& s) const noexcept { return {quantise(s.position), ...}; }
@@ -40,8 +40,8 @@ public:
         return {low, {high.x - low.x, high.y - low.y, high.z - low.z}};
     }
 
-    /// A cube instead, from the low corner, as large as the box's longest side. For cases where one scale must serve
-    /// all axes because the matrix also transforms normals (glTF nodes).
+    /// A cube from the low corner, as large as the box's longest side. Use it where all axes must have one scale
+    /// because the matrix also transforms normals (glTF nodes).
     [[nodiscard]] static constexpr position_box cube_around(vec3 low, vec3 high) noexcept
     {
         const position_box b = around(low, high);

@@ -10,13 +10,14 @@
 namespace typemesh::inline TYPEMESH_ABI {
 
 /// A sink that can be written in subranges, in any order and by several threads at once. This is possible in memory,
-/// but not where output must be sequential (a file).
+/// but not where output must be sequential, as in a file.
 ///
 ///     s.begin(exact)       first, as for every mesh_sink, by one thread
-///     s.subrange(range)    a sink for only that subrange, usable while s stays in place. Its vertex() is called
+///     s.subrange(range)    a sink for only this subrange, usable while s stays in place. Its vertex() is called
 ///                          range.vertex_count times and its triangle() range.index_count / 3 times, each ascending;
-///                          its begin() and end() are never called. triangle() gets the same numbers, and writes the
-///                          same indices, as s.triangle() would: numbers of the whole mesh, not of the subrange
+///                          its begin() and end() are never called. triangle() gets the numbers that s.triangle() would
+///                          get, and writes the same indices: they number the vertices of the whole mesh, not of the
+///                          subrange
 ///     s.end()              last, by one thread, when all subranges are written
 ///
 /// The subranges of one mesh are disjoint and cover it. subrange() is const and may be called by several threads; the

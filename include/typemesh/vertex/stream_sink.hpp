@@ -17,7 +17,7 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// The number of elements that fit into `bytes`, `stride` bytes apart; the last one needs no padding after it.
+/// The number of elements, `stride` bytes apart, that fit into `bytes`; the last element needs no padding after it.
 [[nodiscard]] constexpr std::size_t elements_in(std::size_t bytes, std::size_t element, std::size_t stride) noexcept
 {
     return bytes < element ? 0 : (bytes - element) / (stride != 0 ? stride : 1) + 1;
@@ -27,8 +27,8 @@ namespace typemesh::inline TYPEMESH_ABI {
 ///
 /// T is constructed from the attribute: T{x, y, z} for positions and normals, T{u, v} for texture coordinates, T{x, y,
 /// z, sign} for tangents, T(number) for glyph, cluster, style and part (0 front, 1 back, 2 side, 3 and more: further
-/// parts). Packed formats are also possible: snorm10, octahedral32, or structures of half, snorm16 and so on. Elements
-/// are written whole, once, in ascending order, and never read: the memory may be mapped.
+/// parts). Packed formats are also possible: snorm10, octahedral32, or structures of half, snorm16 and so on. Each
+/// element is written whole, once, in ascending order, and never read, so the memory may be mapped.
 template <attribute A, class T>
 struct stream {
     static constexpr attribute wants = A;
@@ -36,8 +36,8 @@ struct stream {
                       A == attribute::glyph || A == attribute::cluster || A == attribute::part || A == attribute::style,
                   "typemesh: a stream holds one attribute; computed_stream takes several");
 
-    void* data = nullptr;      ///< the first element; aligned for T
-    std::size_t capacity = 0;  ///< elements
+    void* data = nullptr;      ///< the first element, aligned for T
+    std::size_t capacity = 0;  ///< the number of elements
     std::size_t stride = sizeof(T);
 
     constexpr stream(void* first, std::size_t elements, std::size_t bytes_apart = sizeof(T)) noexcept
@@ -46,8 +46,8 @@ struct stream {
     }
     constexpr stream(std::span<T> elements) noexcept : data{elements.data()}, capacity{elements.size()} {}
 
-    /// As many elements as fit into a block of bytes, the first one `offset` bytes from its start: one attribute of an
-    /// interleaved vertex of `bytes_apart` bytes.
+    /// As many elements as fit into a block of bytes. The first element is `offset` bytes from the start of the block:
+    /// one attribute of an interleaved vertex of `bytes_apart` bytes.
     [[nodiscard]] static stream in(std::span<std::byte> bytes, std::size_t offset,
                                    std::size_t bytes_apart = sizeof(T)) noexcept
     {

@@ -107,16 +107,16 @@ struct with_part<Wants, false> : with_style<Wants> {
 ///     uv         vec2   texture coordinates (see extrude/texture.hpp)
 ///     tangent    vec4   x, y, z: unit length, perpendicular to the normal, the direction in which u grows; w: +1 or
 ///                       -1, so that v grows along w * cross(normal, tangent) (see extrude/texture_tangent.hpp)
-///     glyph      glyph_id     the glyph it belongs to, in its font; no_glyph if unknown
-///     cluster    cluster_id   its position in the caller's text; no_cluster if unknown
+///     glyph      glyph_id     the number in its font of the glyph that the point belongs to; no_glyph if unknown
+///     cluster    cluster_id   the glyph's position in the caller's text; no_cluster if unknown
 ///     part       part         front, back, side, or a further part of the extruder
-///     style      style_id     its look's (layout/look.hpp); no_style if unknown
+///     style      style_id     the style of the glyph's look (layout/look.hpp); no_style if unknown
 ///
 /// Other attributes take no space and are never computed.
 template <attribute Wants>
 struct surface_point : detail::with_part<Wants> {};
 
-/// The same point with fewer attributes; Fewer must be a subset of Wants.
+/// A copy of the point with fewer attributes; Fewer must be a subset of Wants.
 template <attribute Fewer, attribute Wants>
 [[nodiscard]] constexpr surface_point<Fewer> only(const surface_point<Wants>& s) noexcept
 {

@@ -17,7 +17,7 @@ namespace typemesh::inline TYPEMESH_ABI {
 /// unorm10: from 0 to 1 in steps of 1/1023; w in steps of 1/3.
 ///
 /// Numbers are rounded like `normalised` (normalised.hpp): exactly to the nearest step; values out of range are
-/// clamped. They are made from three or four numbers: normals, tangents.
+/// clamped. They are made from three numbers (a normal) or four (a tangent).
 struct snorm10 {
     std::uint32_t bits;
 

@@ -16,8 +16,8 @@ namespace typemesh::inline TYPEMESH_ABI {
 ///     std::vector<my_vertex, typemesh::uninitialised_allocator<my_vertex>> vertices;
 ///     std::vector<std::uint32_t, typemesh::uninitialised_allocator<std::uint32_t>> indices;
 ///
-/// Useful for large meshes in fresh vectors: they then cost only the fresh memory. Reused vectors of both kinds are
-/// several times as fast as any fresh memory, whose pages the system provides one by one.
+/// It is useful for large meshes in new vectors, which then cost only their new memory. Reused vectors, with either
+/// allocator, are several times as fast as any new memory, whose pages the system provides one by one.
 template <class T>
 class uninitialised_allocator {
 public:

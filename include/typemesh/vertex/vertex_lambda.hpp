@@ -52,7 +52,7 @@ struct call_of<F> : lambda_call<decltype(&F::operator())> {};
 template <class F>
 concept vertex_lambda = std::is_class_v<F> && !vertex_writer<F>;
 
-/// A lambda as a vertex_writer: it wants the attributes of its parameter.
+/// A lambda as a vertex_writer: the lambda's parameter determines the attributes that the writer wants.
 ///
 ///     constexpr auto wants = attribute::position | attribute::normal;
 ///     into(vertices, indices, [&](const surface_point<wants>& s) noexcept { return vertex{s.position, s.normal}; })

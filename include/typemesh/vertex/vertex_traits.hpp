@@ -13,7 +13,7 @@ namespace typemesh::inline TYPEMESH_ABI {
 ///     W::wants    the attributes that it wants, known at compile time; no other is computed
 ///     w(s)        your vertex, from a surface_point<W::wants>; noexcept
 ///
-/// A writer may have state (a colour, a box to quantise to): pass it to the sink.
+/// A writer may have state (a colour, a box to quantise to): pass the writer to the sink.
 template <class W>
 concept vertex_writer = requires(const W& w, const surface_point<W::wants>& s) {
     { W::wants } -> std::convertible_to<attribute>;

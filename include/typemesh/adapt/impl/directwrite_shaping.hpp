@@ -298,8 +298,8 @@ private:
         return {};
     }
 
-    /// Whether the piece's glyphs are the same if it is cut before a unit. Pieces are shaped independently, so the first
-    /// unit is safe. Wine also says so of places between joined letters.
+    /// Whether the piece's glyphs do not change if it is divided before a unit. Pieces are shaped independently, so the
+    /// first unit is safe. Wine also says so of places between joined letters.
     [[nodiscard]] bool breaks_safely(const piece& p, std::uint32_t unit) const noexcept
     {
         if (unit == 0) return true;
