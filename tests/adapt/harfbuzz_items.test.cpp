@@ -175,3 +175,13 @@ TEST_CASE("a pair of shaper and source shapes items if its shaper does", "[adapt
     REQUIRE_FALSE(pair.shape("ab", whole("ab", 0, 0), {}, glyphs));
     CHECK(glyphs.size() == 2);
 }
+
+TEST_CASE("A letter with hundreds of marks is shaped in parts, in drawing order", "[adapt][harfbuzz]")
+{
+    harfbuzz_font font = opened(dejavu);
+    const std::u16string text = u"\u05D0" + std::u16string(600, u'\u05B0') + u"\u05D1";
+    const items left{font, text, whole(text, tag("Hebr"), 1)};
+    REQUIRE(left.glyphs.size() > 2);
+    CHECK(left.glyphs[0].cluster == 601);
+    for (std::size_t i = 1; i < left.glyphs.size(); ++i) CHECK(left.glyphs[i].cluster <= left.glyphs[i - 1].cluster);
+}

@@ -280,26 +280,30 @@ TEST_CASE("writing to a sink past its end, or before it begins, is asserted", "[
           "The buffer is too small for the mesh: give a larger one. (needed: 3 vertices)");
 }
 
-TEST_CASE("A shaper with clusters outside its text is asserted", "[asserts]")
+TEST_CASE("A shaper with clusters outside its text, or out of order, is asserted", "[asserts]")
 {
     struct careless : test::toy_font {
         std::uint32_t off = 0;
+        bool backwards = false;
         error shape(text_view given, const text_item& item, const shape_options& how,
                     buffer<shaped_glyph>& glyphs) noexcept
         {
             const std::size_t before = glyphs.size();
             const error e = test::toy_font::shape(given, item, how, glyphs);
             for (shaped_glyph& g : glyphs.view().subspan(before)) g.cluster += off;
+            if (backwards) std::reverse(glyphs.begin() + before, glyphs.end());
             return e;
         }
     };
-    const auto told_by = [](std::uint32_t off) {
+    const auto told_by = [](std::uint32_t off, bool backwards = false) {
         careless font;
         font.off = off;
+        font.backwards = backwards;
         text_mesher mesher{font};
         REQUIRE(mesher.plan("EE?\n"));  // the unit after the item is one of the text
         return told();
     };
     CHECK(told_by(0) == sentences{});
+    CHECK(told_by(0, true) == sentences{"a shaper gave clusters that are not in the order of its item"});
     CHECK(told_by(1) == sentences{"a shaper gave a glyph a cluster outside the range of text that it had to shape"});
 }

@@ -222,3 +222,18 @@ TEST_CASE("A style changes its part of a plain text", "[layout]")
     CHECK(equal(run.glyphs[2].origin, {1500.0, 0.0}));
     CHECK(run.lines[0].advance == 2000.0);
 }
+
+TEST_CASE("A line tells how much white space hangs at its end", "[layout]")
+{
+    const style_span spans[] = {{0, 3, {.letter_spacing = -1.5}}, {3, 4, {.word_spacing = 2.0}}};
+    toy_shaper font;
+    glyph_run run;
+    REQUIRE(layout(font, "abc ", {.styles = spans}, {}, run));  // letters that go back
+    CHECK(run.lines[0].advance == 0.0);
+    CHECK(run.lines[0].hanging == 2250.0);
+    for (const char* text : {"ab", "ab  ", "\xD7\x90\xD7\x91 "}) {
+        REQUIRE(layout(font, text, {}, {.indent = 0.7}, run));
+        CHECK(run.lines[0].advance == 1000.0);
+        CHECK(run.lines[0].hanging == (text[2] == ' ' ? 500.0 : text[2] == 0 ? 0.0 : 250.0));
+    }
+}

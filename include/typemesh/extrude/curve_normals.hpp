@@ -132,7 +132,7 @@ private:
 
     private:
         /// A direction is clear if its angle to its edge is less than 45 degrees minus half the crease angle. Then the
-        /// sum of two such directions that meet softly is near both edges. Returns the tangent of this angle, with a
+        /// sum of two clear directions that meet softly is near both edges. Returns the tangent of this angle, with a
         /// margin for rounding: tan(45 - crease / 2) = cos / (1 + sin). It is 0 for 90 degrees and more: no direction
         /// is clear.
         [[nodiscard]] static double clear_slope(double crease) noexcept

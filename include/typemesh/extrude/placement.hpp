@@ -12,9 +12,9 @@ namespace typemesh::inline TYPEMESH_ABI {
 
 /// A point of a solid as its extruder computes it, not rounded to a grid.
 struct solid_point {
-    double x = 0.0;  ///< in cells, like the region's points
+    double x = 0.0;  ///< the coordinates in the plane, in cells, like the region's points
     double y = 0.0;
-    double z = 0.0;  ///< in the unit of the extruder's heights()
+    double z = 0.0;  ///< the height, in the unit of the extruder's heights()
 };
 
 /// The place of a glyph and its unit: the map from grid cells to the caller's coordinates.

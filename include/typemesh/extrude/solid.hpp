@@ -34,8 +34,8 @@ struct solid_with : solid {
 struct solid_plan {
     part_sizes sizes;
     box around = {};
-    bool narrowed = false;            ///< whether its edges moved less than wanted because edges farther away were not
-                                      ///< proven simple, or less than half as far in order to fit
+    bool narrowed = false;            ///< whether its edges moved less than wanted, because at the full distance they
+                                      ///< were not proven simple, or less than half as far in order to fit
     bool touching = false;            ///< whether corners touch that should have been separated or joined
     std::uint32_t corners_moved = 0;  ///< the number of corners that were separated or joined; see contours::corners
     std::uint32_t lost_caps = 0;      ///< the number of components smaller than a tolerance that have no cap in spite

@@ -95,7 +95,7 @@ private:
 struct wall_place {
     point at;             ///< the point in the plane, in cells
     float along;          ///< side_point::along
-    float v;              ///< from wall_texture
+    float v;              ///< the v that wall_texture gives
     vec2 outward;         ///< the normal in the plane
     vec3 normal{};        ///< the whole normal, in the text's own axes: only for bevels
     float facing = 1.0f;  ///< 1 on the front's bevel, -1 on the back's

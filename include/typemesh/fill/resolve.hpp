@@ -28,7 +28,7 @@ struct resolve_effort {
 
 /// The options of resolve().
 struct resolve_options {
-    std::uint32_t max_pieces = default_max_pieces;  ///< see resolve()
+    std::uint32_t max_pieces = default_max_pieces;  ///< the greatest number of pieces: see resolve()
     resolve_effort* effort = nullptr;               ///< receives the work done, unless null
 };
 

@@ -16,9 +16,10 @@ struct boundary_check {
     std::size_t short_loops = 0;      ///< the number of loops with fewer than three points
     std::size_t repeated_points = 0;  ///< how often a point occurs twice in a row
     std::size_t spikes = 0;           ///< how often a loop doubles back
-    std::size_t crossings = 0;        ///< pairs of edges that cross, or touch outside a common end
-    std::size_t overlaps = 0;         ///< pairs of edges that are equal or overlap
-    std::size_t strays = 0;           ///< pairs of edges at a common point where a cycle leaves its sector
+    std::size_t crossings = 0;        ///< the number of pairs of edges that cross, or touch outside a common end
+    std::size_t overlaps = 0;         ///< the number of pairs of edges that are equal or overlap
+    std::size_t strays = 0;           ///< the number of pairs of edges at a common point where a cycle leaves its
+                                      ///< sector
 
     /// A description of the first fault; "" if there is none.
     [[nodiscard]] constexpr const char* broken() const noexcept

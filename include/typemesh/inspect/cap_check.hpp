@@ -18,17 +18,18 @@ namespace typemesh::inline TYPEMESH_ABI::inspect {
 /// triangle, in the same direction; each other edge belongs to two triangles, in opposite directions. Every point is a
 /// corner.
 struct cap_check {
-    std::size_t wanted = 0;  ///< n + 2h - 2c, holes and outer loops recounted from their areas
+    std::size_t wanted = 0;  ///< the number n + 2h - 2c, with holes and outer loops recounted from their areas
     std::size_t triangles = 0;
-    bool miscounted_loops = false;    ///< the region states wrong numbers of holes, outer loops or triangles
-    std::size_t bad_corners = 0;      ///< triangles with a corner that is not a point; the counts below ignore them
-    std::size_t turned = 0;           ///< triangles that are flat or clockwise
+    bool miscounted_loops = false;    ///< whether the region states wrong numbers of holes, outer loops or triangles
+    std::size_t bad_corners = 0;      ///< the number of triangles with a corner that is not a point; the counts below
+                                      ///< ignore them
+    std::size_t turned = 0;           ///< the number of triangles that are flat or clockwise
     std::int64_t doubled_excess = 0;  ///< twice the triangles' area minus the region's, in square cells
-    std::size_t unused_points = 0;    ///< points of the region that are no triangle's corner
-    std::size_t repeated_edges = 0;   ///< directed edges that occur in more than one triangle
-    std::size_t uncovered_edges = 0;  ///< edges of the region in no triangle
-    std::size_t overrun_edges = 0;    ///< edges of the region with a triangle on the outside
-    std::size_t open_edges = 0;       ///< other edges that occur in only one triangle
+    std::size_t unused_points = 0;    ///< the number of points of the region that are no triangle's corner
+    std::size_t repeated_edges = 0;   ///< the number of directed edges that occur in more than one triangle
+    std::size_t uncovered_edges = 0;  ///< the number of the region's edges that are in no triangle
+    std::size_t overrun_edges = 0;    ///< the number of the region's edges with a triangle on the outside
+    std::size_t open_edges = 0;       ///< the number of other edges that occur in only one triangle
 
     /// A description of the first fault; "" if there is none.
     [[nodiscard]] constexpr const char* broken() const noexcept

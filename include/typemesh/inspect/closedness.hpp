@@ -19,11 +19,11 @@ namespace typemesh::inline TYPEMESH_ABI::inspect {
 ///       c---a---d
 struct closedness {
     std::size_t triangles = 0;        ///< the number of triangles examined
-    std::size_t unmatched_edges = 0;  ///< directed edges that occur more often than their reverse
-    std::size_t crowded_edges = 0;    ///< undirected edges with more than two faces
-    std::size_t crowded_slanted = 0;  ///< crowded edges that are not parallel to the depth axis
-    std::size_t zero_area = 0;        ///< triangles with two corners at one position
-    std::size_t bad_corners = 0;      ///< triangles with a corner that is no vertex or is not finite
+    std::size_t unmatched_edges = 0;  ///< the number of directed edges that occur more often than their reverse
+    std::size_t crowded_edges = 0;    ///< the number of undirected edges with more than two faces
+    std::size_t crowded_slanted = 0;  ///< the number of crowded edges that are not parallel to the depth axis
+    std::size_t zero_area = 0;        ///< the number of triangles with two corners at one position
+    std::size_t bad_corners = 0;      ///< the number of triangles with a corner that is no vertex or is not finite
 
     /// Whether the mesh is closed and every triangle valid. Crowded edges are no fault in text whose glyphs or loops
     /// touch.

@@ -73,10 +73,11 @@ struct long_number {
 
 /// The inner edges that do not belong to the constrained Delaunay triangulation.
 struct delaunay_check {
-    std::size_t inner_edges = 0;   ///< examined edges: those with a triangle on both sides
+    std::size_t inner_edges = 0;   ///< the number of examined edges, which have a triangle on both sides
     std::size_t not_delaunay = 0;  ///< the number of edges whose far corner lies inside the circumcircle of the near
                                    ///< triangle
-    std::size_t wrong_ties = 0;    ///< diagonals of four cocircular corners that do not end at the smallest (x, then y)
+    std::size_t wrong_ties = 0;    ///< the number of diagonals of four cocircular corners that do not end at the
+                                   ///< smallest corner (x, then y)
 
     /// A description of the first fault; "" if there is none.
     [[nodiscard]] constexpr const char* broken() const noexcept

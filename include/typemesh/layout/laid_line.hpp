@@ -17,6 +17,7 @@ struct laid_line {
     std::uint8_t level = 0;  ///< the level of its paragraph: odd levels are read to the left
     double left = 0.0;       ///< the start of the visible part
     double width = 0.0;      ///< the width of the visible part: white space at the line's end hangs
+    double hanging = 0.0;    ///< the width of the white space at its end
     line_metrics metrics = {};
     point origin = {};  ///< the position of the pen at position 0 along the line
 

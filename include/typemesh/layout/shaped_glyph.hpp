@@ -42,7 +42,7 @@ struct shaped_glyph {
     glyph_id id = 0;
     cluster_id cluster = 0;
     double advance = 0.0;    ///< the pen's move along the line: to the right, in columns down
-    point offset = {};       ///< from the pen to the glyph's own (0, 0)
+    point offset = {};       ///< the vector from the pen to the glyph's own (0, 0)
     std::uint16_t face = 0;  ///< the face of the shaper that `id` belongs to
     glyph_flags flags = glyph_flags::none;
 };

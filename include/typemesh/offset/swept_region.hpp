@@ -19,7 +19,7 @@ inline constexpr double finest_band = 4.0;
 /// A point that the moving boundary of a region has passed, and the distance at which it did.
 struct swept_node {
     grid_point at;
-    float distance = 0.0f;  ///< in cells, from 0 at the region's boundary to the width
+    float distance = 0.0f;  ///< the distance in cells, from 0 at the region's boundary to the width
 };
 
 /// The area that one edge sweeps between two levels. Splits and joins can give this area the shape of any polygon, so
@@ -69,7 +69,7 @@ struct swept_region {
     /// The distance at which the first connected component that is no speck (sweep_options) was swept completely. If
     /// all components were swept and are specks, the distance of the last component; otherwise -1.
     double first_loss = -1.0;
-    std::uint32_t lost = 0;  ///< how many connected components were swept completely, including specks
+    std::uint32_t lost = 0;  ///< the number of connected components that were swept completely, including specks
     /// The amount of work, only for tests and benchmarks.
     std::size_t events = 0;     ///< how often the boundary's topology or the triangulation changed
     std::size_t schedules = 0;  ///< how often a triangle's collapse time was computed; with events, a sweep's work

@@ -15,8 +15,8 @@ namespace typemesh::inline TYPEMESH_ABI {
 
 /// The side to which a place between two graphemes belongs. It matters at line ends, and where the direction changes.
 enum class affinity : std::uint8_t {
-    downstream,  ///< to the grapheme after it
-    upstream,    ///< to the grapheme before it
+    downstream,  ///< the place belongs to the grapheme after it
+    upstream,    ///< the place belongs to the grapheme before it
 };
 
 /// The position of a caret.

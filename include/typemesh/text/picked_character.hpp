@@ -22,7 +22,7 @@ namespace typemesh::inline TYPEMESH_ABI {
 /// The character of a text that a ray hit.
 struct picked_character {
     text_range text = {};  ///< a grapheme, in units of the text; empty for an underline or another bar
-    box where = {};        ///< from caret to caret and from descender to ascender, in em; also empty for bars
+    box where = {};        ///< the box from caret to caret and from descender to ascender, in em; also empty for bars
 };
 
 namespace detail {

@@ -63,9 +63,9 @@ struct text_options {
 
     output_unit unit = output_unit::em;
     double size = 1.0;            ///< multiplies the unit: the size of an em in your world
-    double pixels_per_em = 64.0;  ///< only for output_unit::pixels
+    double pixels_per_em = 64.0;  ///< the size of an em, used only with output_unit::pixels
     depth_unit depth_in = depth_unit::em;
-    texture_box texture_over = texture_box::text;  ///< only for the `box` texture mapping; see texture.hpp
+    texture_box texture_over = texture_box::text;  ///< the area that the `box` texture mapping covers; see texture.hpp
     typemesh::frame frame = right_handed_y_up;
 
     /// Whether glyphs whose outlines meet are merged into one solid without inner walls: kerned, cursive or accented

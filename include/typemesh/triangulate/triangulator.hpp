@@ -44,7 +44,7 @@ concept proving_triangulator =
 
 /// A proving triangulator that also takes loops that pass through a point more than once.
 ///
-///     t.prove_touching(loops, space, out)    as prove(). In each such point every pass must keep to a separate sector
+///     t.prove_touching(loops, space, out)    as prove(). In each such point, every pass must keep to its own sector
 ///                                            of interior (see fill/impl/touching_cycles.hpp); this is proven too.
 template <class T>
 concept touching_triangulator =

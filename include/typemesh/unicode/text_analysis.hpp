@@ -29,7 +29,7 @@ struct text_paragraph {
 ///     marks     g  g  g  b     g     g       a set for each unit, text_mark. Here graphemes begin at g and at b; the
 ///                                            fourth grapheme, R, may also begin a line (b).
 struct text_analysis {
-    buffer<std::uint8_t> levels;        ///< before rule L1 of UAX #9, which visual_runs() applies
+    buffer<std::uint8_t> levels;        ///< the levels before rule L1 of UAX #9, which visual_runs() applies
     buffer<text_mark> marks;            ///< where graphemes begin and lines may end
     buffer<script_run> scripts;         ///< no run goes beyond a paragraph
     buffer<text_paragraph> paragraphs;  ///< one more than there are paragraph separators; the last one may be empty

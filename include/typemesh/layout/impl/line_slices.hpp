@@ -71,6 +71,7 @@ public:
     {
         while (from < to) {
             const std::uint32_t end = shaped.end_cluster(shaped.cluster(from).item);
+            if (end <= from) break;  // only if a shaper's clusters are out of order, which is asserted
             const std::uint32_t count = (end < to ? end : to) - from;
             if (error e = append(shaped, from, count)) return e;
             from += count;

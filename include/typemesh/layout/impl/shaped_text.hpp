@@ -319,6 +319,8 @@ private:
         }
         TYPEMESH_ASSERT(come_from(glyphs_.view().subspan(before), part),
                         "a shaper gave a glyph a cluster outside the range of text that it had to shape");
+        TYPEMESH_ASSERT(are_in_order(glyphs_.view().subspan(before), part),
+                        "a shaper gave clusters that are not in the order of its item");
         if (glyphs_.size() > 0xFFFF'FFFFu) return error::too_large;
         if (part.orientation != glyph_orientation::horizontal)
             if (const affine map = place_in_column(glyphs_.view().subspan(before), part, columns_.metrics());
@@ -334,6 +336,15 @@ private:
     {
         for (const shaped_glyph& g : glyphs)
             if (g.cluster < item.first || g.cluster >= item.last) return false;
+        return true;
+    }
+    /// Whether the clusters of glyphs ascend, or descend from right to left. For TYPEMESH_ASSERT.
+    [[nodiscard]] static bool are_in_order(array_view<const shaped_glyph> glyphs, const text_item& item) noexcept
+    {
+        for (std::size_t i = 1; i < glyphs.size(); ++i) {
+            const cluster_id a = glyphs[i - 1].cluster, b = glyphs[i].cluster;
+            if (item.to_the_left() ? a < b : b < a) return false;
+        }
         return true;
     }
 

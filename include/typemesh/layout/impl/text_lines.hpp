@@ -123,13 +123,14 @@ public:
     error add(text_range text, std::uint8_t level, double pen, double width, alignment align) noexcept
     {
         if (pen + width > longest_) longest_ = pen + width;
-        const laid_line laid{.first = text.first,
-                             .last = text.last,
-                             .first_slice = static_cast<std::uint32_t>(placed_.size()),
-                             .slices = static_cast<std::uint32_t>(slices.slices().size()),
-                             .level = level,
-                             .left = start_of(align, level % 2 != 0, pen, width),
-                             .width = width > 0.0 ? width : 0.0};
+        laid_line laid{.first = text.first,
+                       .last = text.last,
+                       .first_slice = static_cast<std::uint32_t>(placed_.size()),
+                       .slices = static_cast<std::uint32_t>(slices.slices().size()),
+                       .level = level,
+                       .left = start_of(align, level % 2 != 0, pen, width),
+                       .width = width > 0.0 ? width : 0.0};
+        for (const line_slice& s : slices.slices().subspan(slices.visible())) laid.hanging += s.width;
         double at = laid.left;
         if (level % 2 != 0)
             for (const line_slice& s : slices.slices().subspan(slices.visible())) at -= s.width;
@@ -161,23 +162,19 @@ public:
     error write(Font& font, glyph_run& run) const noexcept
     {
         run.units_per_em = shaped.units_per_em();
-        if (shaped.analysis.invalid_units != 0)
+        if (shaped.analysis.invalid_units != 0 && !lines_.empty())
             run.note_invalid_units(shaped.analysis.first_invalid_unit, shaped.analysis.invalid_units);
         line_writer writer{shaped, run};
         bar_writer<Font> bars{font, shaped, run};
         for (const laid_line& line : lines_) {
             const auto first = static_cast<std::uint32_t>(run.glyphs.size());
-            double length = 0.0;
-            for (const line_slice& s : slices_of(line)) {
+            for (const line_slice& s : slices_of(line))
                 if (error e = writer.write(s, line.origin, s.at)) return e;
-                length += s.width;
-            }
             if (error e = bars.write(line, slices_of(line))) return e;
             if (run.glyphs.size() > 0xFFFF'FFFFu) return error::too_large;
             const point along = shaped.in_columns() ? point{0.0, 0.0 - line.left} : point{line.left, 0.0};
             const auto count = static_cast<std::uint32_t>(run.glyphs.size()) - first;
-            const double hanging = length > line.width ? length - line.width : 0.0;
-            if (!run.lines.push_back({first, count, line.origin + along, line.width, hanging}))
+            if (!run.lines.push_back({first, count, line.origin + along, line.width, line.hanging}))
                 return error::out_of_memory;
         }
         return {};

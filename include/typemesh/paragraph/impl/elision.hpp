@@ -3,10 +3,12 @@
 
 #include <typemesh/core/array_view.hpp>
 #include <typemesh/core/buffer.hpp>
+#include <typemesh/core/finite.hpp>
 #include <typemesh/core/result.hpp>
 #include <typemesh/layout/impl/itemise.hpp>
 #include <typemesh/layout/impl/line_slices.hpp>
 #include <typemesh/layout/impl/text_columns.hpp>
+#include <typemesh/layout/impl/text_lines.hpp>
 #include <typemesh/layout/layout_options.hpp>
 #include <typemesh/layout/line_room.hpp>
 #include <typemesh/paragraph/broken_line.hpp>
@@ -18,6 +20,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 
 namespace typemesh::inline TYPEMESH_ABI {
 
@@ -119,12 +122,13 @@ public:
             }
             const auto width = slices.finish(shaped, level, line.pen, from.room);
             if (!width) return width;
-            if (*width <= most || (s.head == 0 && s.tail == p.size())) {
+            if (!(*width > most) || !is_finite(*width) || (s.head == 0 && s.tail == p.size())) {
                 const std::uint32_t dropped = s.head < p.size() ? p[s.head].first : p.back().last;
                 shaped.move_foreign(used, {shown_to, shown_from}, dropped);
                 return width;
             }
-            const double less = spare - (*width - most), fewer = std::nextafter(s.width, -1.0);
+            const double less = spare - (*width - most),
+                         fewer = std::nextafter(s.width, -std::numeric_limits<double>::infinity());
             spare = less < fewer ? less : fewer;
         }
     }
