@@ -60,7 +60,7 @@ TEST_CASE("sums of two and three products in halves agree with numbers of 128 bi
         if (!equal(detail::sum_of_products_in_halves(a, b, c, e), sum)) FAIL("two in halves, round " << i);
         if (!equal(detail::sum_of_products(a, b, c, e), sum)) FAIL("two, round " << i);
         if (spare < 3) continue;
-        sum -= int128{f} * g;
+        sum = sum - int128{f} * g;
         if (!equal(detail::sum_of_products_in_halves(a, b, c, e, f, g), sum)) FAIL("three in halves, round " << i);
         if (!equal(detail::sum_of_products(a, b, c, e, f, g), sum)) FAIL("three, round " << i);
     }

@@ -15,9 +15,9 @@ namespace {
 
 constexpr std::int64_t least = (std::numeric_limits<std::int64_t>::min)(),
                        most = (std::numeric_limits<std::int64_t>::max)();
-constexpr std::int64_t one = 1;
-constexpr std::int64_t edges[] = {least, least + 1, -(one << 32), -3,        -2,        -1,       0,   1,
-                                  2,     3,         0xFFFF'FFFF,  one << 32, one << 62, most - 1, most};
+constexpr std::int64_t bit = 1;
+constexpr std::int64_t edges[] = {least, least + 1, -(bit << 32), -3,        -2,        -1,       0,   1,
+                                  2,     3,         0xFFFF'FFFF,  bit << 32, bit << 62, most - 1, most};
 
 /// Numbers of all sizes, some at the ends of the range.
 std::int64_t roll(test::dice& d)
