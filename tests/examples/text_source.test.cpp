@@ -80,7 +80,7 @@ TEST_CASE("a batch is a text a line, and two lines never make one file", "[text_
     jobs_of("x/\nx:\n", trouble);
     CHECK(trouble == "--batch: lines 1 and 2 would both make x_.glb.");
     jobs_of("", trouble);
-    CHECK(trouble == "--batch: there is no line that is not blank.");
+    CHECK(trouble == "--batch: every line is blank.");
     o.batch = folder.file("nothing");
     std::vector<text_job> none;
     CHECK(read_texts(o, none).find("nothing cannot be read: ") != std::string::npos);
