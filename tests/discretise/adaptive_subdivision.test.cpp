@@ -16,7 +16,7 @@ using list = std::vector<double>;
 
 // Its left half is (0,0) (0,2) (2,3) (4,3): its segments are 1.2 apart, and the lines through its midpoint (1.25, 2.25)
 // turn by 0.7974 rad. The segments of that half's halves are 0.41279 and 0.28504 apart.
-const curve bow = curve::from(cubic{{0, 0}, {0, 4}, {8, 4}, {8, 0}});
+const curve cubic_arch = curve::from(cubic{{0, 0}, {0, 4}, {8, 4}, {8, 0}});
 
 // Its left half is (0,0) (1,2) (2,-2) (3,0): an S whose segments cross.
 const curve wave = curve::from(cubic{{0, 0}, {2, 4}, {4, -16}, {6, 36}});
@@ -38,34 +38,34 @@ TEST_CASE("adaptive_subdivision halves even a straight curve once", "[adaptive_s
 TEST_CASE("adaptive_subdivision makes a half one line if its segments are closer than the distance",
           "[adaptive_subdivision]")
 {
-    CHECK(ts_of(adaptive_subdivision{15, 1.201, 0.0}, bow) == list{0.5, 1.0});
-    CHECK(ts_of(adaptive_subdivision{15, 1.199, 0.0}, bow) == list{0.25, 0.5, 0.75, 1.0});
-    CHECK(ts_of(adaptive_subdivision{15, 0.4129, 0.0}, bow) == list{0.25, 0.5, 0.75, 1.0});
-    CHECK(ts_of(adaptive_subdivision{3, 0.4127, 0.0}, bow) == list{0.125, 0.25, 0.5, 0.75, 0.875, 1.0});
+    CHECK(ts_of(adaptive_subdivision{15, 1.201, 0.0}, cubic_arch) == list{0.5, 1.0});
+    CHECK(ts_of(adaptive_subdivision{15, 1.199, 0.0}, cubic_arch) == list{0.25, 0.5, 0.75, 1.0});
+    CHECK(ts_of(adaptive_subdivision{15, 0.4129, 0.0}, cubic_arch) == list{0.25, 0.5, 0.75, 1.0});
+    CHECK(ts_of(adaptive_subdivision{3, 0.4127, 0.0}, cubic_arch) == list{0.125, 0.25, 0.5, 0.75, 0.875, 1.0});
 }
 
 TEST_CASE("adaptive_subdivision makes a half one line if it turns by less than the angle", "[adaptive_subdivision]")
 {
-    CHECK(ts_of(adaptive_subdivision{15, 0.0, 0.798}, bow) == list{0.5, 1.0});
-    CHECK(ts_of(adaptive_subdivision{2, 0.0, 0.797}, bow) == list{0.25, 0.5, 0.75, 1.0});
+    CHECK(ts_of(adaptive_subdivision{15, 0.0, 0.798}, cubic_arch) == list{0.5, 1.0});
+    CHECK(ts_of(adaptive_subdivision{2, 0.0, 0.797}, cubic_arch) == list{0.25, 0.5, 0.75, 1.0});
 }
 
 TEST_CASE("adaptive_subdivision stops after r levels, at multiples of t = 2^-r", "[adaptive_subdivision]")
 {
     const std::uint32_t levels = GENERATE(1u, 2u, 5u, 9u);
-    const auto points = points_of(adaptive_subdivision{levels, 0.0, 0.0}, bow, 1.0);
+    const auto points = points_of(adaptive_subdivision{levels, 0.0, 0.0}, cubic_arch, 1.0);
     REQUIRE(points.size() == std::size_t{1} << levels);
     for (std::size_t i = 0; i < points.size(); ++i) {
         REQUIRE(points[i].t == static_cast<double>(i + 1) / static_cast<double>(points.size()));
-        REQUIRE(length(points[i].p - bow.at(points[i].t)) < 1e-14);
+        REQUIRE(length(points[i].p - cubic_arch.at(points[i].t)) < 1e-14);
     }
-    CHECK(points.back().p == bow.end());
+    CHECK(points.back().p == cubic_arch.end());
 }
 
 TEST_CASE("adaptive_subdivision treats more than 20 levels as 20", "[adaptive_subdivision]")
 {
     std::size_t count = 0;
-    adaptive_subdivision{1000, 0.0, 0.0}(bow.as_cubic(), 1.0, [&](point, double) noexcept { ++count; });
+    adaptive_subdivision{1000, 0.0, 0.0}(cubic_arch.as_cubic(), 1.0, [&](point, double) noexcept { ++count; });
     CHECK(count <= std::size_t{1} << 20);
     CHECK(count > std::size_t{1} << 19);
 }
