@@ -40,8 +40,7 @@ struct shape_options {
                                              ///< features
     bool ligatures = true;  ///< whether to use optional ligatures ("liga", "clig"), unless `features` sets them; text
                             ///< with letter spacing has none
-    double letter_spacing = 0.0;              ///< the space added between letters, in em; any finite number. See
-                                              ///< shaped_text.hpp
+    double letter_spacing = 0.0;              ///< the space added between letters, in em; any finite number
     column_options columns = {};              ///< the orientation of characters in columns
     std::span<const style_span> styles = {};  ///< the styles of ranges of the text: see text_style.hpp
 };
