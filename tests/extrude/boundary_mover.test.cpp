@@ -63,8 +63,8 @@ TEST_CASE("a moved boundary encloses the area of Steiner's formula, outwards and
 TEST_CASE("less than four cells move nothing", "[boundary_mover]")
 {
     const auto s = shapes::letter_d(8);
-    for (const double cells : {0.0, 3.9, -3.9}) {
-        const moved m = moved_by(s, cells, {});
+    for (const double distance : {0.0, 3.9, -3.9}) {
+        const moved m = moved_by(s, distance, {});
         REQUIRE(m.loops.points.size() == s.points());
         for (std::uint32_t i = 0; i < s.points(); ++i) CHECK(m.loops.points[i] == s.loops.points[i]);
     }
