@@ -31,7 +31,7 @@ int main(int argc, char** argv)
     auto plan = mesher.plan(argv[1]);
     if (!plan) return std::puts(plan.error().message()), 1;
     for (const placed_glyph& g : plan->run().glyphs) {
-        const std::uint32_t face = plan->run().looks.empty() ? 0 : plan->run().looks[g.look].face;
+        const std::uint32_t face = plan->run().glyph_styles.empty() ? 0 : plan->run().glyph_styles[g.glyph_style].face;
         std::printf("byte %3u  glyph %5u of %s%s\n", g.cluster, g.id, argv[2 + face], g.missing ? ", missing" : "");
     }
     std::printf("%llu triangles\n", static_cast<unsigned long long>(plan->size().triangles));

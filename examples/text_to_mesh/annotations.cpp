@@ -95,7 +95,8 @@ overlay annotate(const options& o, font_set& font, const typemesh::glyph_run& ru
     typemesh::outline shape;
     typemesh::contours loops;
     for (const typemesh::placed_glyph& glyph : run.glyphs) {
-        const typemesh::look drawn_so = run.looks.empty() ? typemesh::look{} : run.looks[glyph.look];
+        const typemesh::glyph_style drawn_so =
+            run.glyph_styles.empty() ? typemesh::glyph_style{} : run.glyph_styles[glyph.glyph_style];
         const double scale = upem / typemesh::units_per_em_of(font, drawn_so.face);
         const typemesh::affine map = typemesh::scaled_before(drawn_so.map, scale);
         typemesh::mapped_face own{font, drawn_so.face, &map, upem};

@@ -14,7 +14,8 @@ typemesh::box ink::of(const typemesh::glyph_run& run)
     typemesh::outline shape;
     for (const typemesh::placed_glyph& g : run.glyphs) {
         if (g.missing) continue;
-        const typemesh::look drawn = run.looks.empty() ? typemesh::look{} : run.looks[g.look];
+        const typemesh::glyph_style drawn =
+            run.glyph_styles.empty() ? typemesh::glyph_style{} : run.glyph_styles[g.glyph_style];
         const auto [found, fresh] = letters_.emplace(std::pair{drawn.face, g.id}, typemesh::box{});
         if (fresh) {
             const typemesh::affine plain{};

@@ -82,8 +82,8 @@ typemesh::result<void> write_model(const options& o, const chosen_plan& plan, mo
 std::string name_of_letter(const chosen_plan& plan, const font_set& fonts, const typemesh::glyph_mesh& letter)
 {
     const typemesh::glyph_run& all = plan.run();
-    const std::uint32_t look = all.glyphs[plan.glyphs()[letter.first_glyph].glyph].look;
-    const std::uint32_t face = all.looks.empty() ? 0 : all.looks[look].face;
+    const std::uint32_t glyph_style = all.glyphs[plan.glyphs()[letter.first_glyph].glyph].glyph_style;
+    const std::uint32_t face = all.glyph_styles.empty() ? 0 : all.glyph_styles[glyph_style].face;
     if (face == typemesh::bar_face) return "bar";
     char name[64];
     hb_font_glyph_to_string(fonts.font(face).handle(), letter.id, name, sizeof name);
@@ -326,9 +326,9 @@ public:
         clock(typemesh::stage::shape);
         if (std::string trouble = lay_out(o_, font_, page_, how.size); !trouble.empty()) return trouble;
         clock(typemesh::stage::idle);
-        const std::vector<typemesh::look> looks(page_.looks.begin(), page_.looks.end());
+        const std::vector<typemesh::glyph_style> glyph_styles(page_.glyph_styles.begin(), page_.glyph_styles.end());
         if (!holds_colours(o_.kind))  // else letters of different colours would not merge
-            for (typemesh::look& l : page_.looks) l.style = {};
+            for (typemesh::glyph_style& l : page_.glyph_styles) l.style = {};
         chosen_mesher mesher{font_, typemesh::observer_ref{clock}};
         options of_file = o_;
         if (o_.kind == file_kind::three_mf) of_file.normals = normals_name::shared;  // see write_3mf()
@@ -336,7 +336,7 @@ public:
         if (std::string trouble = make_mesh(mesher, how, clock); !trouble.empty()) return trouble;
         if (!o_.picture.empty()) {
             tell_.begin("drawing " + o_.picture);
-            std::copy(looks.begin(), looks.end(), page_.looks.begin());
+            std::copy(glyph_styles.begin(), glyph_styles.end(), page_.glyph_styles.begin());
             if (std::string trouble = draw_picture(o_, font_, page_, files_); !trouble.empty()) return trouble;
         }
         tell_.clear();

@@ -13,7 +13,7 @@ const features = [ // the first that fits
     ['Bevels', /bevel|profile|sweep_inwards|inward_sweep|wavefront|kinetic|collapse|swept|moving_point|offset/],
     ['Paragraphs', /paragraph|line_(justifier|cut|pieces)|elision|text_pieces|total_fit|first_fit|best_lines/],
     ['Directions, line breaks, scripts', /unicode|bidi|grapheme|script|line_opportunities|text_analys|hyphen|visual_order/],
-    ['Layout, fallback of fonts', /layout|shap|text_lines|line_(slices|writer|room|extent)|style_spans|bar_writer|stack_lines|laid_|item_look|item_settings|font_list|fallback|harfbuzz|column|glyph_run|look/],
+    ['Layout, fallback of fonts', /layout|shap|text_lines|line_(slices|writer|room|extent)|style_spans|bar_writer|stack_lines|laid_|item_glyph_style|item_settings|font_list|fallback|harfbuzz|column|glyph_run|glyph_style/],
     ['Merged letters, contours that cross', /resolv|cross|snap|arrangement|region_union|merger|merged|intersect|hot_pixel|fill|nest|touching|orient/],
     ['Delaunay triangles', /delaunay|flip|half_edges|in_circle|trapezoid|point_star/],
     ['Flattening', /discretis|certified|chord|flatten|subdivision|two_lines|hodograph|share_table|curve_emitter/],

@@ -83,7 +83,7 @@ TEST_CASE("three fonts set a line of Latin, Arabic and Han", "[adapt][harfbuzz][
     const std::uint32_t faces[] = {0, 0, 0, 1, 1, 0, 2};
     const cluster_id clusters[] = {0, 1, 2, 4, 3, 5, 6};
     for (std::size_t i = 0; i < 7; ++i) {
-        CHECK(run.looks[run.glyphs[i].look].face == faces[i]);
+        CHECK(run.glyph_styles[run.glyphs[i].glyph_style].face == faces[i]);
         CHECK(run.glyphs[i].cluster == clusters[i]);
     }
     // The two letters join, as in their own font alone.
@@ -111,7 +111,7 @@ TEST_CASE("a cascade whose first font has all is that font, glyph for glyph", "[
                 CHECK(found.glyphs[i].id == expected.glyphs[i].id);
                 CHECK(found.glyphs[i].origin == expected.glyphs[i].origin);
             }
-            CHECK(found.looks.empty());
+            CHECK(found.glyph_styles.empty());
             REQUIRE(words.set(text));
             REQUIRE(alone.set(text));
             REQUIRE(words.lay_out({.width = 3.0}, found));
@@ -146,7 +146,7 @@ TEST_CASE("every line of a paragraph in several fonts holds the glyphs of its te
             }
             const auto glyphs = run.glyphs.view().subspan(run.lines[k].first_glyph, run.lines[k].glyph_count);
             CHECK(sorted(glyphs, [&](const placed_glyph& g) {
-                      return run.looks.empty() ? 0 : run.looks[g.look].face;
+                      return run.glyph_styles.empty() ? 0 : run.glyph_styles[g.glyph_style].face;
                   }) == sorted(fresh, [](const shaped_glyph& g) { return std::uint32_t{g.face}; }));
         }
         CHECK(at == mixed.size());
@@ -191,7 +191,7 @@ TEST_CASE("no grapheme of random texts comes from two fonts, and what is missing
         std::vector<int> face_of(text.size(), -1);
         std::vector<bool> begins(text.size() + 1, false);  // HarfBuzz' clusters may be more than a grapheme, or less
         for (const placed_glyph& g : run.glyphs) {
-            const int face = run.looks.empty() ? 0 : static_cast<int>(run.looks[g.look].face);
+            const int face = run.glyph_styles.empty() ? 0 : static_cast<int>(run.glyph_styles[g.glyph_style].face);
             int& known = face_of[grapheme[g.cluster]];
             two_faces = two_faces || (known >= 0 && known != face);
             known = face;

@@ -43,7 +43,7 @@ glyph_run set(harfbuzz_font& font, text_view text, direction flow, const column_
 
 affine map_of(const glyph_run& run, const placed_glyph& g)
 {
-    return run.looks.empty() ? affine{} : run.looks[g.look].map;
+    return run.glyph_styles.empty() ? affine{} : run.glyph_styles[g.glyph_style].map;
 }
 
 }  // namespace column_fonts

@@ -67,7 +67,7 @@ TEST_CASE("kerning, ligatures and joined letters survive a change of colour", "[
             CHECK(coloured.glyphs[i].id == plain.glyphs[i].id);
             CHECK(coloured.glyphs[i].origin == plain.glyphs[i].origin);
             const style_spans& styles = words.shaped().styles;
-            CHECK(coloured.looks[coloured.glyphs[i].look].style ==
+            CHECK(coloured.glyph_styles[coloured.glyphs[i].glyph_style].style ==
                   styles[styles.number_at(coloured.glyphs[i].cluster)].style);
         }
     }
@@ -193,12 +193,12 @@ TEST_CASE("a span names its face, with that face's metrics and carets", "[adapt]
     glyph_run run;
     REQUIRE(words.lay_out({}, run));
     REQUIRE(run.glyphs.size() == 4);
-    CHECK(run.looks[run.glyphs[2].look].face == 1);
+    CHECK(run.glyph_styles[run.glyphs[2].glyph_style].face == 1);
     const double unit = sans.units_per_em() / naskh.units_per_em();
     CHECK(std::fabs(words.lines()[0].metrics.ascender - unit * naskh.metrics(direction::automatic).ascender) < 1e-6);
     CHECK(std::fabs(words.laid().caret_at(3).at.x - words.laid().caret_at(2).at.x - 0.269) < 1e-3);
     const placed_glyph& bar = run.glyphs[3];
-    CHECK(std::fabs(run.looks[bar.look].map.yy - 0.05 * sans.units_per_em()) < 1e-6);
+    CHECK(std::fabs(run.glyph_styles[bar.glyph_style].map.yy - 0.05 * sans.units_per_em()) < 1e-6);
     CHECK(std::fabs(bar.origin.y - -0.562 * sans.units_per_em()) < 1e-6);
     text_mesher mesher{fonts};
     CHECK(mesher.plan(run)->glyphs().size() == 3);
@@ -215,5 +215,5 @@ TEST_CASE("superscripts are of the size and at the height that the font names", 
     REQUIRE(words.lay_out({}, run));
     REQUIRE(run.glyphs.size() == 5);
     CHECK(std::fabs(run.glyphs[4].origin.y - 977.0) < 1e-9);
-    CHECK(std::fabs(run.looks[run.glyphs[4].look].map.yy - 1331.0 / 2048) < 1e-12);
+    CHECK(std::fabs(run.glyph_styles[run.glyphs[4].glyph_style].map.yy - 1331.0 / 2048) < 1e-12);
 }

@@ -211,7 +211,7 @@ public:
         for (std::uint32_t k = 0; k < run.lines[line].glyph_count; ++k) {
             const placed_glyph& g = run.glyphs[run.lines[line].first_glyph + k];
             if (g.cluster >= visible_end(l)) continue;
-            const std::uint32_t face = run.looks.empty() ? 0 : run.looks[g.look].face;
+            const std::uint32_t face = run.glyph_styles.empty() ? 0 : run.glyph_styles[g.glyph_style].face;
             all.push_back({text.fonts[face], g.id, g.cluster, scale * (g.origin.x - l.left)});
         }
         return all;

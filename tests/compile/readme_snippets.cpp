@@ -157,7 +157,7 @@ typemesh::glyph_run run;
 if (auto laid = layout(*font, "Hello", {}, {}, run); !laid) return std::puts(laid.error().message()), 1;
 auto slanted = run.number_of({.map = {.xy = 0.2}, .style = typemesh::style_id{7}});   // 7: your number for a material
 if (!slanted) return std::puts(slanted.error().message()), 1;
-run.glyphs[0].look = *slanted;
+run.glyphs[0].glyph_style = *slanted;
 auto initial = mesher.plan(run);
 if (!initial) return std::puts(initial.error().message()), 1;
 auto its_front = initial->range(typemesh::style_id{7}, typemesh::part::front);

@@ -28,7 +28,7 @@ namespace merge_laws {
 using namespace typemesh;
 
 /// Another face, style or map: larger, smaller, slanted, mirrored, turned, flat.
-inline look read_look(values& in)
+inline glyph_style read_glyph_style(values& in)
 {
     static constexpr affine maps[] = {{},
                                       {.xx = 2.0, .yy = 2.0},
@@ -55,9 +55,9 @@ inline glyph_run read_run(values& in)
             steps[kind] * ((kind == 0 ? in.byte() & 31u : in.bits(2)) & 2047u) + 16.0 * (kind == 2 ? in.byte() : 0);
         g.origin.y = steps[kind] * ((kind == 0 ? in.byte() & 31u : in.bits(2)) & 2047u);
         if (bits >= 128) {
-            const auto number = run.number_of(read_look(in));
+            const auto number = run.number_of(read_glyph_style(in));
             if (!number) return glyph_run{};
-            g.look = *number;
+            g.glyph_style = *number;
         }
         if (!run.glyphs.push_back(g)) return glyph_run{};
     }
@@ -99,8 +99,9 @@ broken_law of_groups(const Plan& merged, std::size_t drawn, const test::full_mes
             if (seen.at(k)) return "a glyph belongs to two groups";
             seen[k] = true;
             ++members;
-            const std::uint32_t look = merged.run().glyphs[k].look;
-            if (!merged.run().looks.empty() && merged.run().looks[look].style != merged.glyphs()[g].style)
+            const std::uint32_t glyph_style = merged.run().glyphs[k].glyph_style;
+            if (!merged.run().glyph_styles.empty() &&
+                merged.run().glyph_styles[glyph_style].style != merged.glyphs()[g].style)
                 return "a glyph is merged with glyphs of another style";
         }
     return members == drawn ? "" : "a glyph belongs to no group";

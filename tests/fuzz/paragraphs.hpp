@@ -117,7 +117,7 @@ struct layout_settings {
 inline bool equal(const glyph_run& a, const glyph_run& b)
 {
     const auto same_glyph = [](const placed_glyph& g, const placed_glyph& h) {
-        return g.id == h.id && g.cluster == h.cluster && g.origin == h.origin && g.look == h.look &&
+        return g.id == h.id && g.cluster == h.cluster && g.origin == h.origin && g.glyph_style == h.glyph_style &&
                g.missing == h.missing;
     };
     const auto same_line = [](const text_line& k, const text_line& l) {
@@ -126,7 +126,7 @@ inline bool equal(const glyph_run& a, const glyph_run& b)
     };
     return std::equal(a.glyphs.begin(), a.glyphs.end(), b.glyphs.begin(), b.glyphs.end(), same_glyph) &&
            std::equal(a.lines.begin(), a.lines.end(), b.lines.begin(), b.lines.end(), same_line) &&
-           a.looks.size() == b.looks.size();
+           a.glyph_styles.size() == b.glyph_styles.size();
 }
 
 /// Lines cover the text without a gap, and everything is finite.
@@ -148,7 +148,7 @@ broken_law of_lines(const Words& words, const layout_settings& how, const glyph_
     if (at > size || (at < size && how.options.max_lines > lines.size())) return "lines do not cover the text";
     for (const placed_glyph& g : run.glyphs) {
         if (!is_finite(g.origin.x) || !is_finite(g.origin.y)) return "a glyph stands nowhere";
-        if (g.look >= run.looks.size() && g.look != 0) return "a glyph has no look";
+        if (g.glyph_style >= run.glyph_styles.size() && g.glyph_style != 0) return "a glyph has no glyph style";
     }
     return {};
 }
@@ -185,7 +185,7 @@ broken_law of_glyphs(const Words& words, Font& font, const glyph_run& run)
         glyph_places drawn, single;
         for (std::uint32_t i = 0; i < run.lines[k].glyph_count; ++i) {
             const placed_glyph& g = run.glyphs[run.lines[k].first_glyph + i];
-            if (!run.looks.empty() && run.looks[g.look].face == bar_face) continue;
+            if (!run.glyph_styles.empty() && run.glyph_styles[g.glyph_style].face == bar_face) continue;
             if (g.cluster < line.first || g.cluster >= line.last) return "a glyph is in another line";
             drawn.emplace_back(g.cluster, g.id);
         }
@@ -346,7 +346,7 @@ broken_law of_cascade(values& in, const Breaker& breaker)
         if (!words.set(text.view()) || !words.lay_out({}, run)) return "toy fonts cannot be laid out";
         const test::toy_covering_font* const all[] = {&latin, &hebrew, &rest};
         for (const placed_glyph& g : run.glyphs) {
-            const std::uint32_t face = run.looks.empty() ? 0 : run.looks[g.look].face;
+            const std::uint32_t face = run.glyph_styles.empty() ? 0 : run.glyph_styles[g.glyph_style].face;
             if (g.missing || g.id == 0 || face == bar_face) continue;
             if (is_default_ignorable(g.id)) continue;
             if (face > 2) return "a glyph has a font that does not exist";

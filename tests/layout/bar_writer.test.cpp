@@ -42,7 +42,7 @@ struct decorated {
     {
         std::vector<bar_box> all;
         for (const placed_glyph& g : run.glyphs) {
-            const look l = run.looks.empty() ? look{} : run.looks[g.look];
+            const glyph_style l = run.glyph_styles.empty() ? glyph_style{} : run.glyph_styles[g.glyph_style];
             if (l.face != bar_face) continue;
             CHECK(g.cluster == no_cluster);
             all.push_back({g.origin.x, g.origin.x + l.map.xx, g.origin.y, g.origin.y + l.map.yy, l.style});

@@ -106,7 +106,7 @@ TEST_CASE("items are placed in a run one behind the other, in a line or a column
     CHECK(run.glyphs[0].cluster == 7);
     CHECK(run.glyphs[0].missing);
     CHECK(run.missing == 1);
-    CHECK(run.looks[run.glyphs[0].look].face == 3);
+    CHECK(run.glyph_styles[run.glyphs[0].glyph_style].face == 3);
     CHECK(run.glyphs[1].origin == (down ? point{1.0, -298.0} : point{301.0, 2.0}));
-    CHECK(run.glyphs[1].look == 0);
+    CHECK(run.glyphs[1].glyph_style == 0);
 }

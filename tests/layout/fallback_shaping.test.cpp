@@ -304,15 +304,15 @@ TEST_CASE("A line with holes has the glyphs of all faces, in its order and in co
     REQUIRE(layout(font, u"ab \u05D0\u05D1!c", {}, {}, run));
     CHECK(run.lines[0].advance == 3500.0);
     std::vector<cluster_id> clusters;
-    std::vector<std::uint32_t> looks;
+    std::vector<std::uint32_t> glyph_styles;
     for (std::size_t i = 0; i < run.glyphs.size(); ++i) {
         clusters.push_back(run.glyphs[i].cluster);
-        looks.push_back(run.looks[run.glyphs[i].look].face);
+        glyph_styles.push_back(run.glyph_styles[run.glyphs[i].glyph_style].face);
         CHECK(run.glyphs[i].origin == point{500.0 * static_cast<double>(i), 0.0});
         CHECK(run.glyphs[i].missing == (run.glyphs[i].cluster == 5));
     }
     CHECK(clusters == std::vector<cluster_id>{0, 1, 2, 4, 3, 5, 6});
-    CHECK(looks == std::vector<std::uint32_t>{0, 0, 0, 1, 1, 0, 2});
+    CHECK(glyph_styles == std::vector<std::uint32_t>{0, 0, 0, 1, 1, 0, 2});
     CHECK(run.missing == 1);
     CHECK(run.first_missing == 5);
 
@@ -352,7 +352,7 @@ TEST_CASE("what another face shapes lies on its side in a column, too", "[layout
     point pen;
     for (std::size_t i = 0; i < 4; ++i) {
         const bool upright = i == 1;
-        const look drawn = run.looks[run.glyphs[i].look];
+        const glyph_style drawn = run.glyph_styles[run.glyphs[i].glyph_style];
         CHECK(drawn.face == (i == 1 || i == 2 ? 1u : 0u));
         CHECK(drawn.map == (upright ? affine{} : quarter_turn));
         CHECK(run.glyphs[i].origin.x == (upright ? 0.0 : -200.0));

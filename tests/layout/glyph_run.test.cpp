@@ -8,7 +8,7 @@
 
 using namespace typemesh;
 
-static_assert(sizeof(placed_glyph) == 32);  // a look costs no room
+static_assert(sizeof(placed_glyph) == 32);  // a glyph style costs no room
 
 TEST_CASE("missing glyphs and invalid places are counted, and the first place of each is the lowest", "[layout]")
 {
@@ -32,45 +32,45 @@ TEST_CASE("missing glyphs and invalid places are counted, and the first place of
     CHECK(run.first_invalid_unit == no_cluster);
 }
 
-TEST_CASE("equal looks have one number, and 0 is the plain one", "[layout]")
+TEST_CASE("equal glyph styles have one number, and 0 is the plain one", "[layout]")
 {
     glyph_run run;
     CHECK(*run.number_of({}) == 0);
-    CHECK(run.looks.empty());  // a run of the plain look alone has no table
-    const look red{.style = style_id{1}}, small{.map = {.xx = 0.5, .yy = 0.5}}, other{.face = 1};
+    CHECK(run.glyph_styles.empty());  // a run of the plain glyph style alone has no table
+    const glyph_style red{.style = style_id{1}}, small{.map = {.xx = 0.5, .yy = 0.5}}, other{.face = 1};
     CHECK(*run.number_of(red) == 1);
     CHECK(*run.number_of(small) == 2);
     CHECK(*run.number_of(other) == 3);
     CHECK(*run.number_of(small) == 2);
     CHECK(*run.number_of(red) == 1);
     CHECK(*run.number_of({}) == 0);
-    REQUIRE(run.looks.size() == 4);
-    CHECK(run.looks[0] == look{});
-    CHECK(run.looks[3] == other);
+    REQUIRE(run.glyph_styles.size() == 4);
+    CHECK(run.glyph_styles[0] == glyph_style{});
+    CHECK(run.glyph_styles[3] == other);
     run.clear();
-    CHECK(run.looks.empty());
+    CHECK(run.glyph_styles.empty());
 }
 
-TEST_CASE("a look whose memory fails leaves the table as it was", "[layout]")
+TEST_CASE("a glyph style whose memory fails leaves the table as it was", "[layout]")
 {
     test::counting_memory failing{.fail_at = 1};
     glyph_run run{failing.source()};
     CHECK(run.number_of({.face = 1}).error() == error::out_of_memory);
-    CHECK(run.looks.empty());
+    CHECK(run.glyph_styles.empty());
     CHECK(*run.number_of({}) == 0);
 }
 
-TEST_CASE("of many looks, too, equal ones have one number, whatever else has been done to the table", "[layout]")
+TEST_CASE("of many glyph styles, too, equal ones have one number, whatever else has been done to the table", "[layout]")
 {
     glyph_run run;
-    const auto many = [](std::uint32_t i) { return look{.map = {.xx = 1.0 + i}, .style = style_id{i % 7}}; };
+    const auto many = [](std::uint32_t i) { return glyph_style{.map = {.xx = 1.0 + i}, .style = style_id{i % 7}}; };
     for (int round = 0; round < 2; ++round) {
         for (std::uint32_t i = 1; i <= 1'000; ++i) CHECK(*run.number_of(many(i)) == i);
         for (std::uint32_t i = 1; i <= 1'000; ++i) CHECK(*run.number_of(many(i)) == i);
         CHECK(*run.number_of({}) == 0);
-        run.looks.truncate(500);
+        run.glyph_styles.truncate(500);
         CHECK(*run.number_of(many(700)) == 500);
-        REQUIRE(run.looks.push_back(many(800)));  // by hand
+        REQUIRE(run.glyph_styles.push_back(many(800)));  // by hand
         CHECK(*run.number_of(many(800)) == 501);
         CHECK(*run.number_of({.map = {.xx = 1.0 + 20, .xy = -0.0}, .style = style_id{20 % 7}}) == 20);
         run.clear();

@@ -218,7 +218,8 @@ TEST_CASE("A style changes its part of a plain text", "[layout]")
     const style_span spans[] = {{1, 2, {.size = 2.0, .decorations = decoration::underline, .style = style_id{7}}}};
     REQUIRE(layout(font, "abc", {.styles = spans}, {}, run));
     REQUIRE(run.glyphs.size() == 4);  // and a bar
-    CHECK(run.looks[run.glyphs[1].look] == look{.map = {.xx = 2.0, .yy = 2.0}, .style = style_id{7}});
+    CHECK(run.glyph_styles[run.glyphs[1].glyph_style] ==
+          glyph_style{.map = {.xx = 2.0, .yy = 2.0}, .style = style_id{7}});
     CHECK(equal(run.glyphs[2].origin, {1500.0, 0.0}));
     CHECK(run.lines[0].advance == 2000.0);
 }

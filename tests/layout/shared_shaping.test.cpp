@@ -67,13 +67,13 @@ void check_same(const glyph_run& a, const glyph_run& b)
                          return g.id == h.id && g.cluster == h.cluster && g.origin == h.origin &&
                                 g.missing == h.missing;
                      }));
-    CHECK(a.looks.size() == b.looks.size());
-    const auto look_of = [](const glyph_run& run, const placed_glyph& g) {
-        return run.looks.empty() ? look{} : run.looks[g.look];
+    CHECK(a.glyph_styles.size() == b.glyph_styles.size());
+    const auto glyph_style_of = [](const glyph_run& run, const placed_glyph& g) {
+        return run.glyph_styles.empty() ? glyph_style{} : run.glyph_styles[g.glyph_style];
     };
     bool alike = true;
     for (std::size_t i = 0; i < a.glyphs.size() && i < b.glyphs.size(); ++i)
-        alike = alike && look_of(a, a.glyphs[i]) == look_of(b, b.glyphs[i]);
+        alike = alike && glyph_style_of(a, a.glyphs[i]) == glyph_style_of(b, b.glyphs[i]);
     CHECK(alike);
     CHECK(std::equal(a.lines.begin(), a.lines.end(), b.lines.begin(), b.lines.end(),
                      [](const text_line& l, const text_line& m) {

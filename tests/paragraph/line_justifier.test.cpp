@@ -227,7 +227,7 @@ TEST_CASE("strokes in a column lie on their side as the letters that they join",
     const glyph_id letter = 0x628;
     for (const placed_glyph& g : p.run.glyphs) {
         if (g.id != letter && g.id != stroke) continue;
-        CHECK(p.run.looks[g.look].map == quarter_turn);
+        CHECK(p.run.glyph_styles[g.glyph_style].map == quarter_turn);
         CHECK(g.origin.x == p.run.glyphs[0].origin.x);
     }
 }

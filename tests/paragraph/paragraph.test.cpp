@@ -474,7 +474,7 @@ TEST_CASE("in a column letters on their side are read as in a line that is turne
         CHECK(down.cluster == along.cluster);
         CHECK(down.origin.y == 0.0 - along.origin.x);
         const bool upright = down.id == 0x4E16 || down.id == 0x754C;
-        CHECK(column.run.looks[down.look].map == (upright ? affine{} : quarter_turn));
+        CHECK(column.run.glyph_styles[down.glyph_style].map == (upright ? affine{} : quarter_turn));
         const text_place here = column.words.laid().caret_from({0.0, down.origin.y / 1000.0 - 0.001});
         const text_place there = line.words.laid().caret_from({along.origin.x / 1000.0 + 0.001, 0.0});
         CHECK(here.unit == there.unit);
@@ -498,10 +498,10 @@ TEST_CASE("a combined number is one grapheme, an em high, and no line ends in it
     how.columns.combined_digits = 3;
     laid p{u"\u4E16123\u754C", {}, how};
     CHECK(p.run.lines[0].advance == 2000.0);
-    const affine squeezed = p.run.looks[p.run.glyphs[1].look].map;
+    const affine squeezed = p.run.glyph_styles[p.run.glyphs[1].glyph_style].map;
     CHECK(squeezed == affine{.xx = 1000.0 / 1500.0});
     CHECK(p.run.glyphs[1].origin.x == -500.0);
-    CHECK(p.run.glyphs[4].look == 0);
+    CHECK(p.run.glyphs[4].glyph_style == 0);
     CHECK(p.words.laid().caret_at(2).at == p.words.laid().caret_at(1).at);
     CHECK(p.words.laid().caret_from({0.0, -1.4}).unit == 4);
     p.again({.width = 0.1, .wrap = wrap_mode::grapheme});
@@ -526,7 +526,7 @@ TEST_CASE("a style that ends within a combined number is that of all of it, and 
         REQUIRE(words.lay_out({}, run));
         CHECK(words.shaped().styles.moved() == 1);
         for (std::size_t i = 0; i < 4; ++i)
-            CHECK(run.looks[run.glyphs[i].look].style == style_id{i == 1 || i == 2 ? 5u : 0u});
+            CHECK(run.glyph_styles[run.glyphs[i].glyph_style].style == style_id{i == 1 || i == 2 ? 5u : 0u});
     }
 }
 
@@ -718,7 +718,7 @@ TEST_CASE("styles say how parts of a column stand", "[paragraph][columns][styles
     REQUIRE(words.set(u"\u4E16abc2024", {.direction = direction::top_to_bottom, .styles = spans}));
     REQUIRE(words.lay_out({}, run));
     REQUIRE(run.glyphs.size() == 8);
-    const auto map = [&](std::size_t i) { return run.looks[run.glyphs[i].look].map; };
+    const auto map = [&](std::size_t i) { return run.glyph_styles[run.glyphs[i].glyph_style].map; };
     CHECK(map(0) == quarter_turn);
     CHECK(map(1) == quarter_turn);
     CHECK(map(2) == affine{});

@@ -46,7 +46,7 @@ bool same_styled_glyphs(const glyph_run& a, const glyph_run& b)
 
 style_id style_drawn(const glyph_run& run, std::size_t glyph)
 {
-    return run.looks.empty() ? style_id{} : run.looks[run.glyphs[glyph].look].style;
+    return run.glyph_styles.empty() ? style_id{} : run.glyph_styles[run.glyphs[glyph].glyph_style].style;
 }
 
 }  // namespace
@@ -110,8 +110,8 @@ TEST_CASE("sizes, rises, slants and distances do what they say", "[paragraph][st
     const double places[] = {0.0, 500.0, 1750.0, 3000.0, 3375.0};
     for (std::size_t i = 0; i < 5; ++i) CHECK(std::fabs(run.glyphs[i].origin.x - places[i]) < 1e-9);
     CHECK(run.glyphs[1].origin.y == 500.0);
-    CHECK(run.looks[run.glyphs[1].look].map == affine{.xx = 2.0, .xy = 0.25, .yy = 2.0});
-    CHECK(run.looks[run.glyphs[0].look] == look{});
+    CHECK(run.glyph_styles[run.glyphs[1].glyph_style].map == affine{.xx = 2.0, .xy = 0.25, .yy = 2.0});
+    CHECK(run.glyph_styles[run.glyphs[0].glyph_style] == glyph_style{});
     CHECK(run.glyphs[5].origin.x == 5000.0);  // stops are those of plain spaces; that at 4000 is too near
 
     const style_span large[] = {{0, 7, {.size = 3.0}}};

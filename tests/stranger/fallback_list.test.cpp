@@ -40,7 +40,7 @@ TEST_CASE("a stranger's fallback from font to font is laid out and drawn like on
     const auto plan = mesher.plan("AaB\nbA");
     REQUIRE(plan);
     REQUIRE(plan->glyphs().size() == 5);
-    CHECK(plan->run().looks.size() == 2);
+    CHECK(plan->run().glyph_styles.size() == 2);
     CHECK(plan->run().glyphs[2].origin.x == Catch::Approx(90.0 + 50.0));  // after A and a, in the first font's units
     std::vector<vec3> places(plan->size().vertices);
     std::vector<std::uint32_t> indices(plan->size().indices());
@@ -51,7 +51,7 @@ TEST_CASE("a stranger's fallback from font to font is laid out and drawn like on
     CHECK(mesher.plan("AaBc").error() == error::needs_shaping);
 }
 
-TEST_CASE("workers with a fallback of their own number their looks alike", "[stranger][threads]")
+TEST_CASE("workers with a fallback of their own number their glyph styles alike", "[stranger][threads]")
 {
     std::string text;
     for (int i = 0; i < 600; ++i) text += i % 7 == 6 ? "\n" : i % 11 < 5 ? "A" : i % 3 == 0 ? "b" : "a";
@@ -71,9 +71,9 @@ TEST_CASE("workers with a fallback of their own number their looks alike", "[str
         REQUIRE(plan);
         const glyph_run &a = expected->run(), &b = plan->run();
         REQUIRE(b.glyphs.size() == a.glyphs.size());
-        CHECK(b.looks.size() == a.looks.size());
+        CHECK(b.glyph_styles.size() == a.glyph_styles.size());
         for (std::size_t i = 0; i < a.glyphs.size(); ++i)
-            REQUIRE(b.looks[b.glyphs[i].look] == a.looks[a.glyphs[i].look]);
+            REQUIRE(b.glyph_styles[b.glyphs[i].glyph_style] == a.glyph_styles[a.glyphs[i].glyph_style]);
         CHECK(plan->size() == expected->size());
     }
 }

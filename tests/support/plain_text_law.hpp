@@ -72,8 +72,9 @@ private:
 inline std::string difference(const glyph_run& a, const glyph_run& b)
 {
     const auto same_glyph = [&](const placed_glyph& g, const placed_glyph& h) {
-        const look plain;
-        const look &own = a.looks.empty() ? plain : a.looks[g.look], &other = b.looks.empty() ? plain : b.looks[h.look];
+        const glyph_style plain;
+        const glyph_style &own = a.glyph_styles.empty() ? plain : a.glyph_styles[g.glyph_style],
+                          &other = b.glyph_styles.empty() ? plain : b.glyph_styles[h.glyph_style];
         return g.id == h.id && g.cluster == h.cluster && g.origin == h.origin && g.missing == h.missing && own == other;
     };
     const auto same_line = [](const text_line& l, const text_line& m) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// What the styles of a run's looks may change in a mesh: a styled text is compared with the same text in one style.
+// What the styles of a run may change in a mesh: a styled text is compared with the same text in one style.
 
 #include "support/catch.hpp"
 #include "support/executors.hpp"
@@ -63,9 +63,9 @@ inline glyph_run styled_at_random(const glyph_run& plain, std::uint32_t seed)
     std::mt19937 random{seed};
     glyph_run run;
     run.units_per_em = plain.units_per_em;
-    for (const std::uint32_t n : numbers) REQUIRE(run.looks.push_back({.style = style_id{n}}));
+    for (const std::uint32_t n : numbers) REQUIRE(run.glyph_styles.push_back({.style = style_id{n}}));
     for (placed_glyph g : plain.glyphs) {
-        g.look = static_cast<std::uint32_t>(random() % std::size(numbers));
+        g.glyph_style = static_cast<std::uint32_t>(random() % std::size(numbers));
         REQUIRE(run.glyphs.push_back(g));
     }
     REQUIRE(run.lines.append(plain.lines.view()));
@@ -100,7 +100,7 @@ inline void check_ranges(const auto& plan, const glyph_run& run, const styled_me
 {
     const auto glyphs = plan.glyphs();
     for (std::size_t g = 0; g < glyphs.size(); ++g) {
-        CHECK(glyphs[g].style == run.looks[run.glyphs[glyphs[g].glyph].look].style);
+        CHECK(glyphs[g].style == run.glyph_styles[run.glyphs[glyphs[g].glyph].glyph_style].style);
         if (g == 0) continue;
         const bool ascends = glyphs[g - 1].style != glyphs[g].style ? glyphs[g - 1].style < glyphs[g].style
                                                                     : glyphs[g - 1].glyph < glyphs[g].glyph;
@@ -271,14 +271,15 @@ inline void check_merging(auto& mesher, const glyph_run& run, text_options optio
     std::vector<drawn_triangle> expected;
     std::map<style_id, std::vector<std::uint32_t>> members;
     std::map<style_id, bool> in_use;
-    for (const placed_glyph& g : run.glyphs) in_use[run.looks[g.look].style] = true;
+    for (const placed_glyph& g : run.glyphs) in_use[run.glyph_styles[g.glyph_style].style] = true;
     for (const auto& [s, used] : in_use) {
         glyph_run single;
         single.units_per_em = run.units_per_em;
         REQUIRE(single.lines.append(run.lines.view()));
         for (placed_glyph g : run.glyphs) {
-            g.missing = g.missing || run.looks[g.look].style != s;  // its position stays, and nothing is drawn there
-            g.look = 0;
+            g.missing = g.missing ||
+                        run.glyph_styles[g.glyph_style].style != s;  // its position stays, and nothing is drawn there
+            g.glyph_style = 0;
             REQUIRE(single.glyphs.push_back(g));
         }
         const auto plan = mesher.plan(single, options);
@@ -296,13 +297,13 @@ inline void check_merging(auto& mesher, const glyph_run& run, text_options optio
     for (std::size_t g = 0; g < plan->glyphs().size(); ++g) {
         const style_id s = plan->glyphs()[g].style;
         for (const std::uint32_t m : plan->members(g)) {
-            CHECK(run.looks[run.glyphs[m].look].style == s);
+            CHECK(run.glyph_styles[run.glyphs[m].glyph_style].style == s);
             found[s].push_back(m);
         }
         for (const part p : all_parts)
             for (std::uint32_t t = 0; t < plan->range(g, p).index_count / 3; ++t) {
                 const std::uint32_t owner = plan->owner(g, p, t);
-                if (owner != shared_glyph && run.looks[run.glyphs[owner].look].style != s)
+                if (owner != shared_glyph && run.glyph_styles[run.glyphs[owner].glyph_style].style != s)
                     FAIL("another style's triangle");
             }
     }

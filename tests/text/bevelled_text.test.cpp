@@ -147,7 +147,7 @@ TEST_CASE("a bevel keeps its slope where depths are in output units", "[text]")
     CHECK(plan->bounds().low.z == Catch::Approx(-20.0));
 }
 
-TEST_CASE("bevelled letters obey their laws in every frame, in mirrored looks as well", "[text]")
+TEST_CASE("bevelled letters obey their laws in every frame, in mirrored glyph styles as well", "[text]")
 {
     test::toy_font font;
     auto mesher = text_mesher{font}.with(rounding);
@@ -160,11 +160,12 @@ TEST_CASE("bevelled letters obey their laws in every frame, in mirrored looks as
     }
     glyph_run run;
     run.units_per_em = 1000.0;
-    REQUIRE(run.looks.push_back({}));
-    REQUIRE(run.looks.push_back({.map = {.xx = -1.0}}));
+    REQUIRE(run.glyph_styles.push_back({}));
+    REQUIRE(run.glyph_styles.push_back({.map = {.xx = -1.0}}));
     for (const glyph_id g : {1u, 2u, 3u})
-        for (const std::uint32_t look : {0u, 1u})
-            REQUIRE(run.glyphs.push_back({.id = g, .origin = {2000.0 * g, 2000.0 * look}, .look = look}));
+        for (const std::uint32_t glyph_style : {0u, 1u})
+            REQUIRE(run.glyphs.push_back(
+                {.id = g, .origin = {2000.0 * g, 2000.0 * glyph_style}, .glyph_style = glyph_style}));
     const auto plan = mesher.plan(run);
     REQUIRE(plan);
     CHECK(plan->report().refused == 0);

@@ -48,7 +48,7 @@ TEST_CASE("a cascade draws what its first font has as that font alone, and shape
     REQUIRE(found);
     REQUIRE(expected);
     CHECK(test::same_bits(test::written<full_mesh>(*found), test::written<full_mesh>(*expected)));
-    CHECK(found->run().looks.empty());
+    CHECK(found->run().glyph_styles.empty());
     CHECK(first.items == alone.items);
     CHECK(second.items == 0);
 
@@ -94,7 +94,7 @@ TEST_CASE("a cluster that no font has is reported once, and drawn on request as 
     for (const placed_glyph& g : plan->run().glyphs)
         if (g.missing) {
             missing.push_back(g.cluster);
-            CHECK(plan->run().looks[g.look].face == 0);
+            CHECK(plan->run().glyph_styles[g.glyph_style].face == 0);
         }
     CHECK(missing == std::vector<cluster_id>{2, 4});
 }

@@ -29,10 +29,10 @@ recorded_outlines icons(double units = 250.0)
     return drawn;
 }
 
-glyph_run run_of(std::initializer_list<look> looks, std::initializer_list<placed_glyph> glyphs)
+glyph_run run_of(std::initializer_list<glyph_style> glyph_styles, std::initializer_list<placed_glyph> glyphs)
 {
     glyph_run run;
-    for (const look& l : looks) REQUIRE(run.looks.push_back(l));
+    for (const glyph_style& l : glyph_styles) REQUIRE(run.glyph_styles.push_back(l));
     for (const placed_glyph& g : glyphs) REQUIRE(run.glyphs.push_back(g));
     return run;
 }
@@ -43,7 +43,7 @@ static_assert(face_source<font_faces<test::toy_font, recorded_outlines>>);
 static_assert(shaper<font_faces<test::toy_font, recorded_outlines>>);
 static_assert(!shaper<font_faces<recorded_outlines, test::toy_font>>);
 
-TEST_CASE("the first of several faces shapes and draws as it does alone, to the bit", "[text][looks]")
+TEST_CASE("the first of several faces shapes and draws as it does alone, to the bit", "[text][glyph_styles]")
 {
     test::toy_font font;
     const auto drawings = icons();
@@ -56,7 +56,8 @@ TEST_CASE("the first of several faces shapes and draws as it does alone, to the 
     CHECK(test::same_bits(test::written<full_mesh>(*found), test::written<full_mesh>(*expected)));
 }
 
-TEST_CASE("a face is drawn as large as the first one's em, by its own fill rule, beside the others", "[text][looks]")
+TEST_CASE("a face is drawn as large as the first one's em, by its own fill rule, beside the others",
+          "[text][glyph_styles]")
 {
     test::toy_font font;
     const auto drawings = icons();
@@ -83,7 +84,7 @@ TEST_CASE("a face is drawn as large as the first one's em, by its own fill rule,
     CHECK(plan->meshes().size() == 4);  // glyph 1 of one face is not glyph 1 of the other
 }
 
-TEST_CASE("a face of the same units draws what it draws alone, to the bit", "[text][looks]")
+TEST_CASE("a face of the same units draws what it draws alone, to the bit", "[text][glyph_styles]")
 {
     test::toy_font font;
     const auto drawings = icons(1000.0);
@@ -98,7 +99,8 @@ TEST_CASE("a face of the same units draws what it draws alone, to the bit", "[te
     CHECK(test::same_bits(test::written<full_mesh>(*found), test::written<full_mesh>(*expected)));
 }
 
-TEST_CASE("a look's map is that of transformed_outlines, to the bit, also when glyphs are merged", "[text][looks]")
+TEST_CASE("a glyph style's map is that of transformed_outlines, to the bit, also when glyphs are merged",
+          "[text][glyph_styles]")
 {
     test::toy_font font;
     const affine map =
@@ -119,7 +121,7 @@ TEST_CASE("a look's map is that of transformed_outlines, to the bit, also when g
     CHECK(m.vertices.size() != 0);
 }
 
-TEST_CASE("tolerance and depth stay those of the base em when a look scales", "[text][looks]")
+TEST_CASE("tolerance and depth stay those of the base em when a glyph style scales", "[text][glyph_styles]")
 {
     test::toy_font font;
     text_mesher mesher{font};
@@ -135,7 +137,7 @@ TEST_CASE("tolerance and depth stay those of the base em when a look scales", "[
     CHECK(size_at(1.0) > size_at(0.125));
 }
 
-TEST_CASE("a letter in several styles is built once, in several shapes once a shape", "[text][looks]")
+TEST_CASE("a letter in several styles is built once, in several shapes once a shape", "[text][glyph_styles]")
 {
     test::toy_font font;
     glyph_cache cache;
@@ -155,7 +157,7 @@ TEST_CASE("a letter in several styles is built once, in several shapes once a sh
         CHECK(cache.statistics().misses == 3);
         CHECK(cache.statistics().hits == 0);
     }
-    CHECK(mesher.plan("o"));  // the plain look's letter is the plain text's
+    CHECK(mesher.plan("o"));  // the plain glyph style's letter is the plain text's
     CHECK(cache.statistics().misses == 3);
     CHECK(cache.statistics().hits == 1);
     full_mesh expected, found;
@@ -169,7 +171,7 @@ TEST_CASE("a letter in several styles is built once, in several shapes once a sh
     CHECK(test::same_bits(found, expected));
 }
 
-TEST_CASE("faces, maps and the units of the first face are told apart in a cache", "[text][looks]")
+TEST_CASE("faces, maps and the units of the first face are told apart in a cache", "[text][glyph_styles]")
 {
     test::toy_font font;
     const auto drawings = icons(1000.0), coarse = icons(250.0);
@@ -189,7 +191,7 @@ TEST_CASE("faces, maps and the units of the first face are told apart in a cache
     CHECK(test::same_bits(test::written<full_mesh>(*plan), test::written<full_mesh>(*uncached.plan(icon))));
 }
 
-TEST_CASE("workers with faces of their own make the same mesh", "[text][looks]")
+TEST_CASE("workers with faces of their own make the same mesh", "[text][glyph_styles]")
 {
     test::toy_font font;
     const auto drawings = icons();
@@ -210,14 +212,14 @@ TEST_CASE("workers with faces of their own make the same mesh", "[text][looks]")
     CHECK(test::same_bits(test::written<full_mesh>(*plan), expected));
 }
 
-TEST_CASE("looks, faces and units that there are not are refused, each by name", "[text][looks]")
+TEST_CASE("looks, faces and units that there are not are refused, each by name", "[text][glyph_styles]")
 {
     test::toy_font font;
     text_mesher mesher{font};
     const auto refusal = [&](const glyph_run& run) { return mesher.plan(run).error(); };
-    CHECK(refusal(run_of({}, {{1, 3, {0, 0}, false, 1}})) == error::no_such_look);
+    CHECK(refusal(run_of({}, {{1, 3, {0, 0}, false, 1}})) == error::no_such_glyph_style);
     const error far_look = refusal(run_of({{}, {}}, {{1, 0, {0, 0}, false, 1}, {2, 7, {0, 0}, false, 2}}));
-    CHECK(far_look == error::no_such_look);
+    CHECK(far_look == error::no_such_glyph_style);
     CHECK(far_look.count == 2);
     CHECK(far_look.glyph == 2);
     CHECK(far_look.cluster == 7);
@@ -238,7 +240,7 @@ TEST_CASE("looks, faces and units that there are not are refused, each by name",
     CHECK(mesher.plan("o"));  // and nothing is left behind
 }
 
-TEST_CASE("a map that is no number leaves its glyphs out, and says so", "[text][looks]")
+TEST_CASE("a map that is no number leaves its glyphs out, and says so", "[text][glyph_styles]")
 {
     test::toy_font font;
     text_mesher mesher{font};
@@ -252,7 +254,7 @@ TEST_CASE("a map that is no number leaves its glyphs out, and says so", "[text][
     CHECK(plan->report().first_refusal.cluster == 1);
 }
 
-TEST_CASE("a map that flattens a glyph leaves nothing of it", "[text][looks]")
+TEST_CASE("a map that flattens a glyph leaves nothing of it", "[text][glyph_styles]")
 {
     test::toy_font font;
     text_mesher mesher{font};

@@ -46,12 +46,12 @@ TEST_CASE("a set whose memory fails says so and knows what it knew", "[text]")
     }
 }
 
-TEST_CASE("a glyph in two looks is two glyphs", "[text]")
+TEST_CASE("a glyph in two glyph styles is two glyphs", "[text]")
 {
     glyph_set set;
-    for (std::uint32_t look = 0; look < 50; ++look)
-        for (glyph_id id = 0; id < 50; ++id) REQUIRE(set.number_of({id, look}) == 50 * look + id);
-    for (std::uint32_t look = 0; look < 50; ++look)
-        for (glyph_id id = 0; id < 50; ++id) REQUIRE(set.number_of({id, look}) == 50 * look + id);
+    for (std::uint32_t style = 0; style < 50; ++style)
+        for (glyph_id id = 0; id < 50; ++id) REQUIRE(set.number_of({id, style}) == 50 * style + id);
+    for (std::uint32_t style = 0; style < 50; ++style)
+        for (glyph_id id = 0; id < 50; ++id) REQUIRE(set.number_of({id, style}) == 50 * style + id);
     CHECK(set.keys()[61] == glyph_key{11, 1});
 }

@@ -51,7 +51,7 @@ TEST_CASE("a glyph keeps its line and its place whatever its style, beside lines
         std::mt19937 random{seed};
         const std::uint32_t styles = seed % 3 == 0 ? 1 : 4;
         glyph_run run;
-        for (std::uint32_t s = 0; s < styles; ++s) REQUIRE(run.looks.push_back({.style = style_id{s}}));
+        for (std::uint32_t s = 0; s < styles; ++s) REQUIRE(run.glyph_styles.push_back({.style = style_id{s}}));
         std::vector<std::uint32_t> line_of;
         const auto lines = static_cast<std::uint32_t>(random() % 12);
         for (std::uint32_t line = 0; line < lines; ++line) {
@@ -130,7 +130,7 @@ TEST_CASE("of merged glyphs that are narrowed one is counted, and the first is t
     auto mesher = text_mesher{font}.with(narrowing{});
     glyph_run run;
     run.units_per_em = 1000.0;
-    for (const std::uint32_t style : {2u, 1u}) REQUIRE(run.looks.push_back({.style = style_id{style}}));
+    for (const std::uint32_t style : {2u, 1u}) REQUIRE(run.glyph_styles.push_back({.style = style_id{style}}));
     for (const double x : {0.0, 300.0}) REQUIRE(run.glyphs.push_back({1, 5, {x, 0.0}, false, 0}));  // rings that meet
     REQUIRE(run.glyphs.push_back({1, 9, {2000.0, 0.0}, false, 1}));  // first in the mesh, for its style is lower
     const auto plan = mesher.plan(run, {.merge = true});

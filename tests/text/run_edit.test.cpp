@@ -26,9 +26,10 @@ void scatter(glyph_run& run) noexcept
         run.glyphs.truncate(run.glyphs.size() - gone);
     }
     for (placed_glyph& g : run.glyphs) g.origin.y += 90.0 * std::sin(g.origin.x / 700.0);
-    if (run.glyphs.size() > 1 && run.looks.empty() && run.looks.push_back({}) && run.looks.push_back({})) {
-        run.looks[1].map.xy = 0.25;
-        run.glyphs[1].look = 1;
+    if (run.glyphs.size() > 1 && run.glyph_styles.empty() && run.glyph_styles.push_back({}) &&
+        run.glyph_styles.push_back({})) {
+        run.glyph_styles[1].map.xy = 0.25;
+        run.glyphs[1].glyph_style = 1;
     }
 }
 
@@ -71,8 +72,8 @@ TEST_CASE("a run that is broken on the way is refused, and the next text is as i
     const auto expected = other.plan("oEi");
     REQUIRE(expected);
 
-    const auto none = mesher.plan("oEi", {}, [](glyph_run& run) noexcept { run.glyphs[1].look = 7; });
-    CHECK(none.error() == error::no_such_look);
+    const auto none = mesher.plan("oEi", {}, [](glyph_run& run) noexcept { run.glyphs[1].glyph_style = 7; });
+    CHECK(none.error() == error::no_such_glyph_style);
     const auto nowhere = mesher.plan("oEi", {}, [](glyph_run& run) noexcept { run.glyphs[0].origin.x = std::nan(""); });
     REQUIRE(nowhere);
     CHECK(nowhere->report().refused == 1);

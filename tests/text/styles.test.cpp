@@ -52,13 +52,14 @@ TEMPLATE_TEST_CASE("styles only sort: every glyph's mesh, every range and every 
         test::check_styles(mesher, other, *pool, run, {.tolerance = quality::low, .texture_over = texture_over}, seed);
 }
 
-TEST_CASE("a table of looks that are all plain changes nothing, to the bit", "[text][styles]")
+TEST_CASE("a table of glyph styles that are all plain changes nothing, to the bit", "[text][styles]")
 {
     test::toy_font font;
     text_mesher mesher{font}, other{font};
     glyph_run plain = crowded_run(), tabled = crowded_run();
-    for (int i = 0; i < 3; ++i) REQUIRE(tabled.looks.push_back({}));
-    for (std::size_t i = 0; i < tabled.glyphs.size(); ++i) tabled.glyphs[i].look = static_cast<std::uint32_t>(i % 3);
+    for (int i = 0; i < 3; ++i) REQUIRE(tabled.glyph_styles.push_back({}));
+    for (std::size_t i = 0; i < tabled.glyphs.size(); ++i)
+        tabled.glyphs[i].glyph_style = static_cast<std::uint32_t>(i % 3);
     for (const bool merge : {false, true}) {
         const auto a = mesher.plan(plain, {.merge = merge}), b = other.plan(tabled, {.merge = merge});
         REQUIRE(a);
@@ -69,7 +70,7 @@ TEST_CASE("a table of looks that are all plain changes nothing, to the bit", "[t
     }
 }
 
-TEST_CASE("a text without looks is of style 0, an empty one of none", "[text][styles]")
+TEST_CASE("a text without glyph styles is of style 0, an empty one of none", "[text][styles]")
 {
     test::toy_font font;
     text_mesher mesher{font};
@@ -92,10 +93,10 @@ TEST_CASE("the glyphs of a cluster are neighbours in each of its styles", "[text
     test::toy_font font;
     text_mesher mesher{font};
     glyph_run run;
-    for (const std::uint32_t s : {0u, 1u}) REQUIRE(run.looks.push_back({.style = style_id{s}}));
-    const std::uint32_t looks[] = {1, 0, 1, 1, 0};
+    for (const std::uint32_t s : {0u, 1u}) REQUIRE(run.glyph_styles.push_back({.style = style_id{s}}));
+    const std::uint32_t glyph_styles[] = {1, 0, 1, 1, 0};
     for (std::uint32_t i = 0; i < 5; ++i)
-        REQUIRE(run.glyphs.push_back({1, i == 0 ? 0u : 4u, {600.0 * i, 0.0}, false, looks[i]}));
+        REQUIRE(run.glyphs.push_back({1, i == 0 ? 0u : 4u, {600.0 * i, 0.0}, false, glyph_styles[i]}));
     const auto plan = mesher.plan(run);
     REQUIRE(plan->glyphs().size() == 5);  // in the run: 1 4 | 0 2 3
     const glyph_span plain = plan->glyphs_of(4, style_id{0}), coloured = plan->glyphs_of(4, style_id{1});
@@ -114,7 +115,7 @@ TEST_CASE("the first glyph that is refused is the first of the run, whatever its
     test::toy_font font;
     text_mesher mesher{font};
     glyph_run run;
-    for (const std::uint32_t s : {5u, 2u}) REQUIRE(run.looks.push_back({.style = style_id{s}}));
+    for (const std::uint32_t s : {5u, 2u}) REQUIRE(run.glyph_styles.push_back({.style = style_id{s}}));
     REQUIRE(run.glyphs.push_back({6, 10, {0, 0}, false, 0}));
     REQUIRE(run.glyphs.push_back({6, 11, {600, 0}, false, 1}));
     const auto plan = mesher.plan(run);
@@ -128,7 +129,7 @@ TEST_CASE("an instanced mesh is of no style, its instances are", "[text][styles]
     test::toy_font font;
     text_mesher mesher{font};
     glyph_run run;
-    for (const std::uint32_t s : {4u, 2u}) REQUIRE(run.looks.push_back({.style = style_id{s}}));
+    for (const std::uint32_t s : {4u, 2u}) REQUIRE(run.glyph_styles.push_back({.style = style_id{s}}));
     for (std::uint32_t i = 0; i < 4; ++i) REQUIRE(run.glyphs.push_back({1, i, {600.0 * i, 0.0}, false, i % 2}));
     const auto plan = mesher.plan(run);
     REQUIRE(plan->meshes().size() == 1);  // built once
@@ -140,7 +141,8 @@ TEST_CASE("an instanced mesh is of no style, its instances are", "[text][styles]
     CHECK(plan->instances(0, style_id{3}).count == 0);
 }
 
-TEST_CASE("a text of many looks planned again needs no memory, and memory that fails is reported", "[text][styles]")
+TEST_CASE("a text of many glyph styles planned again needs no memory, and memory that fails is reported",
+          "[text][styles]")
 {
     test::toy_font font;
     const glyph_run run = test::styled_at_random(crowded_run(), 3);

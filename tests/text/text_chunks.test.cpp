@@ -37,7 +37,7 @@ void see(std::vector<seen_triangle>& out, const full_vertex* vertices, const Ind
 }
 
 template <class Plan>
-std::vector<seen_triangle> look_of(const Plan& plan)
+std::vector<seen_triangle> glyph_style_of(const Plan& plan)
 {
     full_mesh m;
     REQUIRE(plan.write(into(m.vertices, m.indices)));
@@ -58,7 +58,7 @@ void check_chunks(const Plan& plan, std::uint32_t most)
     REQUIRE(mesh_size{out.vertices.size(), out.indices.size() / 3} == chunks.size());
     CHECK(out.each_once());
 
-    std::vector<seen_triangle> look;
+    std::vector<seen_triangle> glyph_style;
     std::uint32_t vertex = 0, index = 0, glyph = 0;
     for (std::size_t k = 0; k < chunks.view().size(); ++k) {
         const text_chunk& c = chunks.view()[k];
@@ -81,7 +81,8 @@ void check_chunks(const Plan& plan, std::uint32_t most)
             }
         }
         if (split) CHECK(std::count(used.begin(), used.end(), false) == 0);
-        see(look, out.vertices.data() + c.first_vertex, out.indices.data() + c.first_index, c.range().index_count);
+        see(glyph_style, out.vertices.data() + c.first_vertex, out.indices.data() + c.first_index,
+            c.range().index_count);
 
         // The same chunk alone.
         full_mesh m;
@@ -96,8 +97,8 @@ void check_chunks(const Plan& plan, std::uint32_t most)
     CHECK(glyph == plan.glyphs().size());
 
     // Nothing that is drawn differs from the text in one piece.
-    std::sort(look.begin(), look.end());
-    CHECK(look == look_of(plan));
+    std::sort(glyph_style.begin(), glyph_style.end());
+    CHECK(glyph_style == glyph_style_of(plan));
 
     // Several workers write the same.
     for (const std::size_t workers : {2u, 5u}) {

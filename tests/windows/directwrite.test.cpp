@@ -503,10 +503,10 @@ TEST_CASE("columns run downwards, glyph below glyph, Latin letters on their side
     for (std::size_t i = 1; i < 4; ++i) CHECK(run.glyphs[i].origin.y < run.glyphs[i - 1].origin.y);
     CHECK(run.lines[0].advance > 3.0 * font->units_per_em());
     for (const placed_glyph& g : run.glyphs) CHECK(std::fabs(g.origin.x + font->units_per_em() / 2) < 200.0);
-    CHECK(run.looks.empty());
+    CHECK(run.glyph_styles.empty());
     const shape_options upright{.direction = direction::top_to_bottom, .columns = {.latin = column_latin::upright}};
-    CHECK_FALSE(shaped(*font, u"世A", {.direction = direction::top_to_bottom}).looks.empty());
-    CHECK(shaped(*font, u"世A", upright).looks.empty());
+    CHECK_FALSE(shaped(*font, u"世A", {.direction = direction::top_to_bottom}).glyph_styles.empty());
+    CHECK(shaped(*font, u"世A", upright).glyph_styles.empty());
 }
 
 TEST_CASE("a text longer than DirectWrite's limit is split and joined", "[windows]")

@@ -51,7 +51,7 @@ TEST_CASE("a line of two fonts has the same meshes as each font by itself", "[wo
     for (const placed_glyph& g : first.glyphs) REQUIRE(both.glyphs.push_back(g));
     for (placed_glyph g : second.glyphs) {
         g.origin = scale * g.origin + point{0.0, -3000.0};
-        g.look = *other_face;
+        g.glyph_style = *other_face;
         REQUIRE(both.glyphs.push_back(g));
     }
     font_faces faces{*latin, *arabic};

@@ -66,7 +66,7 @@ class directwrite_text {
 public:
     explicit directwrite_text(memory source = heap()) noexcept
         : run_{source},
-          looks_{source},
+          slots_{source},
           bars_{source},
           objects_{source},
           pieces_{source},
@@ -127,8 +127,8 @@ public:
     {
         detail::directwrite_key key;
         key.mix(run_.units_per_em);
-        key.mix(std::uint64_t{looks_.size()});
-        for (const look& l : looks_.view()) {
+        key.mix(std::uint64_t{slots_.size()});
+        for (const font_slot& l : slots_.view()) {
             key.mix_files(l.face);
             key.mix_state(l.face);
             key.mix(l.scale);
@@ -146,8 +146,8 @@ public:
     [[nodiscard]] directwrite_glyph glyph(glyph_id id) const noexcept
     {
         const std::size_t slot = id >> 16;
-        if (slot >= looks_.size()) return {};
-        const look& l = looks_[slot];
+        if (slot >= slots_.size()) return {};
+        const font_slot& l = slots_[slot];
         return {l.face, static_cast<std::uint16_t>(id & 0xFFFF), l.em_size, l.sideways};
     }
 
@@ -166,8 +166,8 @@ public:
             sink.close();
             return {};
         }
-        if (slot >= looks_.size()) return error{error::unknown_glyph}.at(id, no_cluster);
-        const look& l = looks_[slot];
+        if (slot >= slots_.size()) return error{error::unknown_glyph}.at(id, no_cluster);
+        const font_slot& l = slots_[slot];
         if (index >= l.face->GetGlyphCount()) return error{error::unknown_glyph}.at(id, no_cluster);
         const error e = detail::draw_glyph(l.face, l.units_per_em, l.scale, l.lowers, l.sideways,
                                            static_cast<glyph_id>(index), sink, rule_);
@@ -181,7 +181,7 @@ private:
     static constexpr double unread_units = 1000.0;  // before a face is drawn
 
     /// A face at a size.
-    struct look {
+    struct font_slot {
         IDWriteFontFace* face;
         double em_size;
         double units_per_em;
@@ -206,11 +206,11 @@ private:
 
     void release() noexcept
     {
-        for (look& l : looks_.view()) l.face->Release();
+        for (font_slot& l : slots_.view()) l.face->Release();
         for (directwrite_object& o : objects_.view()) o.object->Release();
         run_.clear();
         run_.units_per_em = unread_units;
-        looks_.clear();
+        slots_.clear();
         bars_.clear();
         objects_.clear();
         pieces_.clear();
@@ -268,26 +268,26 @@ private:
     }
 
     /// The number of a face at a size; holds a reference to the face from its first use.
-    result<std::uint32_t> look_of(const DWRITE_GLYPH_RUN& run) noexcept
+    result<std::uint32_t> slot_of(const DWRITE_GLYPH_RUN& run) noexcept
     {
         const double em_size = double{run.fontEmSize};
         const bool sideways = run.isSideways != FALSE;
-        for (std::size_t i = looks_.size(); i-- > 0;) {
-            const look& l = looks_[i];
+        for (std::size_t i = slots_.size(); i-- > 0;) {
+            const font_slot& l = slots_[i];
             if (l.face == run.fontFace && same(l.em_size, em_size) && l.sideways == sideways)
                 return static_cast<std::uint32_t>(i);
         }
-        if (looks_.size() == bar_slot) return error::too_large;
+        if (slots_.size() == bar_slot) return error::too_large;
         DWRITE_FONT_METRICS m = {};
         run.fontFace->GetMetrics(&m);
         if (m.designUnitsPerEm == 0) return error::not_a_font;
         const double units = m.designUnitsPerEm;
-        if (looks_.empty()) run_.units_per_em = units;
+        if (slots_.empty()) run_.units_per_em = units;
         const double scale = (em_size / em_size_) * (run_.units_per_em / units);
-        if (!looks_.push_back({run.fontFace, em_size, units, scale, detail::has_table(run.fontFace, "glyf"), sideways}))
+        if (!slots_.push_back({run.fontFace, em_size, units, scale, detail::has_table(run.fontFace, "glyf"), sideways}))
             return error::out_of_memory;
         run.fontFace->AddRef();
-        return static_cast<std::uint32_t>(looks_.size() - 1);
+        return static_cast<std::uint32_t>(slots_.size() - 1);
     }
 
     /// Stores a run of glyphs, still in pixels. `of` gives its position in the text; null if it has none.
@@ -296,7 +296,7 @@ private:
         const UINT32 count = run.glyphCount;
         if (count == 0 || run.fontFace == nullptr) return {};
         if (!is_finite(double{run.fontEmSize}) || !(run.fontEmSize > 0.0f)) return error::outline_not_finite;
-        const auto slot = look_of(run);
+        const auto slot = slot_of(run);
         if (!slot) return slot.error();
         if (units_.size() < count && units_.append(count - units_.size()) == nullptr) return error::out_of_memory;
         const bool placed = of != nullptr && of->clusterMap != nullptr && of->string != nullptr;
@@ -443,7 +443,7 @@ private:
     double em_size_ = 1.0;
     std::uint64_t read_at_ = 0;
     fill_rule rule_ = fill_rule::non_zero;
-    buffer<look> looks_;
+    buffer<font_slot> slots_;
     buffer<point> bars_;  // the sizes of the bars
     buffer<directwrite_object> objects_;
     buffer<piece> pieces_;

@@ -26,7 +26,8 @@ struct [[nodiscard]] error {
         unreadable_file,      ///< the file cannot be opened or read
         not_a_font,           ///< the font library does not recognise the bytes as a font
         no_such_face,         ///< the file or outline source has no face with that number; count = the number of faces
-        no_such_look,         ///< a glyph names a look that its run's table does not have; count = the number of looks
+        no_such_glyph_style,  ///< a glyph names a glyph style that its run's table does not have; count = how many
+                              ///< the table has
         other_units,          ///< the run and the font that draws it disagree in their units per em
         no_such_family,       ///< no font of that family is installed or in the given collection
         no_such_style,        ///< the family has no font of that style; `option` names the property
@@ -114,7 +115,8 @@ struct [[nodiscard]] error {
         case unreadable_file: return "The font file cannot be opened or read: check its path and its permissions.";
         case not_a_font: return "The data is not a font, or it is damaged: give another font file.";
         case no_such_face: return "There is no face with that number: count faces from 0, and choose one that exists.";
-        case no_such_look: return "A glyph names a look that its glyph_run does not contain: add it to the looks.";
+        case no_such_glyph_style:
+            return "A glyph names a glyph style that its glyph_run does not contain: add it to the glyph styles.";
         case other_units: return "The glyph_run and the font have different units per em: use the run's own font.";
         case no_such_family: return "No font of this family is installed or given: check the family's name.";
         case no_such_style: return "The family has no font of this style: choose another style.";
@@ -179,7 +181,7 @@ inline const char* describe(const error& e, std::span<char> out) noexcept
         if (e == error::buffer_too_small) return " (needed: ";
         if (e == error::index_overflow) return " (vertices: ";
         if (e == error::no_such_face) return " (faces: ";
-        if (e == error::no_such_look) return " (looks: ";
+        if (e == error::no_such_glyph_style) return " (glyph styles: ";
         if (e == error::too_many_pieces || e == error::too_many_points) return " (the limit: ";
         return e == error::font_library_failed ? " (its error: " : " (";
     };

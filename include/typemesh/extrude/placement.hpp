@@ -50,7 +50,7 @@ struct placement {
     typemesh::frame frame = {};
     glyph_id glyph = no_glyph;        ///< the glyph of vertices that want it
     cluster_id cluster = no_cluster;  ///< the glyph's position in the caller's text, for vertices that want it
-    style_id style = no_style;        ///< the style of the glyph's look, for vertices that want it
+    style_id style = no_style;        ///< the glyph's style_id, for vertices that want it
 
     /// The common part of a grid point's positions at all heights.
     [[nodiscard]] footprint foot(grid_point p) const noexcept { return foot(exact(p)); }

@@ -6,8 +6,8 @@
 #include <typemesh/core/glyph_id.hpp>
 #include <typemesh/core/point.hpp>
 #include <typemesh/core/result.hpp>
+#include <typemesh/layout/glyph_style.hpp>
 #include <typemesh/layout/impl/value_index.hpp>
-#include <typemesh/layout/look.hpp>
 
 #include <cstddef>
 #include <cstdint>
@@ -19,9 +19,9 @@ struct placed_glyph {
     glyph_id id = 0;
     cluster_id cluster = 0;
     point origin = {};
-    bool missing = false;    ///< whether the font lacks a glyph for this text: `id` is then the font's .notdef, drawn
-                             ///< only on request
-    std::uint32_t look = 0;  ///< the index of its look in glyph_run::looks; 0 if there are no looks
+    bool missing = false;  ///< whether the font lacks a glyph for this text: `id` is then the font's .notdef, drawn
+                           ///< only on request
+    std::uint32_t glyph_style = 0;  ///< the index in glyph_run::glyph_styles; 0 if there are none
 };
 
 /// One line (or column) of a run: its glyphs, the start of its baseline, its length.
@@ -37,11 +37,11 @@ struct text_line {
 ///
 /// Glyphs are in drawing order (left to right in a horizontal line, for any direction of the script). A line's glyphs
 /// are contiguous. If you make a run by hand, `lines` may be empty; the run then counts as one line. A run without
-/// looks is drawn from one face in one style. `id` is the number of a glyph in its own face.
+/// glyph styles is drawn from one face in one style. `id` is the number of a glyph in its own face.
 struct glyph_run {
     buffer<placed_glyph> glyphs;
     buffer<text_line> lines;
-    buffer<look> looks;         ///< the table for placed_glyph::look; usually empty
+    buffer<glyph_style> glyph_styles;  ///< the table for placed_glyph::glyph_style; usually empty
     double units_per_em = 0.0;  ///< the units per em of the source's first face, in which positions are given; 0: the
                                 ///< source's own units
 
@@ -59,7 +59,8 @@ struct glyph_run {
                                  ///< was no dictionary
     cluster_id first_unbroken = no_cluster;
 
-    explicit glyph_run(memory source = heap()) noexcept : glyphs{source}, lines{source}, looks{source}, index_{source}
+    explicit glyph_run(memory source = heap()) noexcept
+        : glyphs{source}, lines{source}, glyph_styles{source}, index_{source}
     {
     }
 
@@ -82,36 +83,36 @@ struct glyph_run {
         if (first < first_invalid_unit) first_invalid_unit = first;
     }
 
-    /// The number by which glyphs refer to a look. If an equal look is in the table, returns its number; otherwise
-    /// appends the look. In a table that only this function fills, the plain look has number 0.
+    /// The number by which glyphs refer to a glyph style. If an equal one is in the table, returns its number;
+    /// otherwise appends the glyph style. In a table that only this function fills, the plain glyph style has number 0.
     ///
     /// Fails  error::out_of_memory
     /// Cost   O(1) on average
-    result<std::uint32_t> number_of(const look& l) noexcept
+    result<std::uint32_t> number_of(const glyph_style& l) noexcept
     {
         constexpr std::size_t few = 8;  // up to this number, a search without an index is faster
-        for (std::size_t i = looks.size() < few ? looks.size() : few; i-- > 0;)
-            if (looks[i] == l) return static_cast<std::uint32_t>(i);
-        if (looks.size() > few) {
-            if (!index_.read(looks.view())) return error::out_of_memory;
-            const std::size_t found = index_.find(looks.view(), l);
-            if (found < looks.size()) return static_cast<std::uint32_t>(found);
+        for (std::size_t i = glyph_styles.size() < few ? glyph_styles.size() : few; i-- > 0;)
+            if (glyph_styles[i] == l) return static_cast<std::uint32_t>(i);
+        if (glyph_styles.size() > few) {
+            if (!index_.read(glyph_styles.view())) return error::out_of_memory;
+            const std::size_t found = index_.find(glyph_styles.view(), l);
+            if (found < glyph_styles.size()) return static_cast<std::uint32_t>(found);
         }
-        const bool plain = l == look{};
-        if (looks.empty() && plain) return std::uint32_t{0};
-        const std::size_t before = looks.size();
-        if ((before == 0 && !looks.push_back({})) || !looks.push_back(l)) {
-            looks.truncate(before);
+        const bool plain = l == glyph_style{};
+        if (glyph_styles.empty() && plain) return std::uint32_t{0};
+        const std::size_t before = glyph_styles.size();
+        if ((before == 0 && !glyph_styles.push_back({})) || !glyph_styles.push_back(l)) {
+            glyph_styles.truncate(before);
             return error::out_of_memory;
         }
-        return static_cast<std::uint32_t>(looks.size() - 1);
+        return static_cast<std::uint32_t>(glyph_styles.size() - 1);
     }
 
     void clear() noexcept
     {
         glyphs.clear();
         lines.clear();
-        looks.clear();
+        glyph_styles.clear();
         index_.clear();
         units_per_em = 0.0;
         missing = parted = invalid_units = unbroken = 0;
@@ -127,7 +128,7 @@ struct glyph_run {
     }
 
 private:
-    value_index<look> index_;  // the index of looks, if there are many
+    value_index<glyph_style> index_;  // the index of glyph styles, if there are many
 };
 
 }  // namespace typemesh::inline TYPEMESH_ABI

@@ -8,7 +8,7 @@
 namespace typemesh::inline TYPEMESH_ABI {
 
 /// The number of an extra face that every outline source has. For any glyph, it draws the square from (0, 0) to (1, 1),
-/// in units of the source's first face. The map of a look turns this square into an underline.
+/// in units of the source's first face. The map of a glyph style turns this square into an underline.
 inline constexpr std::uint32_t bar_face = 0xFFFF'FFFFu;
 
 /// Draws the square of bar_face.

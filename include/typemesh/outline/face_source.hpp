@@ -16,8 +16,8 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// An outline source with several faces, numbered from 0. The looks of a glyph_run choose among the faces. Where only
-/// an outline_source is needed, face 0 is used.
+/// An outline source with several faces, numbered from 0. The glyph styles of a glyph_run choose among the faces. Where
+/// only an outline_source is needed, face 0 is used.
 ///
 ///     s.face_count()                the number of faces; at least 1
 ///     s.units_per_em(face)          as in outline_source, for one face; face < face_count()

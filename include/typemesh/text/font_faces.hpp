@@ -181,7 +181,7 @@ private:
 ///
 ///     font_faces faces{latin, arabic, icons};              // all must outlive it
 ///     text_mesher mesher{faces};
-///     auto icon = run.number_of({.face = 2});              // for placed_glyph::look; a result, see glyph_run.hpp
+///     auto icon = run.number_of({.face = 2});              // for placed_glyph::glyph_style; a result
 ///
 /// It is a shaper if the first face is. Text is shaped by the first face, and text with a style by the face that the
 /// style names. For fonts that replace each other's missing glyphs, see font_cascade.hpp.

@@ -85,7 +85,7 @@ template <class Font>
     if constexpr (has_ligature_carets<Font>) {
         if (c.glyphs != 1) return false;
         const placed_glyph& g = run.glyphs[c.glyph];
-        const look drawn = run.looks.empty() ? look{} : run.looks[g.look];
+        const glyph_style drawn = run.glyph_styles.empty() ? glyph_style{} : run.glyph_styles[g.glyph_style];
         if (font.ligature_carets(drawn.face, g.id, down, carets) || carets.size() != wanted) return false;
         double before = 0.0;
         for (double& place : carets) {

@@ -41,9 +41,9 @@ struct glyph_span {
 ///     vertices   [ front: glyph 0, glyph 1, ... | back: ... | side: ... ]       each part is contiguous, so it can
 ///     indices    [ front: glyph 0, glyph 1, ... | back: ... | side: ... ]       be drawn with a material of its own
 ///
-/// Glyphs are numbered style by style (see look.hpp) and in drawing order within a style, so each style is also
-/// contiguous within a part. Without looks there is one style, and the order is the drawing order. glyphs() contains
-/// only glyphs with a filled area.
+/// Glyphs are numbered style by style (see glyph_style.hpp) and in drawing order within a style, so each style is also
+/// contiguous within a part. Without glyph styles there is one style, and the order is the drawing order. glyphs()
+/// contains only glyphs with a filled area.
 ///
 /// Move-only. A plan refers to its mesher, which must outlive it. It becomes invalid when the mesher is moved or makes
 /// another plan(); an assertion fails if an invalid plan is used. As long as the plan is valid, glyphs that it took

@@ -110,7 +110,7 @@ struct with_part<Wants, false> : with_style<Wants> {
 ///     glyph      glyph_id     the number in its font of the glyph that the point belongs to; no_glyph if unknown
 ///     cluster    cluster_id   the glyph's position in the caller's text; no_cluster if unknown
 ///     part       part         front, back, side, or a further part of the extruder
-///     style      style_id     the style of the glyph's look (layout/look.hpp); no_style if unknown
+///     style      style_id     the glyph's style (layout/glyph_style.hpp); no_style if unknown
 ///
 /// Other attributes take no space and are never computed.
 template <attribute Wants>

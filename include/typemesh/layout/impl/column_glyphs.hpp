@@ -87,9 +87,9 @@ inline error place_item(array_view<shaped_glyph> glyphs, const text_item& item, 
         if (missing) run.note_missing(g.cluster);
         if (has(g.flags, glyph_flags::parted)) run.note_parted(g.cluster);
         pen = pen + (down ? point{0.0, 0.0 - g.advance} : point{g.advance, 0.0});
-        const auto look = run.number_of({.face = g.face, .map = map});
-        if (!look) return look.error();
-        (out - 1)->look = *look;
+        const auto glyph_style = run.number_of({.face = g.face, .map = map});
+        if (!glyph_style) return glyph_style.error();
+        (out - 1)->glyph_style = *glyph_style;
     }
     return {};
 }

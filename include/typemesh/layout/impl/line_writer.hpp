@@ -4,7 +4,7 @@
 #include <typemesh/core/array_view.hpp>
 #include <typemesh/core/impl/same.hpp>
 #include <typemesh/layout/glyph_run.hpp>
-#include <typemesh/layout/impl/item_look.hpp>
+#include <typemesh/layout/impl/item_glyph_style.hpp>
 #include <typemesh/layout/impl/line_slices.hpp>
 
 #include <cstddef>
@@ -43,7 +43,7 @@ public:
 private:
     /// The drawing state of consecutive glyphs. It holds for an item, a face and a range of the text.
     struct drawn_with {
-        std::uint32_t item = 0, look = 0;
+        std::uint32_t item = 0, glyph_style = 0;
         std::uint16_t face = 0;
         text_range text = {};  // empty: not known yet
         double rise = 0.0;
@@ -66,7 +66,7 @@ private:
         placed_glyph* out = run_.glyphs.append(last - first);
         if (out == nullptr) return error::out_of_memory;
         for (std::uint32_t i = first; i < last;) {
-            if (error e = find_look(item, shaped_.glyph(i))) return e;
+            if (error e = find_glyph_style(item, shaped_.glyph(i))) return e;
             const point base = origin + (down_ ? point{now_.rise, 0.0} : point{0.0, now_.rise});
             const array_view<const shaped_glyph> rest{shaped_.glyphs() + i, last - i};
             i += down_ ? write_alike<true>(rest, base, pen, out + (i - first))
@@ -87,7 +87,7 @@ private:
         for (; n < glyphs.size() && now.holds(glyphs[n]); ++n) {
             const shaped_glyph& g = glyphs[n];
             const point at = down ? point{base.x, base.y - along} : point{base.x + along, base.y};
-            out[n] = {g.id, g.cluster, at + g.offset, has(g.flags, glyph_flags::missing), now.look};
+            out[n] = {g.id, g.cluster, at + g.offset, has(g.flags, glyph_flags::missing), now.glyph_style};
             along += g.advance;
             if (has(g.flags, noted)) note(g);
         }
@@ -101,15 +101,15 @@ private:
     }
 
     /// Finds the drawing state of a glyph. Usually it is the same as before.
-    error find_look(std::uint32_t item, const shaped_glyph& g) noexcept
+    error find_glyph_style(std::uint32_t item, const shaped_glyph& g) noexcept
     {
         if ((now_.item == item || alike_) && now_.holds(g)) return {};
         const item_setting set = shaped_.setting_of(item);
         const text_style& painted = shaped_.styles[shaped_.styles.number_at(g.cluster)];
         const double rise = set.lift + painted.rise * shaped_.units_per_em();
-        const look drawn = look_of(shaped_.items()[item], set, painted, g);
+        const glyph_style drawn = glyph_style_of(shaped_.items()[item], set, painted, g);
         std::uint32_t number = 0;
-        if (!run_.looks.empty() || !(drawn == look{})) {
+        if (!run_.glyph_styles.empty() || !(drawn == glyph_style{})) {
             const auto found = run_.number_of(drawn);
             if (!found) return found.error();
             number = *found;

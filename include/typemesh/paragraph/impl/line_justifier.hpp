@@ -173,7 +173,7 @@ private:
         return {};
     }
 
-    /// A cluster of one stroke with the look of an item. It has no advance if the font has no stroke.
+    /// A cluster of one stroke with the glyph style of an item. It has no advance if the font has no stroke.
     template <shaper Shaper>
     result<std::uint32_t> model_for(std::uint32_t item, shaped_text& shaped, Shaper& shaper) noexcept
     {

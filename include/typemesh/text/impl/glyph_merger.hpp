@@ -129,7 +129,7 @@ private:
             const bool stands = std::fabs(origin.x) * cells <= farthest && std::fabs(origin.y) * cells <= farthest;
             if (!is_finite(origin.x) || !is_finite(origin.y) || !stands || !same(s.cells(), cells)) continue;
             const pen at = snapped(origin, cells);
-            const auto kind = static_cast<std::uint32_t>(all.looks.style_of(run.glyphs[i].look));
+            const auto kind = static_cast<std::uint32_t>(all.glyph_styles.style_of(run.glyphs[i].glyph_style));
             // A blank or refused glyph has no plan data.
             const solid_outline grown = s.form().points.empty() ? solid_outline{} : how.outline_of(s);
             loops[i] = {grown.points, grown.starts, at.x, at.y, kind};
@@ -152,7 +152,7 @@ private:
             around.merge({offset + own.place(s.low()), offset + own.place(s.high())});
             g.cells = s.cells() > g.cells ? s.cells() : g.cells;
         }
-        g.units_per_em = all.looks.units_per_em();
+        g.units_per_em = all.glyph_styles.units_per_em();
         double farthest = 0.0;
         for (const double v : {around.low.x, around.low.y, around.high.x, around.high.y})
             farthest = std::fabs(v) > farthest ? std::fabs(v) : farthest;
@@ -187,7 +187,7 @@ private:
         std::uint32_t corners = 0;  // parted or joined corners, of the members and of the whole group
         const pen first = snapped(run.glyphs[members[0]].origin, onto->cells);
         for (const std::uint32_t m : members) {
-            auto face = all.looks.face_of(font, run.glyphs[m].look);
+            auto face = all.glyph_styles.face_of(font, run.glyphs[m].glyph_style);
             const auto filled = by.build_region(face, run.glyphs[m].id, how, with);
             corners += by.parting().corners;
             if (!filled) return filled.error();

@@ -10,10 +10,11 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// A glyph as it is built: its number in its face, and the look (run_looks::outlines_of()) with the face and the map.
+/// A glyph as it is built: its number in its face, and the glyph style with its face and map
+/// (run_glyph_styles::outlines_of()).
 struct glyph_key {
     glyph_id id = no_glyph;
-    std::uint32_t look = 0;
+    std::uint32_t glyph_style = 0;
 
     friend constexpr bool operator==(const glyph_key&, const glyph_key&) noexcept = default;
 };
@@ -59,7 +60,7 @@ private:
     /// Neighbouring ids, for example of an alphabet, get distant places.
     static std::size_t place_of(glyph_key key) noexcept
     {
-        const std::uint32_t mixed = key.id * 0x9E37'79B1u + key.look * 0x85EB'CA6Bu;
+        const std::uint32_t mixed = key.id * 0x9E37'79B1u + key.glyph_style * 0x85EB'CA6Bu;
         return mixed ^ (mixed >> 15);
     }
 

@@ -93,7 +93,7 @@ private:
 }  // namespace detail
 
 /// Places each glyph of the run, style by style; a merged group is placed at its first member. Needs all.numbers,
-/// pinned, looks and merged. Blank glyphs and glyphs that cannot be drawn are counted in the report.
+/// pinned, glyph styles and merged. Blank glyphs and glyphs that cannot be drawn are counted in the report.
 ///
 ///     on_grid    glyphs are placed on the grid, where glyph_merger has compared them: glyphs that do not touch there
 ///                do not touch when they are written
@@ -106,8 +106,8 @@ inline error place_glyphs(text_glyphs& all, const glyph_run& run, bool on_grid =
     const merged_glyphs& merged = all.merged;
     report.glyphs = static_cast<std::uint32_t>(run.glyphs.size());
     if (!all.reserve_records(run.glyphs.size())) return error::out_of_memory;
-    if (error e = all.looks.sort(run)) return e;
-    const array_view<const std::uint32_t> order = all.looks.order();
+    if (error e = all.glyph_styles.sort(run)) return e;
+    const array_view<const std::uint32_t> order = all.glyph_styles.order();
     std::uint32_t line = 0;
     detail::glyph_counts counts{report};
     for (std::uint32_t k = 0; k < run.glyphs.size(); ++k) {
@@ -124,7 +124,7 @@ inline error place_glyphs(text_glyphs& all, const glyph_run& run, bool on_grid =
         s.origin = glyph.origin;
         s.id = glyph.id;
         s.cluster = glyph.cluster;
-        s.style = all.looks.style_of(glyph.look);
+        s.style = all.glyph_styles.style_of(glyph.glyph_style);
         s.line = line;
         s.glyph = i;
         if (!merged.groups.empty()) s.merged = detail::group_of(merged, i);

@@ -11,7 +11,7 @@
 #include <typemesh/text/drawn_glyph.hpp>
 #include <typemesh/text/impl/glyph_set.hpp>
 #include <typemesh/text/impl/merged_glyphs.hpp>
-#include <typemesh/text/impl/run_looks.hpp>
+#include <typemesh/text/impl/run_glyph_styles.hpp>
 #include <typemesh/text/instances.hpp>
 #include <typemesh/text/text_options.hpp>
 #include <typemesh/text/text_report.hpp>
@@ -69,7 +69,7 @@ struct text_glyphs {
     merged_glyphs merged;             ///< glyphs that are drawn together
     buffer<std::uint32_t> mesh_of;    ///< for each of the different glyphs, its mesh, or drawn_glyph::none
     buffer<glyph_mesh> meshes;        ///< the meshes of the drawn glyphs
-    run_looks looks;                  ///< how they are drawn
+    run_glyph_styles glyph_styles;    ///< how they are drawn
     buffer<drawn_glyph> records;      ///< the drawn glyphs, style by style
     buffer<style_id> several_styles;  ///< the styles of the records, ascending; empty if there is at most one
     buffer<box> line_boxes;           ///< in font units; only for texture_box::line
@@ -88,7 +88,7 @@ struct text_glyphs {
           merged{source},
           mesh_of{source},
           meshes{source},
-          looks{source},
+          glyph_styles{source},
           records{source},
           several_styles{source},
           line_boxes{source}
@@ -105,7 +105,7 @@ struct text_glyphs {
         merged.clear();
         mesh_of.clear();
         meshes.clear();
-        looks.clear();
+        glyph_styles.clear();
         records.clear();
         several_styles.clear();
         line_boxes.clear();

@@ -124,7 +124,7 @@ error text_planner::each_glyph(const call& now, const glyph_settings& how, const
                                  const policies& with) noexcept -> error {
         const built_glyph* built = find(keys[k]);
         if (built == nullptr) {
-            drawn_face face = glyphs_.looks.face_of(from, keys[k].look);
+            drawn_face face = glyphs_.glyph_styles.face_of(from, keys[k].glyph_style);
             const auto draft = builder.build(face, keys[k].id, how, with);
             if (!draft) return draft.error();
             built = keep(keys[k], *draft, store);
@@ -173,7 +173,7 @@ inline error text_planner::plan_once(const call& now, double reach) noexcept
     report(run);
     e = with.step.refused_options();
     if (!e) e = with.raise.refused_options();
-    if (!e) e = glyphs_.looks.read(run, font);
+    if (!e) e = glyphs_.glyph_styles.read(run, font);
     if (!e) e = collect(run, options);
     const glyph_settings how = settings_of(options, reach);
     if (!e) e = build_glyphs(now, how);
@@ -224,13 +224,14 @@ inline error text_planner::collect(const glyph_run& run, const text_options& opt
     if (count >= glyph_set::no_room) return error::too_large;
     std::uint32_t* numbers = glyphs_.numbers.append(count);
     if (numbers == nullptr && count != 0) return error::out_of_memory;
-    const std::size_t looks = run.looks.empty() ? 1 : run.looks.size();
+    const std::size_t glyph_styles = run.glyph_styles.empty() ? 1 : run.glyph_styles.size();
     for (std::size_t i = 0; i < count; ++i) {
         const placed_glyph& glyph = run.glyphs[i];
         numbers[i] = glyph_set::no_room;
-        if (glyph.look >= looks) return error{error::no_such_look, run.looks.size()}.at(glyph.id, glyph.cluster);
+        if (glyph.glyph_style >= glyph_styles)
+            return error{error::no_such_glyph_style, run.glyph_styles.size()}.at(glyph.id, glyph.cluster);
         if (glyph.missing && !options.draw_missing) continue;
-        const glyph_key key{glyph.id, glyphs_.looks.outlines_of(glyph.look)};
+        const glyph_key key{glyph.id, glyphs_.glyph_styles.outlines_of(glyph.glyph_style)};
         numbers[i] = options.reuse ? glyphs_.different.number_of(key) : glyphs_.different.append(key);
         if (numbers[i] == glyph_set::no_room) return error::out_of_memory;
     }
@@ -258,15 +259,15 @@ inline error text_planner::build_glyphs(const call& now, const glyph_settings& h
         if (!glyphs_.pinned.reserve(count, kept)) return error::out_of_memory;
         const glyph_context plain = context_of(cache.font, font.variation(), how, now.with);
         if (!plain.is_complete()) return error::no_cache_key;
-        if (error e = glyphs_.looks.find_contexts(plain, font)) return e;
-        const array_view<const hashed_context> of_look = glyphs_.looks.contexts();
+        if (error e = glyphs_.glyph_styles.find_contexts(plain, font)) return e;
+        const array_view<const hashed_context> of_style = glyphs_.glyph_styles.contexts();
         return each_glyph(
             now, how,
-            [kept, of_look](const glyph_key& key) noexcept {
-                return kept.find(of_look[key.look].context, of_look[key.look].hash, key.id);
+            [kept, of_style](const glyph_key& key) noexcept {
+                return kept.find(of_style[key.glyph_style].context, of_style[key.glyph_style].hash, key.id);
             },
-            [kept, of_look](const glyph_key& key, const glyph_draft& draft, glyph_store&) noexcept {
-                return kept.keep(of_look[key.look].context, of_look[key.look].hash, key.id, draft);
+            [kept, of_style](const glyph_key& key, const glyph_draft& draft, glyph_store&) noexcept {
+                return kept.keep(of_style[key.glyph_style].context, of_style[key.glyph_style].hash, key.id, draft);
             });
     }
     if (!glyphs_.pinned.reserve(count)) return error::out_of_memory;

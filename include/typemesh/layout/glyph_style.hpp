@@ -19,20 +19,20 @@ namespace typemesh::inline TYPEMESH_ABI {
 ///     {.map = {.xy = 0.2}}               slanted
 ///     {.style = style_id{3}}             with its own material or colour
 ///
-/// Looks that differ only in their style share their meshes.
-struct look {
+/// Glyph styles that differ only in their style share their meshes.
+struct glyph_style {
     std::uint32_t face = 0;  ///< the face of the outline source: see outline/face_source.hpp. Bars have bar_face,
                              ///< 0xFFFFFFFF
     affine map = {};         ///< the map of the outline, around the glyph's own (0, 0), in the run's units
     style_id style = {};     ///< the caller's number
 
-    friend constexpr bool operator==(const look& a, const look& b) noexcept
+    friend constexpr bool operator==(const glyph_style& a, const glyph_style& b) noexcept
     {
         return a.face == b.face && a.map == b.map && a.style == b.style;
     }
 
-    /// Equal looks have equal hashes.
-    friend std::uint64_t hash_of(const look& l) noexcept
+    /// Equal glyph styles have equal hashes.
+    friend std::uint64_t hash_of(const glyph_style& l) noexcept
     {
         std::uint64_t hash = mixed_key(l.face, static_cast<std::uint64_t>(l.style));
         for (double number : {l.map.xx, l.map.xy, l.map.dx, l.map.yx, l.map.yy, l.map.dy}) {

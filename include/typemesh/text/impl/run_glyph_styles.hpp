@@ -22,11 +22,11 @@ struct hashed_context {
     std::uint64_t hash = 0;
 };
 
-/// The meaning of a run's looks: the face and map of each, which of them draw alike, and the order in which their
-/// styles are written. All empty for a run without a table of looks.
-class run_looks {
+/// The meaning of a run's glyph styles: the face and map of each, which of them draw alike, and the order in which
+/// their styles are written. All empty for a run without a table of glyph styles.
+class run_glyph_styles {
 public:
-    explicit run_looks(memory source) noexcept
+    explicit run_glyph_styles(memory source) noexcept
         : drawn_{source}, keys_{source}, contexts_{source}, starts_{source}, order_{source}
     {
     }
@@ -42,21 +42,21 @@ public:
         units_per_em_ = 0.0;
     }
 
-    /// Reads the looks of a run that is drawn with the faces of `font`.
+    /// Reads the glyph styles of a run that is drawn with the faces of `font`.
     ///
     /// Fails  error::no_such_face (count = the number of faces); error::bad_option: a face's units per em;
     ///        error::out_of_memory
-    /// Cost   O(looks log looks)
+    /// Cost   O(glyph styles log glyph styles)
     error read(const glyph_run& run, font_ref font) noexcept
     {
         units_per_em_ = font.units_per_em();
-        const std::size_t count = run.looks.size();
+        const std::size_t count = run.glyph_styles.size();
         if (count == 0) return {};
-        drawn_look* out = drawn_.append(count);
+        drawn_style* out = drawn_.append(count);
         if (out == nullptr) return error::out_of_memory;
         const std::uint32_t faces = font.face_count();
         for (std::size_t i = 0; i < count; ++i) {
-            const look& l = run.looks[i];
+            const glyph_style& l = run.glyph_styles[i];
             if (l.face >= faces && l.face != bar_face) return {error::no_such_face, faces};
             const double units = font.units_per_em(l.face);
             if (!is_finite(units) || !(units > 0.0)) return error::bad("units_per_em");
@@ -66,28 +66,29 @@ public:
         return compare();
     }
 
-    /// The lowest look that draws the same outlines as this one. Looks are numbered as in placed_glyph::look.
-    [[nodiscard]] std::uint32_t outlines_of(std::uint32_t look) const noexcept
+    /// The lowest glyph style that draws the same outlines as this one; numbers as in placed_glyph::glyph_style.
+    [[nodiscard]] std::uint32_t outlines_of(std::uint32_t glyph_style) const noexcept
     {
-        return drawn_.empty() ? 0 : drawn_[look].outlines;
+        return drawn_.empty() ? 0 : drawn_[glyph_style].outlines;
     }
-    [[nodiscard]] style_id style_of(std::uint32_t look) const noexcept
+    [[nodiscard]] style_id style_of(std::uint32_t glyph_style) const noexcept
     {
-        return drawn_.empty() ? style_id{} : drawn_[look].style;
+        return drawn_.empty() ? style_id{} : drawn_[glyph_style].style;
     }
 
     /// The units per em of the font's first face, which are the run's units.
     [[nodiscard]] double units_per_em() const noexcept { return units_per_em_; }
 
-    /// The source from which glyphs of this look are drawn.
-    [[nodiscard]] drawn_face face_of(font_ref font, std::uint32_t look) const noexcept
+    /// The source from which glyphs of this glyph style are drawn.
+    [[nodiscard]] drawn_face face_of(font_ref font, std::uint32_t glyph_style) const noexcept
     {
         if (drawn_.empty()) return {font, 0, nullptr, units_per_em_};
-        const drawn_look& l = drawn_[look];
+        const drawn_style& l = drawn_[glyph_style];
         return {font, l.face, l.map == affine{} ? nullptr : &l.map, units_per_em_};
     }
 
-    /// Finds the context of each look's glyphs, given the context of the first face without a look; at least one.
+    /// Finds the context of the glyphs of each glyph style, given the context of the first face without any; at least
+    /// one.
     ///
     /// Fails  error::out_of_memory
     error find_contexts(const glyph_context& plain, font_ref font) noexcept
@@ -95,7 +96,7 @@ public:
         hashed_context* out = contexts_.append(drawn_.empty() ? 1 : drawn_.size());
         if (out == nullptr) return error::out_of_memory;
         if (drawn_.empty()) *out = {plain, plain.hash()};
-        for (const drawn_look& l : drawn_) {
+        for (const drawn_style& l : drawn_) {
             *out = {plain, 0};
             if (!l.is_plain()) {
                 std::uint64_t key = mixed_key(font.variation(l.face), l.face + std::uint64_t{1});
@@ -112,7 +113,7 @@ public:
     /// Sorts the glyphs of the run by style, and keeps their order within a style.
     ///
     /// Fails  error::out_of_memory
-    /// Cost   O(glyphs + looks)
+    /// Cost   O(glyphs + glyph styles)
     error sort(const glyph_run& run) noexcept
     {
         if (styles_ < 2) return {};
@@ -121,9 +122,9 @@ public:
         std::uint32_t* order = order_.append(count);
         if (starts == nullptr || (order == nullptr && count != 0)) return error::out_of_memory;
         for (std::size_t i = 0; i <= styles_; ++i) starts[i] = 0;
-        for (const placed_glyph& g : run.glyphs) ++starts[drawn_[g.look].rank + std::size_t{1}];
+        for (const placed_glyph& g : run.glyphs) ++starts[drawn_[g.glyph_style].rank + std::size_t{1}];
         for (std::size_t i = 0; i < styles_; ++i) starts[i + 1] += starts[i];
-        for (std::uint32_t i = 0; i < count; ++i) order[starts[drawn_[run.glyphs[i].look].rank]++] = i;
+        for (std::uint32_t i = 0; i < count; ++i) order[starts[drawn_[run.glyphs[i].glyph_style].rank]++] = i;
         return {};
     }
 
@@ -131,11 +132,11 @@ public:
     [[nodiscard]] array_view<const std::uint32_t> order() const noexcept { return order_.view(); }
 
 private:
-    struct drawn_look {
+    struct drawn_style {
         affine map;  // from the face's units to the run's
         style_id style;
         std::uint32_t face;
-        std::uint32_t outlines;  // the lowest look with the same face and map
+        std::uint32_t outlines;  // the lowest glyph style with the same face and map
         std::uint32_t rank;      // of the style, among the run's styles
 
         [[nodiscard]] bool is_plain() const noexcept { return face == 0 && map == affine{}; }
@@ -151,7 +152,7 @@ private:
         }
     };
 
-    /// Finds the looks that draw alike, and the order of their styles.
+    /// Finds the glyph styles that draw alike, and the order of their styles.
     error compare() noexcept
     {
         const std::size_t count = drawn_.size();
@@ -160,10 +161,10 @@ private:
         for (std::uint32_t i = 0; i < count; ++i) keys[i] = {mixed_key(drawn_[i].face, drawn_[i].map), i};
         detail::heap_sort(keys, count);
         for (std::size_t i = 0; i < count; ++i) {
-            drawn_look& here = drawn_[keys[i].number];
+            drawn_style& here = drawn_[keys[i].number];
             here.outlines = keys[i].number;
             if (i == 0) continue;
-            const drawn_look& before = drawn_[keys[i - 1].number];
+            const drawn_style& before = drawn_[keys[i - 1].number];
             if (here.face == before.face && here.map == before.map) here.outlines = before.outlines;
         }
         for (std::uint32_t i = 0; i < count; ++i) keys[i] = {static_cast<std::uint32_t>(drawn_[i].style), i};
@@ -175,7 +176,7 @@ private:
         return {};
     }
 
-    buffer<drawn_look> drawn_;
+    buffer<drawn_style> drawn_;
     buffer<numbered> keys_;  // scratch of compare()
     buffer<hashed_context> contexts_;
     buffer<std::uint32_t> starts_;

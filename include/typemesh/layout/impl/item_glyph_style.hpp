@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <typemesh/layout/glyph_style.hpp>
 #include <typemesh/layout/impl/item_settings.hpp>
-#include <typemesh/layout/look.hpp>
 #include <typemesh/layout/shaped_glyph.hpp>
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// The look of a glyph of an item, from the item's setting and the style that paints it.
-[[nodiscard]] inline look look_of(const text_item& item, const item_setting& set, const text_style& painted,
-                                  const shaped_glyph& glyph) noexcept
+/// The glyph style of a glyph of an item, from the item's setting and the style that paints it.
+[[nodiscard]] inline glyph_style glyph_style_of(const text_item& item, const item_setting& set,
+                                                const text_style& painted, const shaped_glyph& glyph) noexcept
 {
-    look drawn{.face = glyph.face, .style = painted.style};
+    glyph_style drawn{.face = glyph.face, .style = painted.style};
     const double size = set.scale, leaning = size * painted.slant;
     const double squeeze = has(glyph.flags, glyph_flags::combined) ? item.squeeze : 1.0;
     if (has(glyph.flags, glyph_flags::sideways))
