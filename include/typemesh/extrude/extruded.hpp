@@ -74,6 +74,7 @@ struct extruded {
         return bits;
     }
 
+    static constexpr bool writes_inner_points = true;  ///< see refined.hpp
     using plan_data = plan_arrays<side_point>;  ///< one side_point per contour point, if there are walls with normals
 
     [[nodiscard]] result<part_sizes> plan(const region& filled, plan_data& data) const noexcept
@@ -112,7 +113,8 @@ struct extruded {
             if constexpr (!Normals::shares_caps) {
                 if (p == part::side && side) {
                     const upright_walls walls{high(), low(), high(), texture};
-                    walls.vertices<Wants>(s.points, s.data.of<side_point>(), axes, at, put);
+                    const auto sides = s.data.of<side_point>();
+                    walls.vertices<Wants>(s.points.first(sides.size()), sides, axes, at, put);
                 }
             }
         });
@@ -174,7 +176,7 @@ private:
             tangents = texture_tangent{at.frame};
             flat_tangent = tangents.on_cap(axes, facing);
         }
-        const side_point* sides = s.data.of<side_point>().data();
+        [[maybe_unused]] const auto sides = s.data.of<side_point>();
         for (std::size_t i = 0; i < s.points.size(); ++i) {
             const grid_point g = s.points[i];
             surface_point<Wants> v;
@@ -182,7 +184,7 @@ private:
             if constexpr (has(Wants, attribute::normal)) {
                 v.normal = flat_normal;
                 if constexpr (leans) {
-                    if (side) {
+                    if (i < sides.size()) {
                         const vec3 n = shared(sides[i], lit_by_cap ? facing : 0.0f);
                         v.normal = axes.direction(n.x, n.y, n.z);
                     }
@@ -192,7 +194,10 @@ private:
             if constexpr (has(Wants, attribute::tangent)) {
                 v.tangent = flat_tangent;
                 if constexpr (leans) {
-                    if (side) v.tangent = tangents.on_rim(axes, shared(sides[i], lit_by_cap ? facing : 0.0f), facing);
+                    if (i < sides.size()) {
+                        const vec3 n = shared(sides[i], lit_by_cap ? facing : 0.0f);
+                        v.tangent = tangents.on_rim(axes, n, facing);
+                    }
                 }
             }
             put(v);

@@ -10,6 +10,8 @@ namespace typemesh::inline TYPEMESH_ABI {
 
 /// An extruder that makes only the front, at z = 0: N vertices and n + 2h - 2c triangles (region.hpp).
 struct flat {
+    static constexpr bool writes_inner_points = true;  ///< see refined.hpp
+
     texture_mapping texture = texture_mapping::em;
 
     /// See option_bits. The source of texture coordinates matters only for writing.

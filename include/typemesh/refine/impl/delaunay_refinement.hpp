@@ -1,0 +1,453 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <typemesh/core/array_view.hpp>
+#include <typemesh/core/buffer.hpp>
+#include <typemesh/core/contours.hpp>
+#include <typemesh/core/curve.hpp>
+#include <typemesh/core/grid.hpp>
+#include <typemesh/core/orientation.hpp>
+#include <typemesh/core/region.hpp>
+#include <typemesh/core/result.hpp>
+#include <typemesh/core/triangle.hpp>
+#include <typemesh/refine/impl/boundary_buckets.hpp>
+#include <typemesh/refine/impl/off_centre.hpp>
+#include <typemesh/refine/impl/refinable_mesh.hpp>
+#include <typemesh/refine/impl/triangle_queue.hpp>
+#include <typemesh/refine/refiner.hpp>
+
+#include <bit>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+
+namespace typemesh::inline TYPEMESH_ABI::detail {
+
+/// What a refinement aims at, in cells.
+struct refinement_limits {
+    double tangent = 0.0;  ///< of the least angle
+    double off_centre =
+        0.0;  ///< the greatest distance of an off-centre from the middle of its edge, which has length 1
+    std::int64_t max_square = 0;  ///< the square of the greatest length of an edge; 0: any length
+    std::uint32_t max_points = default_max_points;
+};
+
+/// Adds points until no angle is too small and no edge too long: Ruppert's algorithm with off-centres.
+///
+///     boundary edges   An edge is halved while a point of the mesh lies in the circle around it (its *diametral*
+///                      circle) or it is too long. The new point lies on the edge's curve, or on the edge itself where
+///                      the curve's point would not keep the mesh valid.
+///     triangles        Of a bad triangle the off-centre becomes a point: on the perpendicular through the middle of
+///                      the shortest edge, as far from it as the least angle allows, but no farther than the centre of
+///                      the circle around the triangle. A point that would lie in the diametral circle of a boundary
+///                      edge is not added; that edge is halved instead.
+///     sharp corners    Edges at a corner below 60 degrees are cut at powers of two from it, so that neighbours are
+///                      cut at the same distance. A triangle between two such cuts keeps its angle.
+///     spacing          No point is added nearer than four cells to another: rounding could otherwise go on for ever.
+///
+/// From  J. Ruppert, A Delaunay refinement algorithm for quality 2-dimensional mesh generation (1995); G. Miller,
+///       S. Pav & N. Walkington, When and why Ruppert's algorithm works (2003); see also off_centre.hpp
+class delaunay_refinement {
+public:
+    explicit delaunay_refinement(memory source = heap()) noexcept
+        : mesh_{source}, near_{source}, edges_{source}, waiting_{source}, cavity_{source}, numbers_{source}
+    {
+    }
+
+    /// Fails  error::out_of_memory, error::too_many_points
+    [[nodiscard]] error run(const region& r, array_view<const triangle> triangles,
+                            const refinement_limits& limits) noexcept
+    {
+        region_ = &r;
+        limits_ = limits;
+        near_.clear();
+        edges_.clear();
+        waiting_.clear();
+        kept_ = 0;
+        if (!mesh_.open(r, triangles)) return error::out_of_memory;
+        for (std::uint32_t v = 0; v < mesh_.vertex_count(); ++v)
+            if (!check_boundary(mesh_.at(v).boundary)) return error::out_of_memory;
+        if (error e = split_edges()) return e;
+        for (std::uint32_t t = 0; t < mesh_.triangle_count(); ++t)
+            if (!check_triangle(t)) return error::out_of_memory;
+        while (waiting_.has_more()) {
+            if (error e = improve(waiting_.pop())) return e;
+            if (error e = split_edges()) return e;
+            if (mesh_.vertex_count() > limits_.max_points) return error::too_many_points;
+        }
+        return {};
+    }
+
+    /// Writes the refined cap. Fails with error::out_of_memory.
+    [[nodiscard]] error write(const refined_cap& out) noexcept
+    {
+        numbers_.clear();
+        std::uint32_t* const number = numbers_.append(mesh_.vertex_count());
+        if (number == nullptr) return error::out_of_memory;
+        out.loops.clear();
+        out.inner.clear();
+        out.triangles.clear();
+        std::uint32_t count = 0;
+        const auto all = region_->starts();
+        for (std::size_t loop = 0; loop + 1 < all.size(); ++loop) {
+            if (!out.loops.starts.push_back(count)) return error::out_of_memory;
+            std::uint32_t v = all[loop];
+            do {
+                const refinable_mesh::vertex& at = mesh_.at(v);
+                if (!out.loops.points.push_back(at.place) || !out.loops.edges.push_back(at.edge))
+                    return error::out_of_memory;
+                number[v] = count++;
+                v = mesh_.next_on_boundary(v);
+            } while (v != all[loop]);
+        }
+        if (!out.loops.starts.push_back(count)) return error::out_of_memory;
+        for (std::uint32_t v = 0; v < mesh_.vertex_count(); ++v) {
+            if (mesh_.at(v).boundary != none) continue;
+            if (!out.inner.push_back(mesh_.place(v))) return error::out_of_memory;
+            number[v] = count++;
+        }
+        triangle* to = out.triangles.append(mesh_.triangle_count());
+        if (to == nullptr) return error::out_of_memory;
+        for (std::uint32_t h = 0; h < mesh_.end(); h += 4)
+            *to++ = {number[mesh_.origin(h)], number[mesh_.origin(h + 1)], number[mesh_.origin(h + 2)]};
+        out.loops.curves = region_->curves();
+        out.loops.grid = region_->grid();
+        out.loops.tolerance = region_->tolerance();
+        out.loops.corners = region_->corners();
+        return {};
+    }
+
+    [[nodiscard]] const refinable_mesh& mesh() const noexcept { return mesh_; }
+
+    /// The number of bad triangles that were left, because a point would have come too near to others.
+    [[nodiscard]] std::uint32_t kept() const noexcept { return kept_; }
+
+private:
+    static constexpr std::uint32_t none = refinable_mesh::none;
+    static constexpr std::uint32_t good = triangle_queue::ranks;
+    static constexpr std::int64_t spacing = 4;  // cells
+
+    [[nodiscard]] static std::int64_t dot(grid_point at, grid_point p, grid_point q) noexcept
+    {
+        return (std::int64_t{p.x} - at.x) * (std::int64_t{q.x} - at.x) +
+               (std::int64_t{p.y} - at.y) * (std::int64_t{q.y} - at.y);
+    }
+
+    // ---- boundary edges
+
+    [[nodiscard]] bool is_too_long(std::int64_t square) const noexcept
+    {
+        return limits_.max_square != 0 && square > limits_.max_square;
+    }
+
+    /// Lists a boundary edge that must be split. False if out of memory.
+    [[nodiscard]] bool check_boundary(std::uint32_t h) noexcept
+    {
+        const grid_point a = mesh_.start(h), b = mesh_.place(mesh_.target(h)), c = mesh_.place(mesh_.apex(h));
+        if (dot(c, a, b) >= 0 && !is_too_long(squared_distance(a, b))) return true;
+        return edges_.push_back(mesh_.origin(h));
+    }
+
+    [[nodiscard]] error split_edges() noexcept
+    {
+        while (!edges_.empty()) {
+            const std::uint32_t a = edges_.back();
+            edges_.truncate(edges_.size() - 1);
+            const std::uint32_t h = mesh_.at(a).boundary;
+            const grid_point p = mesh_.place(a), q = mesh_.place(mesh_.target(h));
+            if (dot(mesh_.place(mesh_.apex(h)), p, q) >= 0 && !is_too_long(squared_distance(p, q))) continue;
+            if (error e = split(a)) return e;
+            if (mesh_.vertex_count() > limits_.max_points) return error::too_many_points;
+        }
+        return {};
+    }
+
+    /// Whether the region's own point is a corner whose inner angle is below 60 degrees.
+    [[nodiscard]] bool is_sharp(std::uint32_t v) const noexcept
+    {
+        if (v >= region_->points().size()) return false;
+        const std::uint32_t h = mesh_.at(v).boundary;
+        // The first and the last edge around it.
+        std::uint32_t last = h;
+        for (;;) {
+            const std::uint32_t back = refinable_mesh::previous(last);
+            if (mesh_.is_boundary(back)) {
+                last = back;
+                break;
+            }
+            last = mesh_.twin(back);
+        }
+        const grid_point at = mesh_.place(v), p = mesh_.place(mesh_.target(h)), q = mesh_.start(last);
+        const std::int64_t cosine = dot(at, p, q), sine = orientation(at, p, q);
+        return cosine > 0 && sine > 0 && static_cast<double>(sine) < 1.7320508075688772 * static_cast<double>(cosine);
+    }
+
+    /// Splits the boundary edge that leaves a, unless that is impossible.
+    [[nodiscard]] error split(std::uint32_t a) noexcept
+    {
+        const std::uint32_t b = mesh_.next_on_boundary(a);
+        const grid_point p = mesh_.place(a), q = mesh_.place(b);
+        const std::int64_t square = squared_distance(p, q);
+        if (square < 4 * spacing * spacing) return {};
+        const bool from_a = is_sharp(a), from_b = is_sharp(b);
+        const double share = from_a == from_b ? 0.5 : from_a ? shell_in(square) : 1.0 - shell_in(square);
+        const contour_edge edge = mesh_.at(a).edge;
+        const double t = as_double(edge.t0) + share * (as_double(edge.t1) - as_double(edge.t0));
+        const point on_chord = lerp(as_point(p), as_point(q), share);
+
+        const bool is_curved = edge.curve < region_->curves().size() && region_->curves()[edge.curve].degree > 1;
+        if (is_curved && from_a == from_b) {
+            const point on_curve = region_->grid().cells * region_->curves()[edge.curve].at(t);
+            if (is_near(on_curve, on_chord)) {
+                const auto done = try_split(a, rounded(on_curve, 0), static_cast<float>(t));
+                if (!done || *done) return done.error();
+            }
+        }
+        for (const int corner : {0, 1, 2, 3}) {
+            const auto done = try_split(a, rounded(on_chord, corner), static_cast<float>(t));
+            if (!done || *done) return done.error();
+        }
+        return {};
+    }
+
+    /// The share of an edge at a sharp corner that is cut off: a power of two cells, a third to two thirds of the edge.
+    [[nodiscard]] static double shell_in(std::int64_t square) noexcept
+    {
+        const int power = (static_cast<int>(std::bit_width(static_cast<std::uint64_t>(square))) - 1) / 2;
+        const double length = std::sqrt(static_cast<double>(square)), shell = std::ldexp(1.0, power);
+        return (3.0 * shell > 2.0 * length ? 0.5 * shell : shell) / length;
+    }
+
+    [[nodiscard]] static point as_point(grid_point p) noexcept
+    {
+        return {static_cast<double>(p.x), static_cast<double>(p.y)};
+    }
+
+    /// Whether a curve's point may replace a chord's: an edge may end at a crossing, off its curve.
+    [[nodiscard]] bool is_near(point on_curve, point on_chord) const noexcept
+    {
+        const double tolerance = region_->tolerance(), limit = 2.0 * tolerance + 4.0;
+        const point off = on_curve - on_chord;
+        return !(tolerance > 0.0) || typemesh::dot(off, off) < limit * limit;
+    }
+
+    /// A corner of the grid's cell around a place, the nearest one first.
+    [[nodiscard]] static grid_point rounded(point at, int corner) noexcept
+    {
+        const double x = std::floor(at.x), y = std::floor(at.y);
+        const bool right = (at.x - x < 0.5) == ((corner & 1) != 0), up = (at.y - y < 0.5) == ((corner & 2) != 0);
+        return {static_cast<std::int32_t>(x) + right, static_cast<std::int32_t>(y) + up};
+    }
+
+    /// Splits the edge that leaves a at p if that keeps the mesh valid; returns whether it did.
+    [[nodiscard]] result<bool> try_split(std::uint32_t a, grid_point p, float t) noexcept
+    {
+        const std::uint32_t h = mesh_.at(a).boundary;
+        const grid_point from = mesh_.place(a), to = mesh_.place(mesh_.target(h)), c = mesh_.place(mesh_.apex(h));
+        if (orientation(from, p, c) <= 0 || orientation(p, to, c) <= 0) return false;
+        if (dot(p, from, to) >= 0) return false;  // beyond an end
+        if (orientation(from, to, p) < 0) {
+            if (!near_.is_open() && !near_.open(mesh_)) return error::out_of_memory;
+            if (!near_.is_free(mesh_, a, p)) return false;
+        }
+        const std::uint32_t v = mesh_.split(a, p, t);
+        if (v == none) return error::out_of_memory;
+        if (near_.is_open() && (!near_.add(mesh_, a) || !near_.add(mesh_, v))) return error::out_of_memory;
+        return check_around(v, none) ? result<bool>{true} : result<bool>{error::out_of_memory};
+    }
+
+    // ---- triangles
+
+    /// Lists what is bad around a new point. False if out of memory.
+    [[nodiscard]] bool check_around(std::uint32_t v, std::uint32_t leaving) noexcept
+    {
+        bool fits = true;
+        mesh_.around(v, leaving, [&](std::uint32_t h) noexcept {
+            const std::uint32_t t = h / 4;
+            fits = fits && check_triangle(t);
+            for (std::uint32_t k = 4 * t; k < 4 * t + 3; ++k)
+                if (mesh_.is_boundary(k)) fits = fits && check_boundary(k);
+        });
+        return fits;
+    }
+
+    /// The rank of a bad triangle: small angles come first, at the shortest edges first; then long edges, the longest
+    /// first. `good` if it is not bad.
+    [[nodiscard]] std::uint32_t rank_of(std::uint32_t t) const noexcept
+    {
+        const std::uint32_t least = shortest_edge(t), u = mesh_.origin(least), v = mesh_.target(least);
+        const grid_point at = mesh_.place(mesh_.apex(least));
+        const std::int64_t cosine = dot(at, mesh_.place(u), mesh_.place(v)),
+                           sine = orientation(at, mesh_.place(u), mesh_.place(v));
+        if (cosine > 0 && static_cast<double>(sine) < limits_.tangent * static_cast<double>(cosine) &&
+            !is_between_shells(u, v))
+            return triangle_queue::rank_of(squared_length(least));
+        std::int64_t longest = 0;
+        for (std::uint32_t h = 4 * t; h < 4 * t + 3; ++h)
+            longest = squared_length(h) > longest ? squared_length(h) : longest;
+        return is_too_long(longest) ? triangle_queue::ranks - 1 - triangle_queue::rank_of(longest) : good;
+    }
+
+    /// Whether two points lie on two boundary edges that meet in a sharp corner, equally far from it.
+    [[nodiscard]] bool is_between_shells(std::uint32_t u, std::uint32_t v) const noexcept
+    {
+        const std::size_t n = region_->points().size();
+        if (u < n || v < n) return false;
+        const std::uint32_t edge_u = mesh_.at(u).source, edge_v = mesh_.at(v).source;
+        if (edge_u == none || edge_v == none || edge_u == edge_v) return false;
+        const std::uint32_t after_u = next_point(edge_u), after_v = next_point(edge_v);
+        const std::uint32_t corner = after_u == edge_v ? edge_v : after_v == edge_u ? edge_u : none;
+        if (corner == none || !is_sharp(corner)) return false;
+        const auto far_u = static_cast<double>(squared_distance(mesh_.place(corner), mesh_.place(u))),
+                   far_v = static_cast<double>(squared_distance(mesh_.place(corner), mesh_.place(v)));
+        const double difference = std::sqrt(far_u) - std::sqrt(far_v);
+        return difference < 4.0 && difference > -4.0;
+    }
+
+    /// The region's point after another.
+    [[nodiscard]] std::uint32_t next_point(std::uint32_t v) const noexcept
+    {
+        const array_view<const std::uint32_t> starts = region_->starts();
+        std::size_t low = 0, high = starts.size() - 1;
+        while (high - low > 1) {
+            const std::size_t middle = (low + high) / 2;
+            (starts[middle] <= v ? low : high) = middle;
+        }
+        return v + 1 < starts[high] ? v + 1 : starts[low];
+    }
+
+    /// Lists a triangle if it is bad. False if out of memory.
+    [[nodiscard]] bool check_triangle(std::uint32_t t) noexcept
+    {
+        const std::uint32_t rank = rank_of(t), h = 4 * t;
+        return rank == good || waiting_.push(rank, {t, mesh_.origin(h), mesh_.origin(h + 1), mesh_.origin(h + 2)});
+    }
+
+    /// Adds a point for a bad triangle, or lists the boundary edges that must be split first.
+    [[nodiscard]] error improve(const queued_triangle& bad) noexcept
+    {
+        const std::uint32_t h = 4 * bad.t;
+        if (mesh_.origin(h) != bad.a || mesh_.origin(h + 1) != bad.b || mesh_.origin(h + 2) != bad.c) return {};
+        const std::uint32_t short_edge = shortest_edge(bad.t);
+        const grid_point p = detail::off_centre(mesh_.start(short_edge), mesh_.place(mesh_.target(short_edge)),
+                                                mesh_.place(mesh_.apex(short_edge)), limits_.off_centre);
+        const std::uint32_t t = locate(bad.t, p);
+        if (blocked_ != none) return force(blocked_, bad);
+        bool is_far = false;
+        if (t != none) {
+            const auto entered = enter(t, p);
+            if (!entered) return entered.error();
+            is_far = *entered;
+        }
+        if (!is_far) {
+            ++kept_;
+            return {};
+        }
+        if (encroached_ != none) return force(encroached_, bad);
+        const std::uint32_t v = mesh_.insert(t, p);
+        if (v == none || !check_around(v, mesh_.leaving_last())) return error::out_of_memory;
+        return {};
+    }
+
+    /// Splits a boundary edge for a bad triangle, which is listed again if it is still there.
+    [[nodiscard]] error force(std::uint32_t a, const queued_triangle& bad) noexcept
+    {
+        const std::uint32_t before = mesh_.vertex_count();
+        if (error e = split(a)) return e;
+        if (mesh_.vertex_count() == before) {
+            ++kept_;
+            return {};
+        }
+        const std::uint32_t h = 4 * bad.t;
+        const bool is_there = mesh_.origin(h) == bad.a && mesh_.origin(h + 1) == bad.b && mesh_.origin(h + 2) == bad.c;
+        return !is_there || check_triangle(bad.t) ? error{} : error{error::out_of_memory};
+    }
+
+    [[nodiscard]] std::int64_t squared_length(std::uint32_t h) const noexcept
+    {
+        return squared_distance(mesh_.start(h), mesh_.place(mesh_.target(h)));
+    }
+    [[nodiscard]] std::uint32_t shortest_edge(std::uint32_t t) const noexcept
+    {
+        std::uint32_t least = 4 * t;
+        for (std::uint32_t h = least + 1; h < 4 * t + 3; ++h)
+            if (squared_length(h) < squared_length(least)) least = h;
+        return least;
+    }
+
+    /// The triangle that holds p, found by a walk from t. none if p is a point of the mesh, or behind a boundary edge:
+    /// blocked_ is then the first point of that edge.
+    [[nodiscard]] std::uint32_t locate(std::uint32_t t, grid_point p) noexcept
+    {
+        blocked_ = none;
+        std::uint32_t came = none;
+        for (std::uint32_t steps = mesh_.triangle_count() + 3; steps != 0; --steps) {
+            std::uint32_t across = none;
+            for (std::uint32_t h = 4 * t; h < 4 * t + 3; ++h) {
+                if (h == came) continue;
+                const std::int64_t side = orientation(mesh_.start(h), mesh_.place(mesh_.target(h)), p);
+                if (side < 0 || (side == 0 && mesh_.is_boundary(h))) {
+                    across = h;
+                    break;
+                }
+            }
+            if (across == none) return t;
+            if (mesh_.is_boundary(across)) {
+                blocked_ = mesh_.origin(across);
+                return none;
+            }
+            came = mesh_.twin(across);
+            t = came / 4;
+        }
+        return none;
+    }
+
+    /// Visits the triangles whose circles hold p. Returns whether p is far enough from all their corners. encroached_
+    /// is the first point of a boundary edge around them whose diametral circle holds p, or none.
+    ///
+    /// Fails  error::out_of_memory
+    [[nodiscard]] result<bool> enter(std::uint32_t t, grid_point p) noexcept
+    {
+        encroached_ = none;
+        cavity_.clear();
+        if (!cavity_.push_back(t)) return error::out_of_memory;
+        bool is_far = true;
+        ++stamp_;
+        mesh_.mark(t) = stamp_;
+        while (!cavity_.empty()) {
+            const std::uint32_t in = cavity_.back();
+            cavity_.truncate(cavity_.size() - 1);
+            for (std::uint32_t h = 4 * in; h < 4 * in + 3; ++h) {
+                const grid_point a = mesh_.start(h);
+                is_far = is_far && squared_distance(a, p) >= spacing * spacing;
+                const std::uint32_t g = mesh_.twin(h);
+                if (g == none) {
+                    if (dot(p, a, mesh_.place(mesh_.target(h))) < 0) encroached_ = mesh_.origin(h);
+                    continue;
+                }
+                const std::uint32_t beyond = g / 4;
+                if (mesh_.mark(beyond) == stamp_) continue;
+                if (in_circle(mesh_.start(4 * beyond), mesh_.start(4 * beyond + 1), mesh_.start(4 * beyond + 2), p) <=
+                    0)
+                    continue;
+                mesh_.mark(beyond) = stamp_;
+                if (!cavity_.push_back(beyond)) return error::out_of_memory;
+            }
+        }
+        return is_far;
+    }
+
+    refinable_mesh mesh_;
+    boundary_buckets near_;
+    buffer<std::uint32_t> edges_;  // first points of boundary edges to be split
+    triangle_queue waiting_;
+    buffer<std::uint32_t> cavity_;
+    buffer<std::uint32_t> numbers_;
+    const region* region_ = nullptr;
+    refinement_limits limits_;
+    std::uint32_t stamp_ = 0;
+    std::uint32_t kept_ = 0;
+    std::uint32_t blocked_ = none, encroached_ = none;
+};
+
+}  // namespace typemesh::inline TYPEMESH_ABI::detail

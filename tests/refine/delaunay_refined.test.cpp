@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: MIT
+
+#include <typemesh/refine/delaunay_refined.hpp>
+
+#include <limits>
+
+#include "support/refined_shape.hpp"
+
+using namespace typemesh;
+using Catch::Approx;
+
+namespace {
+
+/// A disc of four quadratic curves, flattened to `pieces` edges a curve; its em has 1024 units of 512 cells.
+struct disc {
+    std::vector<curve> curves;
+    contours loops;
+    region filled;
+
+    explicit disc(int pieces, bool clockwise_hole = false)
+    {
+        loops.grid = {512.0, 1024.0};
+        loops.tolerance = 512.0 * 1024.0 / 5.0;  // even for one edge a curve
+        add(400.0, pieces, false);
+        if (clockwise_hole) add(200.0, pieces, true);
+        loops.curves = curves;
+        filled = region::proven(loops, clockwise_hole ? 1 : 0, 1);
+    }
+
+private:
+    void add(double radius, int pieces, bool backwards)
+    {
+        const std::uint32_t first = std::uint32_t(loops.points.size());
+        if (first == 0) REQUIRE(loops.starts.push_back(0));
+        const point corner[] = {{radius, 0.0}, {0.0, radius}, {-radius, 0.0}, {0.0, -radius}};
+        for (int k = 0; k < 4; ++k) {
+            const point from = corner[backwards ? (4 - k) % 4 : k], to = corner[backwards ? 3 - k : (k + 1) % 4];
+            curves.push_back(curve::from(quadratic{from, from + to, to}));
+            for (int i = 0; i < pieces; ++i) {
+                const double t0 = double(i) / pieces, t1 = double(i + 1) / pieces;
+                REQUIRE(loops.points.push_back(loops.grid.snap(curves.back().at(t0))));
+                REQUIRE(loops.edges.push_back({std::uint32_t(curves.size() - 1), float(t0), float(t1)}));
+            }
+        }
+        REQUIRE(loops.starts.push_back(std::uint32_t(loops.points.size())));
+    }
+};
+
+error refine(const delaunay_refined& how, const region& r, test::refined_result& out)
+{
+    workspace space;
+    triangle_list given;
+    REQUIRE_FALSE(constrained_delaunay{}(r, space, given));
+    delaunay_refined::scratch scratch;
+    return how(r, given.view(), scratch, out.out());
+}
+
+}  // namespace
+
+TEST_CASE("points that are added to a curve's edges lie on the curve, inside and outside the old outline", "[refine]")
+{
+    for (const bool hole : {false, true}) {
+        for (const int pieces : {2, 3, 5}) {  // with one edge a curve, points inside stand between chord and curve
+            CAPTURE(hole, pieces);
+            const disc d{pieces, hole};
+            test::refined_result out;
+            REQUIRE_FALSE(refine({.min_angle = 20.0f, .max_edge = 0.05f}, d.filled, out));
+            CHECK(test::broken_refinement(d.filled, out) == "");
+            CHECK(out.loops.points.size() > d.filled.points().size() + 20);
+            double farthest = 0.0;
+            for (std::size_t i = 0; i < out.loops.points.size(); ++i) {
+                const contour_edge e = out.loops.edges[i];
+                const point on = d.loops.grid.cells * d.curves[e.curve].at(double(e.t0));
+                const grid_point p = out.loops.points[i];
+                farthest = (std::max)(farthest, std::hypot(on.x - p.x, on.y - p.y));
+            }
+            CHECK(farthest < 0.72);  // half a cell's diagonal, and a float's t
+        }
+    }
+}
+
+TEST_CASE("the refined outline of a disc approaches the disc's curves", "[refine]")
+{
+    double before = 1e300;
+    for (const float longest : {0.3f, 0.1f, 0.03f, 0.01f}) {
+        const disc d{1};
+        test::refined_result out;
+        REQUIRE_FALSE(refine({.max_edge = longest}, d.filled, out));
+        double farthest = 0.0;  // of the middles of edges from their curves
+        for (std::size_t i = 0; i < out.loops.points.size(); ++i) {
+            const contour_edge e = out.loops.edges[i];
+            const grid_point p = out.loops.points[i], q = out.loops.points[i + 1 < out.loops.points.size() ? i + 1 : 0];
+            const point on = d.loops.grid.cells * d.curves[e.curve].at(0.5 * (double(e.t0) + double(e.t1)));
+            farthest =
+                (std::max)(farthest, std::hypot(on.x - 0.5 * (double(p.x) + q.x), on.y - 0.5 * (double(p.y) + q.y)));
+        }
+        CHECK(farthest < 0.5 * before);
+        before = farthest;
+    }
+}
+
+TEST_CASE("the longest edge is in em, whatever the grid", "[refine]")
+{
+    const disc d{3};
+    for (const float longest : {0.2f, 0.1f, 0.03f}) {
+        test::refined_result out;
+        REQUIRE_FALSE(refine({.max_edge = longest}, d.filled, out));
+        const std::vector<grid_point> p = out.points();
+        double found = 0.0;
+        for (const auto& [edge, apex] : test::edges_of(out))
+            found = (std::max)(found, std::sqrt(double(squared_distance(p[edge.first], p[edge.second]))));
+        CHECK(found / (512.0 * 1024.0) <= double(longest));
+        CHECK(found / (512.0 * 1024.0) > 0.5 * double(longest));
+    }
+}
+
+TEST_CASE("options that are out of range are refused by name", "[refine]")
+{
+    const disc d{2};
+    const float nan = std::numeric_limits<float>::quiet_NaN(), infinite = std::numeric_limits<float>::infinity();
+    struct row {
+        delaunay_refined how;
+        const char* option;
+    };
+    for (const row& r : {row{{.min_angle = -1.0f}, "min_angle"}, row{{.min_angle = 33.5f}, "min_angle"},
+                         row{{.min_angle = nan}, "min_angle"}, row{{.max_edge = -0.1f}, "max_edge"},
+                         row{{.max_edge = infinite}, "max_edge"}, row{{.max_edge = nan}, "max_edge"},
+                         row{{.max_edge = 1e-5f}, "max_edge"}, row{{.max_points = 1u << 30}, "max_points"}}) {
+        test::refined_result out;
+        const error e = refine(r.how, d.filled, out);
+        CAPTURE(r.option);
+        CHECK(e == error::bad_option);
+        CHECK(std::string(e.option) == r.option);
+    }
+    test::refined_result out;
+    CHECK(refine({.max_edge = 0.01f, .max_points = 100}, d.filled, out) == error::too_many_points);
+    CHECK_FALSE(delaunay_refined{}.cache_key() == delaunay_refined{.min_angle = 26.0f}.cache_key());
+    CHECK_FALSE(delaunay_refined{}.cache_key() == delaunay_refined{.max_edge = 1.0f}.cache_key());
+}
+
+TEST_CASE("without an aim, refinement only makes the triangles Delaunay and empties the edges' circles", "[refine]")
+{
+    const test::filled_shape shape{test::shape{"square", {test::square(0, 0, 1 << 20)}}};
+    test::refined_result out;
+    REQUIRE_FALSE(refine({.min_angle = 0.0f}, shape.filled, out));
+    CHECK(out.triangles.size() == 2);
+    CHECK(out.inner.empty());
+}

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: MIT
+
+// Glyphs of all smoke fonts, refined.
+
+#include "support/catch.hpp"
+#include "support/refined_shape.hpp"
+#include "support/smoke_glyphs.hpp"
+
+#include <typemesh/extrude/refined.hpp>
+#include <typemesh/glyph/glyph_builder.hpp>
+#include <typemesh/inspect/closedness.hpp>
+#include <typemesh/inspect/mesh_view.hpp>
+#include <typemesh/typemesh.hpp>
+
+#include <cmath>
+#include <cstdint>
+#include <vector>
+
+using namespace typemesh;
+
+TEST_CASE("every smoke font's glyphs are refined lawfully, and all but their sharp corners reach the angle",
+          "[workload]")
+{
+    const certified flatten;
+    const constrained_delaunay cut;
+    no_observer nobody;
+    glyph_builder builder;
+    delaunay_refined::scratch scratch;
+    workspace space;
+    test::refined_result out;
+    triangle_list cap;
+    std::size_t glyphs = 0, triangles = 0, below = 0, kept = 0;
+    test::each_smoke_glyph(53, [&](auto& font, std::uint32_t glyph, const std::string& name) {
+        for (const float tolerance : {1.0f / 50, 1.0f / 800}) {
+            const auto filled =
+                builder.build_region(font, glyph, {.tolerance = double{tolerance}}, cap_policies{flatten, cut, nobody});
+            if (!filled || filled->points().empty()) continue;
+            cap.clear();
+            INFO(name << " at " << tolerance);
+            REQUIRE_FALSE(cut(*filled, space, cap));
+            const delaunay_refined how{.max_edge = glyph % 2 == 0 ? 0.0f : 0.07f};
+            const error e = how(*filled, cap.view(), scratch, out.out());
+            INFO(e.message());
+            REQUIRE_FALSE(e);
+            CHECK(test::broken_refinement(*filled, out) == "");
+            CHECK(test::is_delaunay(out));
+            ++glyphs;
+            triangles += out.triangles.size();
+            below += test::corners_below(out, 24.999);
+            kept += out.kept;
+        }
+    });
+    CAPTURE(glyphs, triangles, below, kept);
+    CHECK(glyphs > 1000);
+    CHECK(triangles > 50 * glyphs);
+    CHECK(below < triangles / 1000);
+    CHECK(kept < triangles / 1000);
+}
