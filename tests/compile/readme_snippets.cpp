@@ -178,7 +178,9 @@ constexpr auto wants = typemesh::attribute::position | typemesh::attribute::norm
 auto half = mesher.build("Hello", typemesh::into(vertices, indices, [](const typemesh::surface_point<wants>& s) noexcept {
     return vertex{{0.5f * s.position.x, s.position.y, s.position.z}, s.normal, {}};
 }));
-    use(half);
+std::vector<typemesh::vec3> points;
+auto bare = mesher.build("Hello", typemesh::into(points, indices));
+    use(half, bare);
     }
     {
         auto arabic = typemesh::harfbuzz_font::open("Amiri-Regular.ttf"), cjk = typemesh::harfbuzz_font::open("CJK.ttc");

@@ -363,6 +363,8 @@ TEST_CASE("each triangle's hit is the glyph and the cluster that it was written 
             for (std::size_t g = 0; g < plan->glyphs().size(); ++g) {
                 for (std::uint32_t t = 0; t < plan->range(g, p).index_count / 3; ++t, ++triangle) {
                     const mesh_hit hit = plan->hit(p, triangle);
+                    const mesh_hit whole = plan->hit(plan->range(p).first_index / 3 + triangle);
+                    CHECK((whole.glyph == g && whole.of_run == hit.of_run && whole.cluster == hit.cluster));
                     CHECK(hit.glyph == g);
                     CHECK(hit.of_run == plan->owner(g, p, t));
                     if (hit.of_run == shared_glyph)
@@ -374,6 +376,20 @@ TEST_CASE("each triangle's hit is the glyph and the cluster that it was written 
             CHECK(triangle == plan->range(p).index_count / 3);
         }
     }
+}
+
+TEST_CASE("the whole range is the size, and a triangle of it is found in flat text too", "[text]")
+{
+    test::toy_font font;
+    text_mesher mesher{font, flat{}};
+    auto plan = mesher.plan("oE x");
+    REQUIRE(plan);
+    CHECK(plan->range() == plan->range(part::front));
+    CHECK(plan->range().vertex_count == plan->size().vertices);
+    CHECK(plan->range().index_count == plan->size().indices());
+    CHECK(plan->hit(0u).glyph == 0);
+    CHECK(plan->hit(plan->range().index_count / 3 - 1).glyph == plan->glyphs().size() - 1);
+    CHECK(mesher.plan(" ")->range() == mesh_range{});
 }
 
 TEST_CASE("each instance's hit is its glyph and cluster, as in the whole mesh", "[text]")
