@@ -178,7 +178,9 @@ constexpr auto wants = typemesh::attribute::position | typemesh::attribute::norm
 auto half = mesher.build("Hello", typemesh::into(vertices, indices, [](const typemesh::surface_point<wants>& s) noexcept {
     return vertex{{0.5f * s.position.x, s.position.y, s.position.z}, s.normal, {}};
 }));
-    use(half);
+std::vector<typemesh::vec3> points;
+auto bare = mesher.build("Hello", typemesh::into(points, indices));
+    use(half, bare);
     }
     {
         auto arabic = typemesh::harfbuzz_font::open("Amiri-Regular.ttf"), cjk = typemesh::harfbuzz_font::open("CJK.ttc");
@@ -203,6 +205,34 @@ auto frame = score.plan("Score 1270");
 auto unique = frame->write_meshes(typemesh::into(vertices, indices));
 frame->write_instances([&](const typemesh::glyph_instance& i) noexcept { draw(i.mesh, i.translation); });
     use(unique);
+    {
+    const auto is_unseen = [](typemesh::glyph_id) noexcept { return true; };
+    const auto add_instance = [](typemesh::glyph_id, typemesh::vec3) noexcept {};
+    const auto add_letter = [](typemesh::glyph_id, typemesh::mesh_range) noexcept {};
+    const auto free_vertices = mapped_vertices;
+    const auto free_indices = mapped_indices;
+    const std::uint32_t first_free_vertex = 0;
+auto label = score.plan("Label 7");                                             // a label has come
+if (!label) return std::puts(label.error().message()), 1;
+typemesh::glyph_run unseen;                                                     // the letters that no label has had yet
+label->write_instances([&](const typemesh::glyph_instance& i) noexcept {
+    if (is_unseen(i.id)) (void)unseen.glyphs.push_back({i.id});                 // your set of glyphs
+    add_instance(i.id, i.translation);                                          // your list for this label
+});
+auto letters = score.plan(unseen);                                              // `label` is now invalid
+if (!letters) return std::puts(letters.error().message()), 1;
+auto appended = letters->write_meshes(typemesh::into(free_vertices, free_indices, first_free_vertex));
+for (std::size_t k = 0; k < letters->meshes().size(); ++k)                      // with this range you draw the letter
+    add_letter(letters->meshes()[k].id, letters->mesh_part(k, typemesh::part::front));
+use(appended);
+    }
+    {
+auto title = mesher.plan("Hello", {.shape = {.language = "tr"}, .layout = {.line_spacing = 1.2}, .tolerance = typemesh::quality::best});
+typemesh::text_mesher deep{*font, typemesh::extruded<>{.depth = 0.5f}};           // the options of the solid
+    use(title, deep);
+char sentence[200];                                                             // 200 characters always suffice
+if (auto wide = mesher.plan("Hello", {.layout = {.width = 9.0}}); !wide) std::puts(describe(wide.error(), sentence));
+    }
 
     {
 typemesh::thread_pool pool;                                  // as many workers as the machine has

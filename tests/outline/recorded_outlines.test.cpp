@@ -76,6 +76,17 @@ TEST_CASE("a refused drawing leaves the set unchanged", "[outline][recorded_outl
               .error() == error::outline_not_finite);
     CHECK(set.size() == 1);
 
+    recorded_outlines copies{1000.0};
+    const auto copy = [&](glyph_id id) {
+        return copies.add([&](outline_sink auto& pen) { return set.outline(id, pen); });
+    };
+    const error none = copy(7).error();  // the error of the source
+    CHECK(none == error::unknown_glyph);
+    CHECK(none.glyph == 7);
+    CHECK(copies.size() == 0);
+    REQUIRE(copy(0));
+    CHECK(copies.size() == 1);
+
     test::counting_memory counted;
     {
         recorded_outlines whole{1000.0, fill_rule::non_zero, counted.source()};

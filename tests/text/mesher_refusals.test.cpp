@@ -4,6 +4,9 @@
 
 #include <typemesh/typemesh.hpp>
 
+#include <cstdint>
+#include <vector>
+
 using namespace typemesh;
 
 namespace {
@@ -25,6 +28,25 @@ TEST_CASE("a plan is refused where its mesher or its run would be gone, and no o
     STATIC_REQUIRE(!plans<toy_mesher&, glyph_run>);
     STATIC_REQUIRE(!plans<toy_mesher, const char(&)[3]>);
     STATIC_REQUIRE(!plans<toy_mesher, glyph_run&>);
+}
+
+TEST_CASE("empty options are text_options, for every kind of text", "[text][refusals]")
+{
+    test::toy_font font;
+    text_mesher mesher{font};
+    std::vector<vec3> points;
+    std::vector<std::uint32_t> indices;
+    const text_view text = "oE";
+    glyph_run run;
+    REQUIRE(layout(font, text, {}, {}, run));
+    const std::uint64_t triangles = mesher.plan(text)->size().triangles;
+    CHECK(mesher.plan("oE", {})->size().triangles == triangles);
+    CHECK(mesher.plan(text, {})->size().triangles == triangles);
+    CHECK(mesher.plan(run, {})->size().triangles == triangles);
+    CHECK(mesher.build("oE", into(points, indices), {}));
+    CHECK(mesher.build(text, into(points, indices), {}));
+    CHECK(mesher.build(run, into(points, indices), {}));
+    CHECK(indices.size() == 3 * triangles);
 }
 
 TEST_CASE("what refuses takes no room in a mesher", "[text][refusals]")

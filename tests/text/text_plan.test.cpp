@@ -231,6 +231,35 @@ TEST_CASE("instances of meshes are the placed glyphs, up to rounding", "[text]")
     CHECK(seen == std::vector<std::size_t>(seen.size(), 1));
 }
 
+TEST_CASE("the meshes of a run of some glyphs are the meshes of every text with these glyphs", "[text]")
+{
+    test::toy_font font;
+    text_mesher mesher{font};
+    glyph_run run;
+    full_mesh meshes;
+    std::vector<mesh_range> fronts;
+    const auto of_text = mesher.plan("x oE");
+    REQUIRE(of_text);
+    REQUIRE(of_text->write_meshes(into(meshes.vertices, meshes.indices)));
+    for (std::size_t k = of_text->meshes().size(); k-- > 0;) {  // in another order
+        REQUIRE(run.glyphs.push_back({of_text->meshes()[k].id}));
+        fronts.push_back(of_text->mesh_part(k, part::front));
+    }
+    full_mesh letters;
+    const auto of_run = mesher.plan(run);
+    REQUIRE(of_run);
+    REQUIRE(of_run->write_meshes(into(letters.vertices, letters.indices)));
+    REQUIRE(of_run->meshes().size() == fronts.size());
+    for (std::size_t k = 0; k < fronts.size(); ++k) {
+        CHECK(of_run->meshes()[k].id == run.glyphs[k].id);
+        const mesh_range here = of_run->mesh_part(k, part::front);
+        REQUIRE(here.vertex_count == fronts[k].vertex_count);
+        for (std::uint32_t v = 0; v < here.vertex_count; ++v)
+            REQUIRE(letters.vertices[here.first_vertex + v].position ==
+                    meshes.vertices[fronts[k].first_vertex + v].position);
+    }
+}
+
 TEST_CASE("without reuse every glyph is a mesh of its own", "[text]")
 {
     test::toy_font font;
@@ -363,6 +392,8 @@ TEST_CASE("each triangle's hit is the glyph and the cluster that it was written 
             for (std::size_t g = 0; g < plan->glyphs().size(); ++g) {
                 for (std::uint32_t t = 0; t < plan->range(g, p).index_count / 3; ++t, ++triangle) {
                     const mesh_hit hit = plan->hit(p, triangle);
+                    const mesh_hit whole = plan->hit(plan->range(p).first_index / 3 + triangle);
+                    CHECK((whole.glyph == g && whole.of_run == hit.of_run && whole.cluster == hit.cluster));
                     CHECK(hit.glyph == g);
                     CHECK(hit.of_run == plan->owner(g, p, t));
                     if (hit.of_run == shared_glyph)
@@ -374,6 +405,20 @@ TEST_CASE("each triangle's hit is the glyph and the cluster that it was written 
             CHECK(triangle == plan->range(p).index_count / 3);
         }
     }
+}
+
+TEST_CASE("the whole range is the size, and a triangle of it is found in flat text too", "[text]")
+{
+    test::toy_font font;
+    text_mesher mesher{font, flat{}};
+    auto plan = mesher.plan("oE x");
+    REQUIRE(plan);
+    CHECK(plan->range() == plan->range(part::front));
+    CHECK(plan->range().vertex_count == plan->size().vertices);
+    CHECK(plan->range().index_count == plan->size().indices());
+    CHECK(plan->hit(0u).glyph == 0);
+    CHECK(plan->hit(plan->range().index_count / 3 - 1).glyph == plan->glyphs().size() - 1);
+    CHECK(mesher.plan(" ")->range() == mesh_range{});
 }
 
 TEST_CASE("each instance's hit is its glyph and cluster, as in the whole mesh", "[text]")

@@ -168,7 +168,7 @@ public:
     /// The number of glyphs in the face; their ids count from 0.
     [[nodiscard]] std::uint32_t glyph_count() const noexcept { return glyph_count_; }
 
-    /// See variation_key.hpp. Covers the font (by the checksum in its 'head' table, its number of glyphs and its face
+    /// See outline_source. Covers the font (by the checksum in its 'head' table, its number of glyphs and its face
     /// index), its simulations and its axes. If DirectWrite does not report the axis values of a variable font, the key
     /// is unique to this directwrite_font.
     [[nodiscard]] std::uint64_t variation_key() const noexcept { return key_; }

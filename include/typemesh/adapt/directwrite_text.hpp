@@ -116,11 +116,11 @@ public:
     [[nodiscard]] double units_per_em() const noexcept { return run_.units_per_em; }
     [[nodiscard]] fill_rule fill() const noexcept { return rule_; }
 
-    /// See variation_key.hpp. Covers everything that the ids of run() represent. Texts share the contents of a
-    /// glyph_cache exactly if three conditions hold: they have equal faces (by file, face index, simulations and axes)
-    /// and sizes (relative to the layout's own), they first use these in one order, and their underlines and
-    /// strike-throughs have equal sizes. If a face comes from memory or a caller's loader, not from a system file, or
-    /// if its axes cannot be read, the layout shares nothing with other layouts, nor with itself when it is read again.
+    /// See outline_source. Covers everything that the ids of run() represent. Texts share the contents of a glyph_cache
+    /// exactly if three conditions hold: they have equal faces (by file, face index, simulations and axes) and sizes
+    /// (relative to the layout's own), they first use these in one order, and their underlines and strike-throughs have
+    /// equal sizes. If a face comes from memory or a caller's loader, not from a system file, or if its axes cannot be
+    /// read, the layout shares nothing with other layouts, nor with itself when it is read again.
     ///
     /// Cost  a few calls of DirectWrite per face and size; a mesher calls it once per text
     [[nodiscard]] std::uint64_t variation_key() const noexcept

@@ -120,7 +120,7 @@ public:
     /// The number of glyphs in the face; their ids count from 0.
     [[nodiscard]] std::uint32_t glyph_count() const noexcept { return static_cast<std::uint32_t>(face_->num_glyphs); }
 
-    /// See variation_key.hpp. Covers the font (by the checksum in its 'head' table, its number of glyphs and its face
+    /// See outline_source. Covers the font (by the checksum in its 'head' table, its number of glyphs and its face
     /// index) and its axes.
     [[nodiscard]] std::uint64_t variation_key() const noexcept
     {

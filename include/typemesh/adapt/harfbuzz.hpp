@@ -112,7 +112,7 @@ public:
     /// The number of glyphs in the face; their ids count from 0.
     [[nodiscard]] std::uint32_t glyph_count() const noexcept { return glyph_count_; }
 
-    /// See variation_key.hpp. Covers the font (by the checksum in its 'head' table, its number of glyphs and its face
+    /// See outline_source. Covers the font (by the checksum in its 'head' table, its number of glyphs and its face
     /// index) and its axes, but not other changes to a wrapped font, such as its slant.
     [[nodiscard]] std::uint64_t variation_key() const noexcept
     {

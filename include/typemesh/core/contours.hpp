@@ -67,10 +67,9 @@ struct contours {
         forget_order();
     }
 
-    /// The indices of the points in the order of a left-to-right sweep: by x, then y, then index. It is empty until
-    /// sort_points() (sweep/impl/sweep_order.hpp) has sorted them. A change in the number of points, clear() and
-    /// forget_order() make it empty again. Call forget_order() or clear() after moving points; otherwise an assertion
-    /// fails.
+    /// The indices of the points in the order of a left-to-right sweep: by x, then y, then index. It is empty until a
+    /// stage that needs the order has sorted them. A change in the number of points, clear() and forget_order() make it
+    /// empty again. Call forget_order() or clear() after moving points; otherwise an assertion fails.
     [[nodiscard]] array_view<const std::uint32_t> order() const noexcept
     {
         if (order_.size() != points.size()) return {};

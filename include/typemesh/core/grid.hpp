@@ -20,7 +20,7 @@ struct grid {
     static constexpr double reach = 0x1p28;  ///< no coordinate is farther from 0 than this many cells
 
     double cells = 512.0;
-    double units_per_em = 0.0;  ///< relates cells to the em (see triangulate/impl/triangle_heights.hpp); 0: unknown
+    double units_per_em = 0.0;  ///< the font's units per em, which relate cells to the em; 0: unknown
     double span = 0.0;          ///< a limit for the distance between two points, in cells; 0: unknown
 
     /// Half a cell's diagonal, in font units: the greatest distance by which snap() moves a point.

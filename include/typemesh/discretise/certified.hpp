@@ -25,7 +25,7 @@ namespace typemesh::inline TYPEMESH_ABI {
 /// Count    On real fonts, the number of chords is within 1 % of the minimum (for points on the curve), and within 2 %
 ///          for hairpins and the S-curves of handwriting. It never exceeds Wang's bound, except for corners.
 /// Corners  Where the curve stops and turns, a point is emitted even if the tolerance does not require one, because
-///          walls need a hard corner there. B' vanishes at this t, rounded to a float: see core/impl/tangent.hpp.
+///          walls need a hard corner there. B' vanishes at this t, rounded to a float.
 /// Limit    At most 65,536 points lie between two corners. Only a tolerance below 2^-31 of the curve's size would need
 ///          more points. discretise() never passes so small a tolerance, because its grid is coarser. Beyond the limit,
 ///          points lie at equal steps of t, and the tolerance is not kept.

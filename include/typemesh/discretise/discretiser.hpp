@@ -32,7 +32,7 @@ struct ignore_points {
 /// called again with a finer tolerance if contours start to cross.
 ///
 /// A point where the curve stops and turns (a cusp, a reversal) becomes a hard corner of the walls automatically: the
-/// two tangents there follow from the curve and t (see core/impl/tangent.hpp).
+/// two tangents there follow from the curve and t.
 template <class D>
 concept discretiser = requires(const D& d, const quadratic& q, const cubic& c, double tolerance, ignore_points put) {
     { d(q, tolerance, put) } noexcept;

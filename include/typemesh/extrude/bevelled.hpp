@@ -61,8 +61,8 @@ enum class bevel_mode : std::uint8_t {
 ///     bevelled{.profile = round_profile(4)}                                bevel_profile.hpp
 ///     bevelled{.profile = {{0, 0}, {0.2f, 0.8f}, {1, 1}}}
 ///
-/// If a glyph's bevel is not proven simple at its full width, it becomes narrower: see bevel_carver.hpp. The plan
-/// reports this as solid_plan::narrowed. It also reports bevels that had to be less than half as wide to fit.
+/// If a glyph's bevel is not proven simple at its full width, it becomes narrower. The plan reports this as
+/// solid_plan::narrowed. It also reports bevels that had to be less than half as wide to fit.
 ///
 /// The normals are the normals of the contour's curves (curve_normals), tilted by the profile's slope. They do not
 /// change along the path of an edge inwards. In em mapping, u is the u of the walls and does not change on this path

@@ -77,7 +77,7 @@ struct profile_scale {
     double width = 0.0;
     double depth = 0.0;
     double tolerance = 0.0;  ///< the text's tolerance; 0: unknown
-    bool leans = false;      ///< whether risers lean by four cells: see profile_levels
+    bool leans = false;      ///< whether upright sections lean by four cells: see text_options::corners
 };
 
 }  // namespace typemesh::inline TYPEMESH_ABI

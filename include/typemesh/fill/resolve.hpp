@@ -150,9 +150,10 @@ private:
 ///
 /// The result is a set of cyclic sequences of points, which depends only on the set of edges. Neither the starts nor
 /// the order of contours matter, nor whether all contours are reversed; under even_odd, no contour's direction matters.
-/// The result is the snap rounding of the edges (see snap_rounding.hpp). One fast sweep suffices unless a point lies
-/// within about a cell of an edge that does not end in it, which is rare. Crossings are rounded half up in x and y, so
-/// a mirrored or rotated figure may be rounded in another way.
+/// The result is the snap rounding of the edges: a piece of an edge that must be bent is routed through the centre of
+/// every cell that it passes through and that contains a point or a crossing. One fast sweep suffices unless a point
+/// lies within about a cell of an edge that does not end in it, which is rare. Crossings are rounded half up in x and
+/// y, so a mirrored or rotated figure may be rounded in another way.
 ///
 /// Fails  error::too_many_pieces: more than max_pieces points, crossings or pieces. It is returned after at most
 ///        O(max_pieces log n) steps. A limit above 2^30 counts as 2^30. error::too_large: more than 2^29 points.

@@ -208,9 +208,8 @@ private:
         return made;
     }
 
-    /// Curves are flattened more finely (see crossing_refinement.hpp) if their chords cross or touch, but the curves
-    /// themselves do not, or do so only more than 4 tolerances away. Then everything is repeated; often the outline is
-    /// now simple.
+    /// Curves are flattened more finely if their chords cross or touch, but the curves themselves do not, or do so only
+    /// more than 4 tolerances away. Then everything is repeated; often the outline is now simple.
     ///
     /// Cost   each round costs as much as the first; there are hardly ever two rounds, and never more than 12. The last
     ///        round begins when crossings have divided the contours into more than `max_pieces` pieces, or into more

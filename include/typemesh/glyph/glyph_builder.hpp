@@ -37,7 +37,7 @@ struct glyph_settings {
     double max_cells = 0x1p40;
 };
 
-/// A source to record a glyph from: an outline_source, or any other type with a record(), like the faces of font_ref.
+/// A source to record a glyph from: an outline_source, or any other type with a record().
 template <class F>
 concept recordable = requires(F& font, glyph_id id, outline& out) {
     { font.units_per_em() } noexcept -> std::convertible_to<double>;

@@ -16,7 +16,7 @@ enum class column_latin : std::uint8_t {
 
 /// The side of a column on which the next column follows.
 enum class column_progress : std::uint8_t {
-    automatic,   ///< to the right in Mongolian and its relatives (column_progress.hpp), otherwise to the left
+    automatic,   ///< to the right in Mongolian and its relatives, otherwise to the left
     leftwards,   ///< as in Chinese and Japanese
     rightwards,  ///< as in Mongolian
 };

@@ -49,7 +49,7 @@ struct glyph_run {
                                             ///< request)
     cluster_id first_missing = no_cluster;  ///< the place of the first missing glyph in the text
     std::uint32_t parted = 0;  ///< the number of emoji of several code points whose parts are drawn one by one, because
-                               ///< the font has no glyph for the whole: see emoji_sequence.hpp
+                               ///< the font has no glyph for the whole: families, flags, skin tones
     cluster_id first_parted = no_cluster;  ///< the place of the first of these emoji in the text
     std::uint32_t invalid_units = 0;       ///< the number of places where the text was not valid UTF and was read as
                                            ///< U+FFFD

@@ -15,9 +15,9 @@ enum class glyph_flags : std::uint8_t {
     unsafe_to_break = 1u << 0,  ///< if a line ends here, both sides must be shaped again
     tatweel = 1u << 1,          ///< U+0640 may be inserted here to fill a line
     missing = 1u << 2,          ///< the font has no glyph for this text: the id is the font's .notdef
-    sideways = 1u << 3,         ///< the glyph lies on its side, in a column; see column_glyphs.hpp
+    sideways = 1u << 3,         ///< the glyph lies on its side, in a column
     combined = 1u << 4,         ///< the glyph is beside others, in a column
-    parted = 1u << 5,           ///< the first glyph of an emoji that is drawn in parts; see emoji_sequence.hpp
+    parted = 1u << 5,           ///< the first glyph of an emoji that is drawn in parts: see glyph_run::parted
 };
 
 [[nodiscard]] constexpr glyph_flags operator|(glyph_flags a, glyph_flags b) noexcept

@@ -38,8 +38,8 @@ struct line_metrics {
 ///                                         o.script names another. The text around the item is context: letters join
 ///                                         across the item's ends. A later call may shape any part of an item again, so
 ///                                         a shaper keeps no state between two calls. Only upright items are shaped as
-///                                         in a column; sideways and combined items are shaped as in a line: see
-///                                         column_glyphs.hpp.
+///                                         in a column; sideways and combined items are shaped as in a line,
+///                                         and the library turns and moves their glyphs.
 ///     s.has_vertical_form(c)              only for columns: whether the font has a special glyph of a character for
 ///                                         columns; without this function, no character has one
 ///     s.column_middle()                   only for columns: the height above the baseline that is in the middle of a

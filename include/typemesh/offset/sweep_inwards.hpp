@@ -430,8 +430,8 @@ private:
 ///        hole; the content of `out` is then undefined. No known glyph causes this
 ///        error::too_large: more than 2^24 points
 ///        error::out_of_memory
-/// Cost   O(n log n) and O(log n) per event (see wavefront.hpp). A band in which a cell must be mended is divided
-///        again; the time for mending is quadratic in the cell's nodes (cell_repair.hpp)
+/// Cost   O(n log n) and O(log n) per event. A band in which a cell must be mended is divided again; the
+///        time for mending is quadratic in the cell's nodes
 [[nodiscard]] inline error sweep_inwards(const region& r, array_view<const triangle> triangles,
                                          const sweep_options& how, workspace::scope& scratch,
                                          swept_region& out) noexcept

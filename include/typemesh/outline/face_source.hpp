@@ -23,7 +23,7 @@ namespace typemesh::inline TYPEMESH_ABI {
 ///     s.units_per_em(face)          as in outline_source, for one face; face < face_count()
 ///     s.fill(face)
 ///     s.outline(face, id, sink)
-///     s.variation_key(face)         only if the source has a variation_key(); see variation_key.hpp
+///     s.variation_key(face)         only if the source has a variation_key(): the number of one face
 template <class S>
 concept face_source = outline_source<S> && requires(S& s, std::uint32_t face, glyph_id id, ignore_outline& sink) {
     { s.face_count() } noexcept -> std::convertible_to<std::uint32_t>;

@@ -16,6 +16,8 @@ namespace typemesh::inline TYPEMESH_ABI {
 ///     s.outline(id, sink)   draws a glyph by calls of the sink (any outline_sink). For a blank glyph it makes no calls
 ///                           and returns no error. If the glyph does not exist or cannot be loaded, it returns
 ///                           error::unknown_glyph.
+///     s.variation_key()     optional: a number of 64 bits for the state in which the source draws (the axes of a
+///                           variable font, a transformation). A glyph_cache keeps the glyphs of different states apart
 template <class S>
 concept outline_source = requires(S& s, glyph_id id, ignore_outline& sink) {
     { s.units_per_em() } noexcept -> std::convertible_to<double>;

@@ -6,6 +6,8 @@
 #include <typemesh/outline/outline_recorder.hpp>
 #include <typemesh/outline/outline_source.hpp>
 
+#include <concepts>
+
 namespace typemesh::inline TYPEMESH_ABI {
 
 /// An outline source for your own drawings: logos, icons, test shapes.
@@ -27,13 +29,19 @@ public:
     {
     }
 
-    /// Calls draw(sink) once, stores the drawing and returns its id. A failed add() leaves the set unchanged. Errors:
-    /// see outline_recorder.
+    /// Calls draw(sink) once, stores the drawing and returns its id. A failed add() leaves the set unchanged. It fails
+    /// with the error that draw() returns, if it returns one, and otherwise as outline_recorder does.
+    ///
+    ///     icons.add([&](outline_sink auto& pen) { return font.outline(id, pen); });    // a glyph of a font
     template <class Draw>
     result<glyph_id> add(Draw&& draw) noexcept
     {
         outline_recorder recorder{scratch_};
-        draw(recorder);
+        if constexpr (std::same_as<decltype(draw(recorder)), error>) {
+            if (error e = draw(recorder)) return e;
+        } else {
+            draw(recorder);
+        }
         if (error e = recorder.finish()) return e;
 
         const glyph kept{contours_.size(), scratch_.contour_count(), curves_.size()};

@@ -36,7 +36,7 @@ public:
     [[nodiscard]] double units_per_em() const noexcept { return source_->units_per_em(); }
     [[nodiscard]] fill_rule fill() const noexcept { return source_->fill(); }
 
-    /// See variation_key.hpp.
+    /// See outline_source. Covers the source and the map.
     [[nodiscard]] std::uint64_t variation_key() const noexcept { return mixed_key(variation_of(*source_), map_); }
 
     template <outline_sink Sink>

@@ -20,7 +20,7 @@ struct drawn_glyph {
     style_id style = {};
     std::uint32_t line = 0;
     std::uint32_t glyph = 0;          ///< its index in the run
-    std::uint32_t merged = none;      ///< its index in text_glyphs::merged.groups, or none
+    std::uint32_t merged = none;      ///< the number of its group of merged glyphs, or none
     std::uint32_t mesh = 0;           ///< its index in the text's meshes
     std::uint32_t next_alike = none;  ///< the next record with this mesh, or none
     part_sizes before = {};           ///< the counts of all preceding glyphs

@@ -17,9 +17,8 @@ namespace typemesh::inline TYPEMESH_ABI {
 ///
 /// On the grid no triangle is reversed or flat. Floats are coarser than the grid wherever units per em are not a power
 /// of two, and far from the origin everywhere. Within 4 em of the origin three kinds of triangles are still affected:
-/// triangles that no other diagonals avoid (see triangulate/impl/low_triangles.hpp), triangles that a triangulator
-/// keeps (has_final_diagonals), and slivers of bevels where edges meet. Glyphs with an origin of their own (see
-/// text_plan::write_meshes) do not have this problem.
+/// triangles that no other diagonals avoid, triangles that a triangulator keeps (has_final_diagonals), and slivers of
+/// bevels where edges meet. Glyphs with an origin of their own (see text_plan::write_meshes) do not have this problem.
 ///
 /// Cost   O(triangles), computed in double precision from the positions as they are written
 template <extruder Extruder>

@@ -56,7 +56,7 @@ public:
         return rule;
     }
 
-    /// See variation_key.hpp: the first face's key stands for all faces.
+    /// See outline_source: the first face's key stands for all faces.
     [[nodiscard]] std::uint64_t variation_key() const noexcept { return variation_of(first()); }
     [[nodiscard]] std::uint64_t variation_key(std::uint32_t face) const noexcept
     {

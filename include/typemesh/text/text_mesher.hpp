@@ -49,7 +49,7 @@ concept run_edit = std::is_nothrow_invocable_v<E&, glyph_run&>;
 ///
 /// `font` is an outline source and, for plan(text), also a shaper; it must outlive the mesher. A glyph that occurs more
 /// than once in a text is built once. Memory grows to the needs of the largest text and is kept: after warm-up, a text
-/// of this size allocates nothing here. Policies are stored in the mesher: stored_policy::room bytes each.
+/// of this size allocates nothing here. Policies are stored in the mesher: at most 64 bytes each.
 ///
 /// Move-only. A mesher serves one thread at a time.
 template <extruder Solid = extruded<>>

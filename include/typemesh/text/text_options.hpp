@@ -69,8 +69,7 @@ struct text_options {
     typemesh::frame frame = right_handed_y_up;
 
     /// Whether glyphs whose outlines meet are merged into one solid without inner walls: kerned, cursive or accented
-    /// glyphs. Emboldened glyphs, and glyphs with outward bevels, are merged where they meet after they have grown. See
-    /// glyph_merger.hpp.
+    /// glyphs. Emboldened glyphs, and glyphs with outward bevels, are merged where they meet after they have grown.
     bool merge = false;
 
     /// The treatment of corners at which a letter touches itself. With touching::part or join, the mesh is a manifold:

@@ -84,6 +84,13 @@ public:
     /// The parts that its extruder writes: front, back and side, and any further ones.
     [[nodiscard]] static constexpr std::span<const part> parts() noexcept { return parts_of<Extruder>; }
 
+    /// The range of the whole output.
+    [[nodiscard]] mesh_range range() const noexcept
+    {
+        const mesh_size all = size();
+        return {0, static_cast<std::uint32_t>(all.vertices), 0, static_cast<std::uint32_t>(all.indices())};
+    }
+
     /// The range of one part in the output.
     [[nodiscard]] mesh_range range(part p) const noexcept { return whole().range(p); }
 
@@ -165,6 +172,17 @@ public:
         };
         const std::size_t glyph = first_where(0, fresh().records.size(), ends_behind);
         return hit_within(glyph, p, (index - range(glyph, p).first_index) / 3);
+    }
+
+    /// The owner of a triangle of the mesh, if its part is not known. Cost: O(log glyphs)
+    ///
+    ///     triangle    its position in range(), below index_count / 3
+    [[nodiscard]] mesh_hit hit(std::uint32_t triangle) const noexcept
+    {
+        TYPEMESH_ASSERT(triangle < range().index_count / 3, "the mesh has no triangle of this number");
+        std::size_t k = parts().size() - 1;  // the last part that begins at or before the triangle
+        while (range(parts()[k]).first_index > 3 * triangle) --k;
+        return hit(parts()[k], triangle - range(parts()[k]).first_index / 3);
     }
 
     /// The owner of a triangle of an instance. Cost: O(log contours) for merged glyphs, otherwise O(1)

@@ -26,21 +26,20 @@ namespace typemesh::inline TYPEMESH_ABI {
 /// end at the lexicographically smallest point (by x, then y). So the set of triangles depends only on the region: not
 /// on the starts or the order of contours, and not on the machine.
 ///
-/// Method: points that only smooth the outline are left out at first (coarse_loops). The remaining polygon is swept
-/// (monotone_sweep) and made Delaunay by flipping edges (delaunay_flips). Then the points left out are inserted into
-/// the boundary, each between its neighbours, coarse to fine. The triangulation stays Delaunay, without point location
-/// and with two flips per point. The coarse outline may cross itself: the sweep checks it like any other. Outlines may
-/// also cross while points are inserted: all triangles stay counter-clockwise throughout, and counter-clockwise
-/// triangles with a simple boundary cover the inside once. A short outline that is not smooth is swept with all its
-/// points. Divide and conquer (delaunay_slabs) triangulates all points if the outline has too many points for that, if
-/// too many flips are needed, or if outlines touch themselves: it makes the same triangles in another order.
-/// docs/triangulation.md measures each method: coarse loops save a fifth of the instructions at 1/800 em; flipping from
-/// a sweep of all points saves 4 to 6 % of the mispredicted branches there; slabs keep the worst case from being
-/// quadratic.
+/// Method: points that only smooth the outline are left out at first. The remaining polygon is swept and made Delaunay
+/// by flipping edges. Then the points left out are inserted into the boundary, each between its neighbours, coarse to
+/// fine. The triangulation stays Delaunay, without point location and with two flips per point. The coarse outline may
+/// cross itself: the sweep checks it like any other. Outlines may also cross while points are inserted: all triangles
+/// stay counter-clockwise throughout, and counter-clockwise triangles with a simple boundary cover the inside once. A
+/// short outline that is not smooth is swept with all its points. Divide and conquer triangulates all points if the
+/// outline has too many points for that, if too many flips are needed, or if outlines touch themselves: it makes the
+/// same triangles in another order. docs/triangulation.md measures each method: leaving points out at first saves a
+/// fifth of the instructions at 1/800 em; flipping from a sweep of all points saves 4 to 6 % of the mispredicted
+/// branches there; divide and conquer keeps the worst case from being quadratic.
 ///
 /// Cost   O(n log n)
 /// Space  at most 220 bytes per point and 128 per loop from `space`; no other memory once `out` has the capacity
-/// Exact  orientation in 64 bits, in-circle in 128 (core/impl/in_circle.hpp)
+/// Exact  orientation in 64 bits, in-circle in 128
 struct constrained_delaunay {
     // Its functions are templates, so that translation units that do not call them do not compile the sweep.
 

@@ -31,7 +31,7 @@ namespace detail {
 }  // namespace detail
 
 /// Appends a region's triangles to `out`: calls how(r, space, out) and checks the result. If the triangulator's
-/// diagonals are not final, flips edges of triangles that are too thin for 32-bit floats (see low_triangles.hpp).
+/// diagonals are not final, flips edges of triangles that are too thin for 32-bit floats (lower than 2^-20 em).
 ///
 /// Fails  as the triangulator does; error::out_of_memory. `out` is then unchanged
 template <triangulator Triangulator>

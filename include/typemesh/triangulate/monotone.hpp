@@ -19,8 +19,8 @@ namespace typemesh::inline TYPEMESH_ABI {
 ///
 /// Loops come in any order, holes need no mark, collinear points and vertical edges are no special cases. No point is
 /// dropped or added: every edge of the loops is an edge of exactly one triangle. The triangles are as slender as the
-/// sweep makes them. Only triangles that are too thin for 32-bit floats (see low_triangles.hpp) are changed: their
-/// edges are flipped afterwards. If triangle quality matters (lighting per vertex, bending), use another triangulator.
+/// sweep makes them. Only triangles that are too thin for 32-bit floats (lower than 2^-20 em) are changed: their edges
+/// are flipped afterwards. If triangle quality matters (lighting per vertex, bending), use another triangulator.
 ///
 /// Cost   O(n log n); one pass. Only points that open a span need a search; all other points find their span by their
 ///        edges.
@@ -62,8 +62,8 @@ struct monotone {
     }
 
     /// Like prove(), for loops that may pass through a point more than once, each time along a separate sector of
-    /// interior (see fill/impl/touching_cycles.hpp). Fails as prove() does, and also if a visit leaves its sector.
-    /// Takes about 40 more bytes per point from `space`.
+    /// interior. Fails as prove() does, and also if a visit leaves its sector. Takes about 40 more bytes per point from
+    /// `space`.
     template <class = void>
     [[nodiscard]] result<region> prove_touching(const contours& loops, workspace& space,
                                                 triangle_list& out) const noexcept

@@ -45,7 +45,7 @@ concept proving_triangulator =
 /// A proving triangulator that also takes loops that pass through a point more than once.
 ///
 ///     t.prove_touching(loops, space, out)    as prove(). In each such point, every pass must keep to its own sector
-///                                            of interior (see fill/impl/touching_cycles.hpp); this is proven too.
+///                                            of interior; this is proven too.
 template <class T>
 concept touching_triangulator =
     proving_triangulator<T> && requires(const T& t, const contours& loops, workspace& space, triangle_list& out) {

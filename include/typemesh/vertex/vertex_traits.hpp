@@ -35,6 +35,13 @@ concept vertex_writer = requires(const W& w, const surface_point<W::wants>& s) {
 template <class Vertex>
 struct vertex_traits;
 
+/// A position alone is a ready vertex: `std::vector<vec3>` needs no traits of yours.
+template <>
+struct vertex_traits<vec3> {
+    static constexpr auto wants = attribute::position;
+    constexpr vec3 operator()(const surface_point<wants>& s) const noexcept { return s.position; }
+};
+
 /// A type with its own vertex_traits.
 template <class V>
 concept mesh_vertex = vertex_writer<vertex_traits<V>> &&

@@ -2,12 +2,16 @@
 #pragma once
 
 #include <typemesh/core/result.hpp>
+#include <typemesh/extrude/extruded.hpp>
 #include <typemesh/glyph/glyph_cache.hpp>
 #include <typemesh/layout/glyph_run.hpp>
 #include <typemesh/text/text_options.hpp>
 #include <typemesh/text/text_report.hpp>
 #include <typemesh/unicode/text_view.hpp>
 #include <typemesh/vertex/mesh_sink.hpp>
+
+#include <concepts>
+#include <type_traits>
 
 namespace typemesh::inline TYPEMESH_ABI {
 
@@ -17,6 +21,43 @@ namespace detail {
 struct keep_the_font_in_a_variable {};
 struct keep_the_mesher_in_a_variable;
 struct keep_the_run_in_a_variable;
+
+/// Any text or run. Every other parameter for them is a better match, so that `{}` remains an empty text_options.
+struct any_text {
+    template <class Text>
+    any_text(const Text&) noexcept
+    {
+    }
+};
+
+/// A function for a run that is not noexcept.
+template <class E>
+concept throwing_edit = std::is_invocable_v<E&, glyph_run&> && !std::is_nothrow_invocable_v<E&, glyph_run&>;
+
+/// Says where options belong that were given instead of text_options.
+template <class Options>
+constexpr error refuse_options() noexcept
+{
+    static_assert(!std::same_as<Options, layout_options>,
+                  "typemesh: these are layout_options: write `{.layout = {...}}` around them.");
+    static_assert(!std::same_as<Options, shape_options>,
+                  "typemesh: these are shape_options: write `{.shape = {...}}` around them.");
+    static_assert(!std::same_as<Options, extruded<>>,
+                  "typemesh: these are options of the solid, which the mesher takes: "
+                  "`text_mesher{font, extruded<>{.depth = 0.5f}}`, or later `mesher.solid().depth = 0.5f`.");
+    return error::bad_option;
+}
+
+/// Says what is wrong with a function for a run.
+template <class Edit>
+constexpr error refuse_edit() noexcept
+{
+    static_assert(!throwing_edit<Edit>,
+                  "typemesh: the function that edits a run must be noexcept: `[](glyph_run& run) noexcept { ... }`.");
+    static_assert(throwing_edit<Edit>,
+                  "typemesh: the function that edits a run follows the options: `plan(text, {}, edit)`.");
+    return error::bad_option;
+}
 
 /// The overloads of text_mesher that exist only to refuse common mistakes, each in one sentence.
 template <class Mesher, class Plan>
@@ -58,6 +99,57 @@ struct mesher_refusals {
     result<Plan> plan(const Text&, const text_options&, result<Workers>&) & noexcept
     {
         return refuse_result<Workers>();
+    }
+
+    // Functions for a run that may throw, or that stand in place of the options. The text is a `const text_view&`,
+    // because clang hides a function template that has exactly the parameters of another one in text_mesher.
+    template <throwing_edit Edit>
+    result<Plan> plan(const text_view&, const text_options&, Edit&&) & noexcept
+    {
+        return refuse_edit<Edit>();
+    }
+    template <class Workers, throwing_edit Edit>
+    result<Plan> plan(text_view, const text_options&, Workers&, Edit&&) & noexcept
+    {
+        return refuse_edit<Edit>();
+    }
+    template <class Edit>
+        requires std::is_invocable_v<Edit&, glyph_run&>
+    result<Plan> plan(text_view, Edit&&) & noexcept
+    {
+        return refuse_edit<Edit>();
+    }
+
+    // Options that belong one level deeper, or to the solid.
+    template <std::same_as<layout_options> Options = layout_options>
+    result<Plan> plan(any_text, const Options&) & noexcept
+    {
+        return refuse_options<Options>();
+    }
+    template <std::same_as<shape_options> Options = shape_options>
+    result<Plan> plan(any_text, const Options&) & noexcept
+    {
+        return refuse_options<Options>();
+    }
+    template <std::same_as<extruded<>> Options = extruded<>>
+    result<Plan> plan(any_text, const Options&) & noexcept
+    {
+        return refuse_options<Options>();
+    }
+    template <class Sink, std::same_as<layout_options> Options = layout_options>
+    result<text_report> build(any_text, Sink&&, const Options&) noexcept
+    {
+        return refuse_options<Options>();
+    }
+    template <class Sink, std::same_as<shape_options> Options = shape_options>
+    result<text_report> build(any_text, Sink&&, const Options&) noexcept
+    {
+        return refuse_options<Options>();
+    }
+    template <class Sink, std::same_as<extruded<>> Options = extruded<>>
+    result<text_report> build(any_text, Sink&&, const Options&) noexcept
+    {
+        return refuse_options<Options>();
     }
 
     // Arrays without their into(); workers that are still a result.
