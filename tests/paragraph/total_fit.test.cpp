@@ -166,7 +166,7 @@ TEST_CASE("total_fit evens lines out that first_fit leaves ragged", "[paragraph]
     CHECK(broken(total_fit{.emergency_stretch = 1.0}, pieces, {.width = 6.0}) == ends_of{1, 3, 4});
 }
 
-TEST_CASE("total_fit finds the lines of fewest demerits among all that there are", "[paragraph]")
+TEST_CASE("total_fit finds the lines of fewest demerits among all possible lines", "[paragraph]")
 {
     dice d;
     int found = 0;
@@ -295,10 +295,8 @@ TEST_CASE("words are parted with hyphens, as hyphen_penalty allows", "[paragraph
     const auto hyphens = [&](double penalty) {
         words.breaker().hyphen_penalty = penalty;
         REQUIRE(words.lay_out({.width = 3.3}, run));
-        std::size_t count = 0;
-        for (const placed_glyph& g : run.glyphs) count += g.id == 0x2010 ? 1u : 0u;
         for (const text_line& line : run.lines) CHECK(line.advance <= 3300.0);
-        return count;
+        return std::ranges::count(run.glyphs, glyph_id{0x2010}, &placed_glyph::id);
     };
     CHECK(hyphens(0.0) == 2);
     CHECK(hyphens(1e9) == 1);  // nothing else is within the tolerance
