@@ -47,7 +47,7 @@ constexpr struct {
 
 }  // namespace
 
-TEST_CASE("a caret stands before its grapheme, upstream behind the one before", "[paragraph]")
+TEST_CASE("a caret stands before its grapheme, and upstream after the one before", "[paragraph]")
 {
     const laid_out p{"ab cd", {.width = 1.5}};
     CHECK(is_at(p.laid().caret_at(0), 0, 0.0, 0.0));
@@ -276,7 +276,7 @@ TEST_CASE("until its text is laid out a paragraph has no lines or boxes, and its
     has_none();
 }
 
-TEST_CASE("a grapheme is found below a point among those of its cluster, and its boxes hold the point", "[paragraph]")
+TEST_CASE("a point finds its grapheme in a cluster", "[paragraph]")
 {
     for (const layout_options& how : {layout_options{}, layout_options{.width = 3.0}}) {
         const laid_out p{mixed, how};

@@ -125,7 +125,7 @@ TEST_CASE("a line that is read to the left ends with its hyphen on the left", "[
     CHECK(p.run.glyphs[3].origin.x == p.run.lines[0].origin.x + 1000.0);
 }
 
-TEST_CASE("no line ends between a space and a mark upon it", "[paragraph]")
+TEST_CASE("no line ends between a space and a mark on it", "[paragraph]")
 {
     CHECK(laid{u"ab \u0301cd", {.width = 1.2, .wrap = wrap_mode::word}}.lines() == line_texts{u"ab \u0301cd"});
 }
@@ -179,45 +179,37 @@ TEST_CASE("white space at a line's end hangs beyond the width, on the side where
 {
     const laid right{"ab   cd", {.width = 1.0, .align = alignment::right}};
     CHECK(right.line(0) == u"ab   ");
-    CHECK(right.run.glyphs[1].origin.x == 500.0);
-    CHECK(right.run.glyphs[2].origin.x == 1000.0);
+    CHECK(right.places() == std::vector{0.0, 500.0, 1000.0, 1250.0, 1500.0, 0.0, 500.0});
     const laid left{u"\u05D0\u05D1   \u05D2", {.width = 1.0}};
     CHECK(left.run.lines[0].glyph_count == 5);
-    CHECK(left.run.glyphs[0].origin.x == -750.0);
-    CHECK(left.run.glyphs[3].origin.x == 0.0);
+    CHECK(left.places() == std::vector{-750.0, -500.0, -250.0, 0.0, 500.0, 500.0});
 }
 
-TEST_CASE("justified lines fill the width by their spaces, but for a paragraph's last", "[paragraph]")
+TEST_CASE("justified lines fill the width by their spaces, except a paragraph's last", "[paragraph]")
 {
     const laid p{"a b cd e f\ng hi", {.width = 3.2, .align = alignment::justify}};
     CHECK(p.lines() == line_texts{u"a b cd ", u"e f", u"g hi"});
-    CHECK(p.run.lines[0].advance == 3200.0);
-    CHECK(p.run.lines[1].advance == 1250.0);
-    CHECK(p.run.lines[2].advance == 1750.0);
-    CHECK(p.run.glyphs[2].origin.x - p.run.glyphs[0].origin.x == p.run.glyphs[4].origin.x - p.run.glyphs[2].origin.x);
+    CHECK(p.advances() == std::vector{3200.0, 1250.0, 1750.0});
+    const std::vector<double> x = p.places();
+    CHECK(x[2] - x[0] == x[4] - x[2]);
 }
 
 TEST_CASE("first lines of paragraphs are indented at their start", "[paragraph]")
 {
     const laid p{"ab cd\nef\xE2\x80\xA8gh", {.width = 1.5, .indent = 0.25}};
     CHECK(p.lines() == line_texts{u"ab ", u"cd", u"ef", u"gh"});
-    for (const auto& [k, x] : {std::pair{0, 250.0}, {1, 0.0}, {2, 250.0}, {3, 0.0}})
-        CHECK(p.run.lines[static_cast<std::size_t>(k)].origin.x == x);
-    const laid left{u"\u05D0\u05D1", {.width = 2.0, .indent = 0.25}};
-    CHECK(left.run.lines[0].origin.x == 750.0);
+    for (std::size_t k = 0; k < 4; ++k) CHECK(p.run.lines[k].origin.x == (k % 2 == 0 ? 250.0 : 0.0));
+    CHECK(laid{u"\u05D0\u05D1", {.width = 2.0, .indent = 0.25}}.run.lines[0].origin.x == 750.0);
 }
 
 TEST_CASE("tabs lead to stops, in the direction of the paragraph", "[paragraph]")
 {
     const double stops[] = {0.75};
-    const laid p{"a\tb\tc", {.tab_stops = stops}};
-    CHECK(p.run.glyphs[1].origin.x == 750.0);
-    CHECK(p.run.glyphs[2].origin.x == 2000.0);
-    const laid left{u"\u05D0\tb", {.width = 4.0, .tab_stops = stops}};
-    CHECK(left.run.glyphs[1].origin.x == 3500.0);
-    CHECK(left.run.glyphs[0].origin.x == 4000.0 - 750.0 - 500.0);
-    CHECK(laid{"AV\tb"}.run.glyphs[2].origin.x == 2000.0);  // 1000 is nearer than half a digit
-    CHECK(laid{"a\tb", {.tab_width = 0.0}}.run.glyphs[1].origin.x == 500.0);
+    CHECK(laid{"a\tb\tc", {.tab_stops = stops}}.places() == std::vector{0.0, 750.0, 2000.0});
+    CHECK(laid{u"\u05D0\tb", {.width = 4.0, .tab_stops = stops}}.places() ==
+          std::vector{4000.0 - 750.0 - 500.0, 3500.0});
+    CHECK(laid{"AV\tb"}.places()[2] == 2000.0);  // 1000 is nearer than half a digit
+    CHECK(laid{"a\tb", {.tab_width = 0.0}}.places()[1] == 500.0);
 }
 
 TEST_CASE("soft hyphens show where a line ends and nowhere else", "[paragraph]")
@@ -228,11 +220,11 @@ TEST_CASE("soft hyphens show where a line ends and nowhere else", "[paragraph]")
         "ef",
         {.width = 1.6}};
     CHECK(p.run.lines.size() == 3);
-    CHECK(p.run.lines[0].advance == 1500.0);
+    CHECK(p.advances()[0] == 1500.0);
     CHECK(p.glyphs_of(0).back().id == 0x2010);
     p.again({});
     CHECK(p.count(0x2010) == 0);
-    CHECK(p.run.lines[0].advance == 3000.0);
+    CHECK(p.advances() == std::vector{3000.0});
 }
 
 TEST_CASE("a hyphen never sticks out of a line in which something else fits", "[paragraph]")
@@ -341,7 +333,7 @@ TEST_CASE("text for which the font gives no glyphs is laid out, too", "[paragrap
     CHECK(end.at == point{0.0, -2.0});
 }
 
-TEST_CASE("widths tell how narrow and how wide a text may be", "[paragraph]")
+TEST_CASE("a paragraph knows how narrow and how wide its text may be", "[paragraph]")
 {
     laid p{"one two three\nfour"};
     CHECK(p.words.widths().narrowest == 2.5);
@@ -568,7 +560,7 @@ TEST_CASE("a paragraph survives a memory that gives nothing, wherever it stops",
     });
 }
 
-TEST_CASE("a layout for which memory fails leaves nothing behind for the next one", "[paragraph]")
+TEST_CASE("a layout for which memory fails has no effect on the next one", "[paragraph]")
 {
     const layout_options options{.width = 1.0, .ellipsis = ".."};
     const laid fresh{mixed, options};

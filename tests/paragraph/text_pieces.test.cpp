@@ -28,7 +28,7 @@ void check_cover(const text_pieces::list& list, const shaped_text& shaped)
 
 }  // namespace
 
-TEST_CASE("words cover the text and have its width, in whatever pieces", "[paragraph]")
+TEST_CASE("words cover the text and have its width, however they are cut", "[paragraph]")
 {
     for (const std::u16string text :
          {u"", u" ", u"one", u"one  two three", u"fi AVAV office\tx\t\ty", u"a\n\nb\u2028c\r\n", u"\u05D0\u05D1 12 ab",
@@ -122,7 +122,7 @@ TEST_CASE("marks without a letter show, though they have no width", "[paragraph]
     CHECK_FALSE(shaped_paragraph{u"\u200F"}.pieces.words().pieces[0].is_visible());
 }
 
-TEST_CASE("the graphemes of a part of the text are those of the whole", "[paragraph]")
+TEST_CASE("a part of the text has the same graphemes as in the whole", "[paragraph]")
 {
     shaped_paragraph p{"one two three"};
     const auto made = p.pieces.graphemes_of(4, 13, p.shaped, p.font);

@@ -50,6 +50,18 @@ struct laid_paragraph {
     {
         return run.glyph_styles.empty() ? typemesh::glyph_style{} : run.glyph_styles[run.glyphs[glyph].glyph_style];
     }
+    [[nodiscard]] std::vector<double> places() const
+    {
+        std::vector<double> x;
+        for (const typemesh::placed_glyph& g : run.glyphs) x.push_back(g.origin.x);
+        return x;
+    }
+    [[nodiscard]] std::vector<double> advances() const
+    {
+        std::vector<double> all;
+        for (const typemesh::text_line& l : run.lines) all.push_back(l.advance);
+        return all;
+    }
     [[nodiscard]] std::size_t count(typemesh::glyph_id id) const
     {
         std::size_t n = 0;
