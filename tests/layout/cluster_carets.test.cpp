@@ -46,7 +46,7 @@ TEST_CASE("a cluster's carets are its font's, scaled, from where its pen begins"
     CHECK(places_in(all, 3).empty());
 }
 
-TEST_CASE("carets of a glyph on its side are those of a line, down from where its pen begins", "[paragraph][carets]")
+TEST_CASE("carets of a glyph on its side are a line's carets, down from where its pen begins", "[paragraph][carets]")
 {
     struct line_font {
         error ligature_carets(std::uint32_t, glyph_id, bool down, buffer<double>& carets) const noexcept
@@ -62,7 +62,7 @@ TEST_CASE("carets of a glyph on its side are those of a line, down from where it
     CHECK(places_in(all, 2).empty());
 }
 
-TEST_CASE("carets that are too few, too many, out of order or outside are none", "[paragraph][carets]")
+TEST_CASE("carets that are too few, too many, out of order or outside are ignored", "[paragraph][carets]")
 {
     cluster_carets all;
     std::uint32_t cluster = 0;

@@ -74,7 +74,7 @@ TEST_CASE("what is to be transformed is upright where the font has a vertical fo
     CHECK(columns(u"ab(", {}, {}, columns_of_text::any_form).letters() == "sss");
 }
 
-TEST_CASE("a full-width colon or semicolon without a vertical form is upright in a font that has those of brackets",
+TEST_CASE("a full-width colon without a vertical form is upright in a font that has vertical brackets",
           "[layout][columns]")
 {
     const char16_t* const text = u"\u300C\uFF1A\uFF1B\u30FC\u3008";
@@ -91,7 +91,7 @@ TEST_CASE("a grapheme stands as its base does, unless a mark encloses it", "[lay
     CHECK(columns(u"a\u20E1").letters() == "ss");  // an arrow above
 }
 
-TEST_CASE("the marks that enclose a base are those of the general category Me", "[layout][columns]")
+TEST_CASE("the marks that enclose a base have the general category Me", "[layout][columns]")
 {
     if (!ucd::is_of_our_version()) return;
     const auto category = ucd::property("extracted/DerivedGeneralCategory.txt");

@@ -176,7 +176,8 @@ TEST_CASE("a line may end where text of two faces meets, unless the first face f
     CHECK_FALSE(unsafe(joined, 4));
 }
 
-TEST_CASE("a line may not end inside a cluster of the first face, whatever another makes of it", "[layout][fallback]")
+TEST_CASE("a line may not end inside a cluster of the first face, even where another face has several",
+          "[layout][fallback]")
 {
     struct parting_faces : toy_faces {  // the second makes a cluster of every glyph
         error shape(text_view text, const text_item& item, const shape_options& how,
@@ -214,7 +215,7 @@ TEST_CASE("what no face has is found once, and kept for the next text", "[layout
     CHECK(made_item{faces, u"gef!", 1}.faces() == "?323");
 }
 
-TEST_CASE("a found face that lacks what it was found for is not asked for again", "[layout][fallback]")
+TEST_CASE("a found face that lacks what it was found for is not tried again", "[layout][fallback]")
 {
     struct liar : toy_faces {
         result<std::uint32_t> find(text_view, text_range, std::uint32_t, std::string_view) noexcept

@@ -111,7 +111,7 @@ TEST_CASE("items end where a column turns, and keep their levels", "[paragraph]"
     }
 }
 
-TEST_CASE("what is combined is one item, whatever it holds, but for tabs and breaks", "[paragraph]")
+TEST_CASE("what is combined is one item, except for tabs and breaks", "[paragraph]")
 {
     constexpr auto one = glyph_orientation::combined;
     const auto items = items_of(u"a\u05D0\u0628b1c\t2", {2}, {{0, 4, one, true}, {4, 8, one, true}});

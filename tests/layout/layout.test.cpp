@@ -15,12 +15,9 @@ namespace {
 
 using test::toy_shaper;
 
-glyph_run set(text_view text, const layout_options& options = {}, direction d = direction::automatic,
-              toy_shaper font = {})
+glyph_run set(text_view text, const layout_options& options = {}, const shape_options& how = {}, toy_shaper font = {})
 {
     glyph_run run;
-    shape_options how{.direction = d};
-    how.columns.latin = column_latin::upright;
     REQUIRE(layout(font, text, how, options, run));
     return run;
 }
@@ -71,7 +68,7 @@ TEST_CASE("baselines are the font's line distance times the spacing apart, downw
 
 TEST_CASE("a font without line metrics is set one em apart", "[layout]")
 {
-    const glyph_run run = set("a\nb", {}, direction::automatic, toy_shaper{{0.0, 0.0, 0.0}});
+    const glyph_run run = set("a\nb", {}, {}, toy_shaper{{0.0, 0.0, 0.0}});
     CHECK(run.lines[1].origin == point{0.0, -1000.0});
 }
 
@@ -85,7 +82,9 @@ TEST_CASE("every line is aligned to x = 0 by itself, every column to y = 0, its 
         CHECK(run.glyphs[2].origin == point{1000.0 - 1500.0 * at, 0.0});
         CHECK(run.glyphs[3].origin == point{-500.0 * at, -1000.0});
 
-        const glyph_run down = set("abc\nd", {.align = align}, direction::top_to_bottom);
+        const glyph_run down =
+            set("abc\nd", {.align = align},
+                {.direction = direction::top_to_bottom, .columns = {.latin = column_latin::upright}});
         CHECK(down.lines[0].advance == 1500.0);
         CHECK(down.lines[0].origin == point{0.0, 1500.0 * at});
         CHECK(down.lines[1].origin == point{-1250.0, 500.0 * at});  // to the left, by line_reach_of()
@@ -189,10 +188,8 @@ TEST_CASE("Plain text refuses what needs a line breaker, by its name", "[layout]
 
 TEST_CASE("A style changes its part of a plain text", "[layout]")
 {
-    toy_shaper font;
-    glyph_run run;
     const style_span spans[] = {{1, 2, {.size = 2.0, .decorations = decoration::underline, .style = style_id{7}}}};
-    REQUIRE(layout(font, "abc", {.styles = spans}, {}, run));
+    const glyph_run run = set("abc", {}, {.styles = spans});
     REQUIRE(run.glyphs.size() == 4);  // and a bar
     CHECK(run.glyph_styles[run.glyphs[1].glyph_style] ==
           glyph_style{.map = {.xx = 2.0, .yy = 2.0}, .style = style_id{7}});
@@ -200,7 +197,7 @@ TEST_CASE("A style changes its part of a plain text", "[layout]")
     CHECK(run.lines[0].advance == 2000.0);
 }
 
-TEST_CASE("A line tells how much white space hangs at its end", "[layout]")
+TEST_CASE("A line knows how much white space hangs at its end", "[layout]")
 {
     const style_span spans[] = {{0, 3, {.letter_spacing = -1.5}}, {3, 4, {.word_spacing = 2.0}}};
     toy_shaper font;

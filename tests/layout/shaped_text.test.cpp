@@ -32,7 +32,7 @@ TEST_CASE("clusters cover the text in its order, whatever the direction of their
     CHECK(at == text.size());
 }
 
-TEST_CASE("a grapheme is never in two clusters, and letter spacing stands behind it", "[paragraph]")
+TEST_CASE("a grapheme is never in two clusters, and letter spacing follows it", "[paragraph]")
 {
     for (const char16_t* text :
          {u"\u1112\u1161\u11ABx", u"\u202E\u1112\u1161\u11ABx"}) {  // a syllable of three letters
@@ -102,7 +102,7 @@ TEST_CASE("a cluster knows whether a tatweel may stand before it", "[paragraph]"
     for (std::uint32_t i = 0; i < 4; ++i) CHECK(has(p.shaped.cluster(i).flags, cluster_flags::tatweel) == (i == 1));
 }
 
-TEST_CASE("a line ends with a hyphen behind U+00AD, in either encoding, and where the analyser says so", "[paragraph]")
+TEST_CASE("a line ends with a hyphen after U+00AD, in either encoding, and where the analyser says so", "[paragraph]")
 {
     shaped_paragraph wide{u"ab\u00ADc"}, narrow{
                                              "ab\xC2\xAD"

@@ -69,7 +69,7 @@ TEST_CASE("values of one hash are found, even in a table that has lost some", "[
     CHECK(index.find(table, table[0]) == 5);
 }
 
-TEST_CASE("an index without memory knows nothing, and a warm one asks for none", "[layout]")
+TEST_CASE("an index without memory knows nothing, and a warm one needs none", "[layout]")
 {
     const std::vector<indexed_number> table(100);
     test::counting_memory failing{.fail_at = 1};
