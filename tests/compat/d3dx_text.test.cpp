@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: MIT
-#include "support/catch.hpp"
 #include "support/counting_memory.hpp"
 #include "support/mesh_laws.hpp"
 #include "support/toy_font.hpp"
+#include "support/written_mesh.hpp"
 
 #include <typemesh/compat/d3dx_text.hpp>
 #include <typemesh/extrude/bevelled.hpp>
 #include <typemesh/triangulate/constrained_delaunay.hpp>
-#include <typemesh/vertex/growing_sink.hpp>
 
 #include <cmath>
 #include <cstring>
@@ -34,29 +33,44 @@ struct tall_font : test::toy_font {
     }
 };
 
-template <class Plan>
-full_mesh write(const Plan& plan)
+template <class Maker>
+auto planned(Maker& maker, const auto& text, const d3dx_text_options& options = {})
 {
-    full_mesh m;
-    m.vertices.resize(plan.size().vertices);
-    m.indices.resize(plan.size().indices());
-    REQUIRE(plan.write(std::span{m.vertices}, std::span{m.indices}));
-    return m;
+    auto plan = maker.plan(text, options);
+    REQUIRE(plan);
+    return std::move(*plan);
 }
+
+/// The mesh of a plan in arrays of the caller, as D3DXCreateText's is read.
+template <class Vertex = test::full_vertex, class Index = std::uint32_t>
+struct arrays {
+    std::vector<Vertex> vertices;
+    std::vector<Index> indices;
+
+    explicit arrays(const auto& plan) : vertices(plan.size().vertices), indices(plan.size().indices())
+    {
+        REQUIRE(plan.write(std::span{vertices}, std::span{indices}));
+    }
+    operator full_mesh() const { return {vertices, indices}; }
+};
+
+full_mesh write(const auto& plan) { return arrays{plan}; }
 
 template <class Font>
 full_mesh made(Font& font, const std::u16string& text, const d3dx_text_options& options = {})
 {
     d3dx_text maker{font};
-    const auto plan = maker.plan(text, options);
-    REQUIRE(plan);
-    return write(*plan);
+    return write(planned(maker, text, options));
 }
 
-bool same(const full_mesh& a, const full_mesh& b)
+template <class Font>
+std::vector<d3dx_glyph_metrics> metrics_of(Font& font, const auto& text, const d3dx_text_options& options = {})
 {
-    return a.indices == b.indices && a.vertices.size() == b.vertices.size() &&
-           std::memcmp(a.vertices.data(), b.vertices.data(), a.vertices.size() * sizeof a.vertices[0]) == 0;
+    d3dx_text maker{font};
+    const auto plan = planned(maker, text, options);
+    std::vector<d3dx_glyph_metrics> m(plan.metrics_size(), {9, 9, {9, 9}, 9, 9});
+    REQUIRE(plan.metrics(m));
+    return m;
 }
 
 const std::u16string all_glyphs = u"oEx i?\u4E2D";
@@ -68,9 +82,8 @@ TEST_CASE("the front cap lies at z = -extrusion, and the back cap at z = 0", "[c
     test::toy_font font;
     d3dx_text maker{font};
     const double extrusion = GENERATE(0.01, 0.3, 5.0);
-    const auto plan = maker.plan(all_glyphs, {.extrusion = extrusion});
-    REQUIRE(plan);
-    const full_mesh m = write(*plan);
+    const auto plan = planned(maker, all_glyphs, {.extrusion = extrusion});
+    const full_mesh m = write(plan);
 
     const auto cap = [&](mesh_range r, float z, float facing) {
         REQUIRE(r.vertex_count > 0);
@@ -79,26 +92,25 @@ TEST_CASE("the front cap lies at z = -extrusion, and the back cap at z = 0", "[c
             REQUIRE(m.vertices[i].normal == vec3{0.0f, 0.0f, facing});
         }
     };
-    cap(plan->front(), -static_cast<float>(extrusion), -1.0f);
-    cap(plan->back(), 0.0f, 1.0f);
+    cap(plan.front(), -static_cast<float>(extrusion), -1.0f);
+    cap(plan.back(), 0.0f, 1.0f);
     for (const auto& v : m.vertices) {
         REQUIRE(v.position.z <= 0.0f);
         REQUIRE(v.position.z >= -static_cast<float>(extrusion));
     }
-    CHECK(plan->front().index_count == plan->back().index_count);
-    CHECK(plan->front().index_count + plan->back().index_count + plan->sides().index_count == m.indices.size());
+    CHECK(plan.front().index_count == plan.back().index_count);
+    CHECK(plan.front().index_count + plan.back().index_count + plan.sides().index_count == m.indices.size());
 }
 
 TEST_CASE("text runs from left to right along x, and y points up", "[compat]")
 {
     test::toy_font font;
     d3dx_text maker{font};
-    const auto plan = maker.plan(u"iE");
-    REQUIRE(plan);
-    const full_mesh m = write(*plan);
-    REQUIRE(plan->text().glyphs().size() == 2);
+    const auto plan = planned(maker, u"iE");
+    const full_mesh m = write(plan);
+    REQUIRE(plan.text().glyphs().size() == 2);
 
-    const mesh_range e = plan->text().range(1, part::back);
+    const mesh_range e = plan.text().range(1, part::back);
     float arms = 0.0f;
     for (std::uint32_t i = e.first_vertex; i < e.first_vertex + e.vertex_count; ++i) {
         CHECK(m.vertices[i].position.x >= 0.65f);  // the second letter, one advance of 0.6 further on
@@ -112,9 +124,8 @@ TEST_CASE("front faces are clockwise, and every normal points outwards", "[compa
 {
     test::toy_font font;
     d3dx_text maker{font};
-    const auto plan = maker.plan(all_glyphs);
-    REQUIRE(plan);
-    const full_mesh m = write(*plan);
+    const auto plan = planned(maker, all_glyphs);
+    const full_mesh m = write(plan);
     const auto corner = [&](std::uint32_t i) { return m.vertices[m.indices[i]]; };
     for (std::uint32_t i = 0; i < m.indices.size(); i += 3) {
         const test::cross_product turn{test::subtract(corner(i + 1).position, corner(i).position),
@@ -122,7 +133,7 @@ TEST_CASE("front faces are clockwise, and every normal points outwards", "[compa
         REQUIRE(turn.along(corner(i).normal) > 0.0);
     }
     // As drawn on the viewer's screen, where x is to the right and y up: clockwise is a negative area.
-    const mesh_range front = plan->front();
+    const mesh_range front = plan.front();
     for (std::uint32_t i = front.first_index; i < front.first_index + front.index_count; i += 3) {
         const vec3 a = corner(i).position, b = corner(i + 1).position, c = corner(i + 2).position;
         REQUIRE((b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x) < 0.0f);
@@ -148,7 +159,7 @@ TEST_CASE("the mesh equals the one of text_mesher", "[compat]")
     full_mesh own;
     REQUIRE(mesher.build(all_glyphs, into(own.vertices, own.indices),
                          {.tolerance = d3dx_tolerance(0.005), .draw_missing = true}));
-    CHECK(same(made(font, all_glyphs, {.deviation = 0.005, .size = d3dx_size::em}), own));
+    CHECK(test::same_bits(made(font, all_glyphs, {.deviation = 0.005, .size = d3dx_size::em}), own));
 }
 
 TEST_CASE("the size is the height of the cell, as in Direct3D, or of the em", "[compat]")
@@ -167,35 +178,25 @@ TEST_CASE("the size is the height of the cell, as in Direct3D, or of the em", "[
 TEST_CASE("metrics do not depend on the styles of letters", "[compat]")
 {
     test::toy_font font;
-    d3dx_text plain_maker{font}, styled_maker{font};
+    d3dx_text maker{font};
     constexpr std::string_view text = "oE x\nixoE o";
     std::vector<style_span> spans;  // every other letter in a style of its own, a descending one
     for (std::uint32_t i = 0; i < text.size(); i += 2) spans.push_back({i, i + 1, {.style = style_id{900 - i}}});
-    const auto a = plain_maker.plan(text);
-    const auto b = styled_maker.plan(text, {.shape = {.styles = spans}});
-    REQUIRE(a);
-    REQUIRE(b);
-    REQUIRE(b->text().styles().size() > 2);
-    std::vector<d3dx_glyph_metrics> expected(text.size()), found(text.size());
-    REQUIRE(a->metrics(expected));
-    REQUIRE(b->metrics(found));
+    REQUIRE(planned(maker, text, {.shape = {.styles = spans}}).text().styles().size() > 2);
+    const auto expected = metrics_of(font, text), found = metrics_of(font, text, {.shape = {.styles = spans}});
+    REQUIRE(expected.size() == text.size());
+    REQUIRE(found.size() == text.size());
     CHECK(std::memcmp(found.data(), expected.data(), text.size() * sizeof(d3dx_glyph_metrics)) == 0);
 }
 
 TEST_CASE("metrics do not depend on underlines", "[compat]")
 {
     test::toy_font font;
-    d3dx_text plain_maker{font}, underlined_maker{font};
-    constexpr std::string_view text = "oE x\nix";
     const style_span spans[] = {{0, 7, {.decorations = decoration::underline}}};
-    const auto a = plain_maker.plan(text);
-    const auto b = underlined_maker.plan(text, {.shape = {.styles = spans}});
-    REQUIRE(a);
-    REQUIRE(b);
-    std::vector<d3dx_glyph_metrics> expected(text.size()), found(text.size());
-    REQUIRE(a->metrics(expected));
-    REQUIRE(b->metrics(found));
-    for (std::size_t i = 0; i < text.size(); ++i) {
+    const auto expected = metrics_of(font, "oE x\nix"),
+               found = metrics_of(font, "oE x\nix", {.shape = {.styles = spans}});
+    REQUIRE(found.size() == 7);
+    for (std::size_t i = 0; i < 7; ++i) {
         INFO("character " << i);
         CHECK(found[i].advance_x == Approx(expected[i].advance_x).margin(1e-6));
         CHECK(found[i].box_width == Approx(expected[i].box_width));
@@ -205,11 +206,8 @@ TEST_CASE("metrics do not depend on underlines", "[compat]")
 TEST_CASE("spaces at a line's end keep their advance", "[compat]")
 {
     test::toy_font font;
-    d3dx_text maker{font};
-    const auto plan = maker.plan(u"E  \no ");
-    REQUIRE(plan);
-    std::vector<d3dx_glyph_metrics> m(6);
-    REQUIRE(plan->metrics(m));
+    const auto m = metrics_of(font, u"E  \no ");
+    REQUIRE(m.size() == 6);
     for (const std::size_t i : {0u, 1u, 2u, 4u, 5u}) {
         INFO("character " << i);
         CHECK(m[i].advance_x == Approx(0.6f));
@@ -219,12 +217,8 @@ TEST_CASE("spaces at a line's end keep their advance", "[compat]")
 TEST_CASE("each character has its metrics", "[compat]")
 {
     test::toy_font font;
-    d3dx_text maker{font};
-    const auto plan = maker.plan(u"E i\no?", {.draw_missing = false});
-    REQUIRE(plan);
-    REQUIRE(plan->metrics_size() == 6);
-    std::vector<d3dx_glyph_metrics> m(6, {9, 9, {9, 9}, 9, 9});
-    REQUIRE(plan->metrics(m));
+    const auto m = metrics_of(font, u"E i\no?", {.draw_missing = false});
+    REQUIRE(m.size() == 6);
     const auto is = [&](std::size_t i, float w, float h, float x, float y, float advance) {
         INFO("character " << i);
         CHECK(m[i].box_width == Approx(w));
@@ -246,55 +240,44 @@ TEST_CASE("arrays that are too small stay unchanged, and the error reports the s
 {
     test::toy_font font;
     d3dx_text maker{font};
-    const auto plan = maker.plan(u"oE");
-    REQUIRE(plan);
-    const auto size = plan->size();
+    const auto plan = planned(maker, u"oE");
+    const auto size = plan.size();
     std::vector<d3dx_vertex> vertices(size.vertices, {{7, 7, 7}, {7, 7, 7}});
     std::vector<std::uint16_t> indices(size.indices(), 7);
     std::vector<d3dx_glyph_metrics> metrics(2, {7, 7, {7, 7}, 7, 7});
-
-    const error few_vertices = plan->write(std::span{vertices}.first(size.vertices - 1), std::span{indices}).error();
-    CHECK(few_vertices == error::buffer_too_small);
-    CHECK(few_vertices.count == size.vertices);
-    const error few_indices = plan->write(std::span{vertices}, std::span{indices}.first(size.indices() - 1)).error();
-    CHECK(few_indices == error::buffer_too_small);
-    CHECK(few_indices.count == size.indices());
-    const error few_metrics = plan->metrics(std::span{metrics}.first(1)).error();
-    CHECK(few_metrics == error::buffer_too_small);
-    CHECK(few_metrics.count == 2);
+    const auto needs = [](error e, std::uint64_t count) {
+        CHECK(e == error::buffer_too_small);
+        CHECK(e.count == count);
+    };
+    needs(plan.write(std::span{vertices}.first(size.vertices - 1), std::span{indices}).error(), size.vertices);
+    needs(plan.write(std::span{vertices}, std::span{indices}.first(size.indices() - 1)).error(), size.indices());
+    needs(plan.metrics(std::span{metrics}.first(1)).error(), 2);
     for (const auto& v : vertices) REQUIRE(v.position == vec3{7, 7, 7});
     for (const auto i : indices) REQUIRE(i == 7);
     CHECK(metrics[0].box_width == 7.0f);
-    CHECK(plan->write(std::span{vertices}, std::span{indices}));
-    CHECK(plan->metrics(metrics));
+    CHECK(plan.write(std::span{vertices}, std::span{indices}));
+    CHECK(plan.metrics(metrics));
 }
 
 TEST_CASE("16-bit indices are refused if they are too small, and otherwise equal 32-bit ones", "[compat]")
 {
     test::toy_font font;
     d3dx_text maker{font};
-    std::u16string text = u"o";
-    const auto few = maker.plan(text);
-    REQUIRE(few);
-    std::vector<d3dx_vertex> vertices(few->size().vertices);
-    std::vector<std::uint16_t> narrow(few->size().indices());
-    std::vector<std::uint32_t> wide(few->size().indices());
-    REQUIRE(few->write(std::span{vertices}, std::span{narrow}));
-    REQUIRE(few->write(std::span{vertices}, std::span{wide}));
-    CHECK(std::equal(narrow.begin(), narrow.end(), wide.begin(), wide.end()));
+    const auto few = planned(maker, u"o");
+    const arrays<d3dx_vertex, std::uint16_t> narrow{few};
+    const arrays<d3dx_vertex> wide{few};
+    CHECK(std::equal(narrow.indices.begin(), narrow.indices.end(), wide.indices.begin(), wide.indices.end()));
 
-    text.assign(65536 / vertices.size() + 1, u'o');
-    const auto many = maker.plan(text);
-    REQUIRE(many);
-    REQUIRE(many->size().vertices > 65535);
-    vertices.assign(many->size().vertices, {{7, 7, 7}, {7, 7, 7}});
-    narrow.resize(many->size().indices());
-    wide.resize(many->size().indices());
-    const error refused = many->write(std::span{vertices}, std::span{narrow}).error();
+    const std::u16string text(65536 / narrow.vertices.size() + 1, u'o');
+    const auto many = planned(maker, text);
+    REQUIRE(many.size().vertices > 65535);
+    std::vector<d3dx_vertex> vertices(many.size().vertices, {{7, 7, 7}, {7, 7, 7}});
+    std::vector<std::uint16_t> indices(many.size().indices());
+    const error refused = many.write(std::span{vertices}, std::span{indices}).error();
     CHECK(refused == error::index_overflow);
-    CHECK(refused.count == many->size().vertices);
+    CHECK(refused.count == many.size().vertices);
     CHECK(vertices[0].position == vec3{7, 7, 7});
-    CHECK(many->write(std::span{vertices}, std::span{wide}));
+    (void)arrays<d3dx_vertex>{many};
 }
 
 TEST_CASE("an empty text and a blank text have empty meshes", "[compat]")
@@ -302,44 +285,39 @@ TEST_CASE("an empty text and a blank text have empty meshes", "[compat]")
     test::toy_font font;
     d3dx_text maker{font};
     const std::u16string text = GENERATE(std::u16string{}, std::u16string{u"  "}, std::u16string{u"\n"});
-    const auto plan = maker.plan(text);
-    REQUIRE(plan);
-    CHECK(plan->size() == mesh_size{});
-    std::vector<d3dx_glyph_metrics> metrics(text.size());
-    CHECK(plan->metrics(metrics));
-    std::vector<d3dx_vertex> vertices;
-    std::vector<std::uint16_t> indices;
-    CHECK(plan->write(std::span{vertices}, std::span{indices}));
+    const auto plan = planned(maker, text);
+    CHECK(plan.size() == mesh_size{});
+    CHECK(metrics_of(font, text).size() == text.size());
+    (void)arrays<d3dx_vertex, std::uint16_t>{plan};
 }
 
 TEST_CASE("characters that the font lacks are drawn as a box and reported", "[compat]")
 {
     test::toy_font font;
     d3dx_text maker{font};
-    const auto boxed = maker.plan(u"o?");
-    REQUIRE(boxed);
-    CHECK(boxed->report().missing == 1);
-    CHECK(boxed->report().first_missing == 1);
-    CHECK(boxed->text().glyphs().size() == 2);
-    const auto left_out = maker.plan(u"o?", {.draw_missing = false});
-    REQUIRE(left_out);
-    CHECK(left_out->report().missing == 1);
-    CHECK(left_out->text().glyphs().size() == 1);
+    for (const bool drawn : {true, false}) {
+        const auto plan = planned(maker, u"o?", {.draw_missing = drawn});
+        CHECK(plan.report().missing == 1);
+        CHECK(plan.report().first_missing == 1);
+        CHECK(plan.text().glyphs().size() == (drawn ? 2 : 1));
+    }
+    CHECK(planned(maker, u"o?").text().glyphs().size() == 2);
 }
 
 TEST_CASE("kerning and ligatures are off by default, and further features are passed on", "[compat]")
 {
     tall_font font;
     d3dx_text maker{font};
-    REQUIRE(maker.plan(u"o"));
-    CHECK(font.features == std::vector<std::string>{"kern=0", "liga=0", "clig=0"});
-    REQUIRE(maker.plan(u"o", {.kerning = true}));
-    CHECK(font.features == std::vector<std::string>{"liga=0", "clig=0"});
-    REQUIRE(maker.plan(u"o", {.ligatures = true}));
-    CHECK(font.features == std::vector<std::string>{"kern=0"});
     const feature more[] = {{"ss01", 2}};
-    REQUIRE(maker.plan(u"o", {.kerning = true, .ligatures = true, .shape = {.features = more}}));
-    CHECK(font.features == std::vector<std::string>{"ss01=2"});
+    using tags = std::vector<std::string>;
+    for (const auto& [options, features] :
+         {std::pair<d3dx_text_options, tags>{{}, {"kern=0", "liga=0", "clig=0"}},
+          {{.kerning = true}, {"liga=0", "clig=0"}},
+          {{.ligatures = true}, {"kern=0"}},
+          {{.kerning = true, .ligatures = true, .shape = {.features = more}}, {"ss01=2"}}}) {
+        REQUIRE(maker.plan(u"o", options));
+        CHECK(font.features == features);
+    }
 }
 
 TEST_CASE("arguments out of range are refused by name", "[compat]")
@@ -361,20 +339,16 @@ TEST_CASE("arguments out of range are refused by name", "[compat]")
 TEST_CASE("a deviation of 0 is one font unit, as in Direct3D", "[compat]")
 {
     test::toy_font font;
-    CHECK(same(made(font, u"o", {.deviation = 0.0}), made(font, u"o", {.deviation = 0.001})));
+    CHECK(test::same_bits(made(font, u"o", {.deviation = 0.0}), made(font, u"o", {.deviation = 0.001})));
 }
 
 TEST_CASE("texture coordinates span the text", "[compat]")
 {
     test::toy_font font;
     d3dx_text maker{font};
-    const auto plan = maker.plan(u"Eo");
-    REQUIRE(plan);
-    std::vector<d3dx_textured_vertex> vertices(plan->size().vertices);
-    std::vector<std::uint16_t> indices(plan->size().indices());
-    REQUIRE(plan->write(std::span{vertices}, std::span{indices}));
+    const arrays<d3dx_textured_vertex, std::uint16_t> m{planned(maker, u"Eo")};
     vec2 low{1, 1}, high{0, 0};
-    for (const auto& v : vertices) {
+    for (const auto& v : m.vertices) {
         low = {std::fmin(low.x, v.uv.x), std::fmin(low.y, v.uv.y)};
         high = {std::fmax(high.x, v.uv.x), std::fmax(high.y, v.uv.y)};
     }
@@ -388,13 +362,9 @@ TEST_CASE("the crease angle can be the one of Direct3D", "[compat]")
 {
     test::toy_font font;
     d3dx_text maker{font};
-    const auto corners = maker.plan(u"E");
-    REQUIRE(corners);
-    CHECK(corners->text().hard_edges() == 12);
+    CHECK(planned(maker, u"E").text().hard_edges() == 12);
     maker.normals_policy().crease_degrees = 120.0f;
-    const auto none = maker.plan(u"E");
-    REQUIRE(none);
-    CHECK(none->text().hard_edges() == 0);
+    CHECK(planned(maker, u"E").text().hard_edges() == 0);
 }
 
 TEST_CASE("a cache changes only the time", "[compat]")
@@ -403,9 +373,7 @@ TEST_CASE("a cache changes only the time", "[compat]")
     glyph_cache cache;
     d3dx_text maker{font, cached_in{cache, 1}};
     for (int round = 0; round < 2; ++round) {
-        const auto plan = maker.plan(all_glyphs);
-        REQUIRE(plan);
-        CHECK(same(write(*plan), made(font, all_glyphs)));
+        CHECK(test::same_bits(write(planned(maker, all_glyphs)), made(font, all_glyphs)));
     }
     CHECK(cache.statistics().hits > 0);
 }
@@ -464,23 +432,18 @@ TEST_CASE("another triangulator changes only the triangles of the caps", "[compa
     auto fair = d3dx_text{font}.with(constrained_delaunay{});
     static_assert(std::is_same_v<decltype(fair), d3dx_text<>>);
     for (const auto* text : {u"o", u"Eo i", u""}) {
-        const auto a = usual.plan(text), b = fair.plan(text);
-        REQUIRE(a);
-        REQUIRE(b);
-        CHECK(a->size() == b->size());
-        std::vector<d3dx_textured_vertex> first(a->size().vertices), second(b->size().vertices);
-        std::vector<std::uint16_t> old_cut(a->size().indices()), new_cut(b->size().indices());
-        REQUIRE(a->write(std::span{first}, std::span{old_cut}));
-        REQUIRE(b->write(std::span{second}, std::span{new_cut}));
-        for (std::size_t i = 0; i < first.size(); ++i) {
-            CHECK(first[i].position == second[i].position);
-            CHECK(first[i].normal == second[i].normal);
-            CHECK(first[i].uv == second[i].uv);
+        const auto a = planned(usual, text), b = planned(fair, text);
+        REQUIRE(a.size() == b.size());
+        const arrays<d3dx_textured_vertex, std::uint16_t> first{a}, second{b};
+        for (std::size_t i = 0; i < first.vertices.size(); ++i) {
+            CHECK(first.vertices[i].position == second.vertices[i].position);
+            CHECK(first.vertices[i].normal == second.vertices[i].normal);
+            CHECK(first.vertices[i].uv == second.vertices[i].uv);
         }
-        const auto walls = a->sides();
+        const auto walls = a.sides();
         for (std::size_t i = walls.first_index; i < walls.first_index + walls.index_count; ++i)
-            CHECK(old_cut[i] == new_cut[i]);
-        if (!old_cut.empty()) CHECK_FALSE(old_cut == new_cut);
+            CHECK(first.indices[i] == second.indices[i]);
+        if (!first.indices.empty()) CHECK_FALSE(first.indices == second.indices);
     }
 }
 
@@ -490,9 +453,8 @@ TEST_CASE("another extruder has Direct3D's position, all of its parts, and the e
     const double extrusion = GENERATE(0.1, 5.0);
     // The cell of the toy font is as large as its em, so widths and depths have the same unit.
     auto maker = d3dx_text{font}.with(bevelled{.width = 0.02f, .bevel_depth = 0.04f});
-    const auto plan = maker.plan(all_glyphs, {.extrusion = extrusion});
-    REQUIRE(plan);
-    const full_mesh m = write(*plan);
+    const auto plan = planned(maker, all_glyphs, {.extrusion = extrusion});
+    const full_mesh m = write(plan);
     CHECK(test::examine(m).unmatched_edges == 0);
     std::size_t indices = 0;
     const auto lies = [&](mesh_range r, double low, double high, double facing) {
@@ -505,23 +467,19 @@ TEST_CASE("another extruder has Direct3D's position, all of its parts, and the e
         }
     };
     const double lean = std::sqrt(0.2);  // of a bevel twice as deep as wide
-    lies(plan->front(), -extrusion, -extrusion, -1.0);
-    lies(plan->front_bevel(), -extrusion, -extrusion + 0.04, -lean);
-    lies(plan->sides(), -extrusion + 0.04, -0.04, 0.0);
-    lies(plan->back_bevel(), -0.04, 0.0, lean);
-    lies(plan->back(), 0.0, 0.0, 1.0);
+    lies(plan.front(), -extrusion, -extrusion, -1.0);
+    lies(plan.front_bevel(), -extrusion, -extrusion + 0.04, -lean);
+    lies(plan.sides(), -extrusion + 0.04, -0.04, 0.0);
+    lies(plan.back_bevel(), -0.04, 0.0, lean);
+    lies(plan.back(), 0.0, 0.0, 1.0);
     CHECK(indices == m.indices.size());
 
     CHECK(std::string{maker.plan(u"o", {.extrusion = 0.07}).error().option} == "bevel_depth");
     maker.solid().bevel_depth = 0.03f;
     CHECK(maker.plan(u"o", {.extrusion = 0.07}));
 
-    std::vector<d3dx_textured_vertex> textured;
-    std::vector<std::uint32_t> corners;
-    const auto boxed = maker.plan(u"oE");
-    REQUIRE(boxed);
-    REQUIRE(boxed->write(into(textured, corners)));
-    for (const auto& v : textured) {  // as without bevels: one tile over the text
+    const arrays<d3dx_textured_vertex> textured{planned(maker, u"oE")};
+    for (const auto& v : textured.vertices) {  // as without bevels: one tile over the text
         CHECK(v.uv.x >= 0.0f);
         CHECK(v.uv.x <= 1.0f);
     }

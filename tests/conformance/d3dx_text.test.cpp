@@ -2,6 +2,7 @@
 #include "support/catch.hpp"
 #include "support/font_file.hpp"
 #include "support/mesh_laws.hpp"
+#include "support/written_mesh.hpp"
 
 #include <typemesh/adapt/freetype.hpp>
 #include <typemesh/adapt/harfbuzz.hpp>
@@ -79,7 +80,7 @@ TEST_CASE("kerning moves letters closer together only if it is switched on", "[c
 
 TEST_CASE("a ligature, if switched on, is one glyph whose letters share the metrics of the first", "[conformance]")
 {
-    auto font = open("truetype/dejavu/DejaVuSans.ttf");
+    auto font = open(fonts[0]);
     const auto plain = metrics_of(font, u"fi"), joined = metrics_of(font, u"fi", {.ligatures = true});
     CHECK(plain[1].advance_x > 0.0f);
     CHECK(joined[1].advance_x == 0.0f);
@@ -100,24 +101,18 @@ TEST_CASE("fonts of both orientations have closed meshes that face outwards, wit
 {
     const std::string path = font_file(GENERATE(from_range(fonts)));
     const double deviation = GENERATE(0.1, 0.01, 0.005, 0.001);
-    const auto test_with = [&](auto& font) {
-        d3dx_text maker{font};
+    const auto test_with = [&](auto font) {
+        REQUIRE(font);
+        d3dx_text maker{*font};
         const auto plan = maker.plan(u"Hello world! \u00C5\u0105&", {.deviation = deviation, .extrusion = 0.3});
         REQUIRE(plan);
         CHECK(plan->report().complete());
-        test::full_mesh m;
-        m.vertices.resize(plan->size().vertices);
-        m.indices.resize(plan->size().indices());
-        REQUIRE(plan->write(std::span{m.vertices}, std::span{m.indices}));
+        const auto m = test::written<test::full_mesh>(*plan);
         const auto closed = test::examine(m);
         CHECK(closed.unmatched_edges == 0);
         CHECK(closed.zero_area == 0);
         CHECK(test::volume(m.vertices, m.indices) > 0.2);
     };
-    auto with_harfbuzz = harfbuzz_font::open(path.c_str());
-    REQUIRE(with_harfbuzz);
-    test_with(*with_harfbuzz);
-    auto with_freetype = freetype_font::open(path.c_str());
-    REQUIRE(with_freetype);
-    test_with(*with_freetype);
+    test_with(harfbuzz_font::open(path.c_str()));
+    test_with(freetype_font::open(path.c_str()));
 }

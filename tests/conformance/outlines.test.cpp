@@ -184,12 +184,6 @@ TEST_CASE("HarfBuzz and FreeType draw every glyph of the smoke fonts alike, to 1
 
     // The exceptions are these fonts and no other.
     CHECK(seen.sums * 50 < seen.varied);
-    for (const std::string& name : seen.fractions) {
-        INFO(name);
-        CHECK(name.find("CLM") != std::string::npos);
-    }
-    for (const std::string& name : seen.components) {
-        INFO(name);
-        CHECK(name.rfind("Inter", 0) == 0);
-    }
+    for (const std::string& name : seen.fractions) CHECK((name.find("CLM") != name.npos ? "" : name) == "");
+    for (const std::string& name : seen.components) CHECK((name.rfind("Inter", 0) == 0 ? "" : name) == "");
 }

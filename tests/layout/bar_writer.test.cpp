@@ -1,8 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "support/catch.hpp"
-#include "support/toy_shaper.hpp"
-
-#include <typemesh/paragraph/paragraph.hpp>
+#include "support/laid_paragraph.hpp"
 
 #include <cmath>
 #include <string>
@@ -25,24 +22,18 @@ struct bar_box {
     style_id style;
 };
 
-struct decorated {
-    barred_font font;
-    paragraph<barred_font> words{font};
-    glyph_run run;
-
+struct decorated : test::laid_paragraph<barred_font> {
     decorated(text_view text, const std::vector<style_span>& spans, const layout_options& options = {},
-              const shape_options& how = {})
+              shape_options how = {})
+        : test::laid_paragraph<barred_font>{text, options, (how.styles = spans, how)}
     {
-        shape_options styled = how;
-        styled.styles = spans;
-        REQUIRE(words.set(text, styled));
-        REQUIRE(words.lay_out(options, run));
     }
     [[nodiscard]] std::vector<bar_box> bars() const
     {
         std::vector<bar_box> all;
-        for (const placed_glyph& g : run.glyphs) {
-            const glyph_style l = run.glyph_styles.empty() ? glyph_style{} : run.glyph_styles[g.glyph_style];
+        for (std::size_t i = 0; i < run.glyphs.size(); ++i) {
+            const placed_glyph& g = run.glyphs[i];
+            const glyph_style l = style(i);
             if (l.face != bar_face) continue;
             CHECK(g.cluster == no_cluster);
             all.push_back({g.origin.x, g.origin.x + l.map.xx, g.origin.y, g.origin.y + l.map.yy, l.style});

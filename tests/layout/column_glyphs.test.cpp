@@ -16,7 +16,7 @@ TEST_CASE("a quarter turn is exact, and clockwise", "[layout][columns]")
     CHECK(p == point{0.1, 0.7});
 }
 
-TEST_CASE("glyphs on their side are those of a line turned about its pen, its middle on the column's",
+TEST_CASE("glyphs on their side are a line's glyphs, turned about its pen and centred on the column",
           "[layout][columns]")
 {
     std::vector<shaped_glyph> glyphs(3);
@@ -60,7 +60,7 @@ TEST_CASE("combined glyphs fill an em at most, stand in its middle, and are one 
     CHECK(same(combine_glyphs({}, {380.0, 1000.0}, 0), 1.0));
 }
 
-TEST_CASE("between combined glyphs is the gap that is asked for, of half their em at most", "[layout][columns]")
+TEST_CASE("combined glyphs have the wanted gap between them, of half their em at most", "[layout][columns]")
 {
     for (const double gap : {-50.0, 0.0, 60.0, 200.0, 400.0})
         for (const double width : {100.0, 500.0, 700.0}) {
@@ -90,7 +90,7 @@ TEST_CASE("glyphs are placed and drawn as their item stands", "[layout][columns]
     CHECK(glyphs[0].cluster == 3);
 }
 
-TEST_CASE("items are placed in a run one behind the other, in a line or a column", "[layout][columns]")
+TEST_CASE("items follow each other in a run, in a line or a column", "[layout][columns]")
 {
     const bool down = GENERATE(false, true);
     glyph_run run;

@@ -5,7 +5,7 @@
 
 using namespace typemesh;
 
-TEST_CASE("unless it is asked otherwise Latin lies on its side, and no number is combined", "[layout][columns]")
+TEST_CASE("by default Latin lies on its side, and no number is combined", "[layout][columns]")
 {
     CHECK(shape_options{}.columns.latin == column_latin::sideways);
     CHECK(shape_options{}.columns.combined_digits == 0);

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include "support/catch.hpp"
+#include "support/analysed.hpp"
 #include "support/counting_memory.hpp"
 #include "unicode/character_database.hpp"
 
 #include <typemesh/layout/impl/column_runs.hpp>
-#include <typemesh/unicode/unicode_analyser.hpp>
 
 #include <string>
 #include <vector>
@@ -25,8 +24,7 @@ struct found {
     explicit found(text_view text, const column_options& how = {}, const std::vector<column_span>& styles = {},
                    bool (*form)(char32_t) noexcept = no_form)
     {
-        text_analysis read;
-        REQUIRE_FALSE(unicode_analyser{}.analyse(text, {}, read));
+        const text_analysis read = test::analysed(text);
         REQUIRE_FALSE(find_column_runs(text, read.marks.view(), how, styles, form, runs));
         std::uint32_t at = 0;  // they cover the text, and end where graphemes do
         for (const column_run& r : runs) {
@@ -76,7 +74,7 @@ TEST_CASE("what is to be transformed is upright where the font has a vertical fo
     CHECK(columns(u"ab(", {}, {}, columns_of_text::any_form).letters() == "sss");
 }
 
-TEST_CASE("a full-width colon or semicolon without a vertical form is upright in a font that has those of brackets",
+TEST_CASE("a full-width colon without a vertical form is upright in a font that has vertical brackets",
           "[layout][columns]")
 {
     const char16_t* const text = u"\u300C\uFF1A\uFF1B\u30FC\u3008";
@@ -93,7 +91,7 @@ TEST_CASE("a grapheme stands as its base does, unless a mark encloses it", "[lay
     CHECK(columns(u"a\u20E1").letters() == "ss");  // an arrow above
 }
 
-TEST_CASE("the marks that enclose a base are those of the general category Me", "[layout][columns]")
+TEST_CASE("the marks that enclose a base have the general category Me", "[layout][columns]")
 {
     if (!ucd::is_of_our_version()) return;
     const auto category = ucd::property("extracted/DerivedGeneralCategory.txt");
@@ -146,8 +144,7 @@ TEST_CASE("ranges stand as their style says, whatever is in them", "[layout][col
 
 TEST_CASE("find_column_runs() reports a memory that gives nothing", "[layout][columns]")
 {
-    text_analysis read;
-    REQUIRE_FALSE(unicode_analyser{}.analyse("ab", {}, read));
+    const text_analysis read = test::analysed("ab");
     test::counting_memory failing{.fail_at = 1};
     buffer<column_run> runs{failing.source()};
     CHECK(find_column_runs("ab", read.marks.view(), {}, {}, columns_of_text::no_form, runs) == error::out_of_memory);

@@ -30,7 +30,7 @@ TEST_CASE("an emoji has fallen apart if one of its further parts is drawn as it 
     CHECK(apart(u"\U0001F3F4\U000E0067\U000E0062\U000E007F", U"\U0001F3F4"));  // the black flag of a flag with tags
 }
 
-TEST_CASE("an emoji that is drawn whole has not fallen apart, and neither has what is none", "[emoji_sequence]")
+TEST_CASE("an emoji that is drawn whole has not fallen apart, and neither has other text", "[emoji_sequence]")
 {
     CHECK_FALSE(apart(u"\U0001F1E9\U0001F1EA", U""));
     CHECK_FALSE(apart(u"\U0001F468\u200D\U0001F469\u200D\U0001F467", U""));

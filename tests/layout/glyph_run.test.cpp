@@ -37,16 +37,11 @@ TEST_CASE("equal glyph styles have one number, and 0 is the plain one", "[layout
     glyph_run run;
     CHECK(*run.number_of({}) == 0);
     CHECK(run.glyph_styles.empty());  // a run of the plain glyph style alone has no table
-    const glyph_style red{.style = style_id{1}}, small{.map = {.xx = 0.5, .yy = 0.5}}, other{.face = 1};
-    CHECK(*run.number_of(red) == 1);
-    CHECK(*run.number_of(small) == 2);
-    CHECK(*run.number_of(other) == 3);
-    CHECK(*run.number_of(small) == 2);
-    CHECK(*run.number_of(red) == 1);
-    CHECK(*run.number_of({}) == 0);
+    const glyph_style styles[] = {{}, {.style = style_id{1}}, {.map = {.xx = 0.5, .yy = 0.5}}, {.face = 1}};
+    for (const std::uint32_t k : {1u, 2u, 3u, 2u, 1u, 0u}) CHECK(*run.number_of(styles[k]) == k);
     REQUIRE(run.glyph_styles.size() == 4);
-    CHECK(run.glyph_styles[0] == glyph_style{});
-    CHECK(run.glyph_styles[3] == other);
+    CHECK(run.glyph_styles[0] == styles[0]);
+    CHECK(run.glyph_styles[3] == styles[3]);
     run.clear();
     CHECK(run.glyph_styles.empty());
 }
@@ -60,7 +55,7 @@ TEST_CASE("a glyph style whose memory fails leaves the table as it was", "[layou
     CHECK(*run.number_of({}) == 0);
 }
 
-TEST_CASE("of many glyph styles, too, equal ones have one number, whatever else has been done to the table", "[layout]")
+TEST_CASE("equal ones of many glyph styles have one number, too, whatever else was done to the table", "[layout]")
 {
     glyph_run run;
     const auto many = [](std::uint32_t i) { return glyph_style{.map = {.xx = 1.0 + i}, .style = style_id{i % 7}}; };

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include "support/catch.hpp"
+#include "support/analysed.hpp"
 #include "support/toy_shaper.hpp"
 
 #include <typemesh/layout/impl/item_settings.hpp>
-#include <typemesh/unicode/unicode_analyser.hpp>
 
 #include <cmath>
 #include <string>
@@ -29,14 +28,13 @@ static_assert(shaper<small_letters>);
 
 struct read_settings {
     small_letters font;
-    text_analysis found;
     style_spans styles;
     buffer<text_item> items;
     item_settings settings;
 
     read_settings(text_view text, const std::vector<style_span>& spans, const item_settings::base& plain = {})
     {
-        REQUIRE_FALSE(unicode_analyser{}.analyse(text, {}, found));
+        const text_analysis found = test::analysed(text);
         REQUIRE_FALSE(styles.read(spans, found, 3));
         REQUIRE_FALSE(itemise(text, found, styles.borders(), {}, items));
         REQUIRE_FALSE(settings.read(font, text, found, styles, plain, items.view()));

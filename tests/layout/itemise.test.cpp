@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include "support/catch.hpp"
+#include "support/analysed.hpp"
 #include "support/counting_memory.hpp"
 
 #include <typemesh/layout/impl/itemise.hpp>
-#include <typemesh/unicode/unicode_analyser.hpp>
 
 #include <string>
 #include <utility>
@@ -16,10 +15,8 @@ namespace {
 std::vector<text_item> items_of(text_view text, const std::vector<std::uint32_t>& cuts = {},
                                 const std::vector<column_run>& columns = {})
 {
-    text_analysis found;
-    REQUIRE_FALSE(unicode_analyser{}.analyse(text, {}, found));
     buffer<text_item> items;
-    REQUIRE_FALSE(itemise(text, found, cuts, columns, items));
+    REQUIRE_FALSE(itemise(text, test::analysed(text), cuts, columns, items));
     return {items.begin(), items.end()};
 }
 
@@ -28,8 +25,7 @@ std::vector<text_item> items_of(text_view text, const std::vector<std::uint32_t>
 TEST_CASE("items cover the text in order, each of one level and one script", "[paragraph]")
 {
     const std::u16string text = u"Ab \u05D0\u05D1 12 \u03B1\u03B2\t\u0628\r\n\r\u2028x\n";
-    text_analysis found;
-    REQUIRE_FALSE(unicode_analyser{}.analyse(text, {}, found));
+    const text_analysis found = test::analysed(text);
     std::uint32_t at = 0;
     for (const text_item& item : items_of(text)) {
         CHECK(item.first == at);
@@ -83,7 +79,7 @@ TEST_CASE("items end only where graphemes do", "[paragraph]")
     CHECK(hebrew[1].level % 2 == 0);
 }
 
-TEST_CASE("text is cut where the caller wants it, behind the grapheme if need be", "[paragraph]")
+TEST_CASE("text is cut where the caller wants it, after the grapheme if need be", "[paragraph]")
 {
     const auto items = items_of(u"ab\u0301c d", {0, 1, 2, 4, 4, 9});
     REQUIRE(items.size() == 4);
@@ -95,11 +91,11 @@ TEST_CASE("in a column that is read down nothing is read upwards, and letters of
           "[paragraph]")
 {
     const auto items = items_of(u"a\u05D0\u05D1 12 \u05D2b", {}, {{0, 9, glyph_orientation::upright, true}});
+    REQUIRE(items.size() == 3);  // the scripts
     for (const text_item& item : items) {
         CHECK_FALSE(item.to_the_left());
         CHECK(item.orientation == glyph_orientation::upright);
     }
-    REQUIRE(items.size() == 3);  // the scripts
     CHECK(items[1].last == 8);
 }
 
@@ -115,23 +111,21 @@ TEST_CASE("items end where a column turns, and keep their levels", "[paragraph]"
     }
 }
 
-TEST_CASE("what is combined is one item, whatever it holds, but for tabs and breaks", "[paragraph]")
+TEST_CASE("what is combined is one item, except for tabs and breaks", "[paragraph]")
 {
     constexpr auto one = glyph_orientation::combined;
     const auto items = items_of(u"a\u05D0\u0628b1c\t2", {2}, {{0, 4, one, true}, {4, 8, one, true}});
     REQUIRE(items.size() == 4);
-    CHECK(items[0].last == 4);
-    CHECK(items[1].last == 6);
-    CHECK(items[2].last == 7);
-    CHECK(items[3].last == 8);
-    for (const text_item& item : items) CHECK(item.orientation == one);
+    const std::uint32_t ends[] = {4, 6, 7, 8};
+    for (std::size_t k = 0; k < 4; ++k) {
+        CHECK(items[k].last == ends[k]);
+        CHECK(items[k].orientation == one);
+    }
 }
 
 TEST_CASE("itemise reports a memory that gives nothing", "[paragraph]")
 {
-    text_analysis found;
-    REQUIRE_FALSE(unicode_analyser{}.analyse("ab", {}, found));
     test::counting_memory failing{.fail_at = 1};
     buffer<text_item> items{failing.source()};
-    CHECK(itemise("ab", found, {}, {}, items) == error::out_of_memory);
+    CHECK(itemise("ab", test::analysed("ab"), {}, {}, items) == error::out_of_memory);
 }

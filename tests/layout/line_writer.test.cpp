@@ -8,7 +8,7 @@
 using namespace typemesh;
 using test::shaped_paragraph;
 
-TEST_CASE("glyphs of a slice stand one behind the other, whichever way it is read", "[paragraph]")
+TEST_CASE("glyphs of a slice follow each other, in either direction", "[paragraph]")
 {
     shaped_paragraph p{u"ab \u05D0\u05D1 "};
     glyph_run run;
@@ -71,7 +71,7 @@ TEST_CASE("spaces are narrowed as they are stretched", "[paragraph]")
     CHECK(run.glyphs[2].origin.x == 720.0);
 }
 
-TEST_CASE("letters are spread where they are not joined, a letter's distance stands behind it", "[paragraph]")
+TEST_CASE("letters are spread where they are not joined, each with its distance after it", "[paragraph]")
 {
     for (const auto& [text, second] : {std::pair{u"ab", 530.0}, {u"\u0628\u0628", 500.0}, {u"\u05D0\u05D1", 530.0}}) {
         shaped_paragraph p{text};

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "support/catch.hpp"
+#include "support/encoded.hpp"
 
 #include <typemesh/layout/impl/long_graphemes.hpp>
 
@@ -29,12 +30,11 @@ TEST_CASE("a letter with many marks is cut after so many characters, and its par
     const std::u16string text = u"xa" + std::u16string(600, u'\u0301') + u"b";
     const auto parts = parts_of(text);
     REQUIRE(parts.size() == 3);
-    CHECK(parts[0].last == 257);
+    const std::size_t ends[] = {257, 513, 603};
+    for (std::size_t k = 0; k < 3; ++k) CHECK(parts[k].last == ends[k]);
     CHECK(parts[0].cluster(0) == 0);
     CHECK(parts[1].first == 257);
-    CHECK(parts[1].last == 513);
     CHECK(parts[1].cluster(400) == 1);
-    CHECK(parts[2].last == 603);
     CHECK(parts[2].cluster(601) == 1);
     CHECK(parts[2].cluster(602) == 602);
 }
@@ -65,8 +65,7 @@ TEST_CASE("parts are all of the text, no part has more of a grapheme than allowe
         for (const char32_t c : text) {
             begins.push_back(units.size());
             starts.push_back(boundary(character_of(c).grapheme) ? units.size() : starts.back());
-            if (c >= 0x10000) units += static_cast<char16_t>(0xD7C0 + (c >> 10));
-            units += static_cast<char16_t>(c < 0x10000 ? c : 0xDC00 | (c & 0x3FF));
+            test::append_utf16(units, c);
         }
         std::size_t at = 0, k = 0;
         for (const shaping_part& p : parts_of(units)) {

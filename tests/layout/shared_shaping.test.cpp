@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include "support/catch.hpp"
 #include "support/counting_memory.hpp"
 #include "support/executors.hpp"
+#include "support/plain_text_law.hpp"
 
-#include <typemesh/layout/layout.hpp>
 #include <typemesh/unicode/utf.hpp>
 
-#include <algorithm>
 #include <limits>
 #include <string>
 #include <vector>
@@ -62,31 +60,8 @@ struct workers_at_hand {
 
 void check_same(const glyph_run& a, const glyph_run& b)
 {
-    CHECK(std::equal(a.glyphs.begin(), a.glyphs.end(), b.glyphs.begin(), b.glyphs.end(),
-                     [](const placed_glyph& g, const placed_glyph& h) {
-                         return g.id == h.id && g.cluster == h.cluster && g.origin == h.origin &&
-                                g.missing == h.missing;
-                     }));
+    CHECK(test::difference(a, b) == "");
     CHECK(a.glyph_styles.size() == b.glyph_styles.size());
-    const auto glyph_style_of = [](const glyph_run& run, const placed_glyph& g) {
-        return run.glyph_styles.empty() ? glyph_style{} : run.glyph_styles[g.glyph_style];
-    };
-    bool alike = true;
-    for (std::size_t i = 0; i < a.glyphs.size() && i < b.glyphs.size(); ++i)
-        alike = alike && glyph_style_of(a, a.glyphs[i]) == glyph_style_of(b, b.glyphs[i]);
-    CHECK(alike);
-    CHECK(std::equal(a.lines.begin(), a.lines.end(), b.lines.begin(), b.lines.end(),
-                     [](const text_line& l, const text_line& m) {
-                         return l.first_glyph == m.first_glyph && l.glyph_count == m.glyph_count &&
-                                l.origin == m.origin && l.advance == m.advance;
-                     }));
-    CHECK(a.units_per_em == b.units_per_em);
-    CHECK(a.missing == b.missing);
-    CHECK(a.first_missing == b.first_missing);
-    CHECK(a.parted == b.parted);
-    CHECK(a.first_parted == b.first_parted);
-    CHECK(a.invalid_units == b.invalid_units);
-    CHECK(a.first_invalid_unit == b.first_invalid_unit);
 }
 
 /// Lines of all lengths, empty ones among them.
@@ -132,7 +107,7 @@ TEST_CASE("several workers set a text as one does", "[layout][threads]")
     }
 }
 
-TEST_CASE("of several lines that are refused the first is told, and the run is empty", "[layout][threads]")
+TEST_CASE("of several lines that are refused the first is named, and the run is empty", "[layout][threads]")
 {
     std::string text = long_text(20'000);
     for (const std::size_t at : {17'000u, 9000u, 8990u, 3u}) {

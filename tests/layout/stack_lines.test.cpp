@@ -40,7 +40,7 @@ TEST_CASE("lines of different heights neither overlap nor part", "[paragraph]")
     CHECK(lines[2].origin.y - lines[1].origin.y == -(500.0 + 200.0 + 700.0));
 }
 
-TEST_CASE("columns that go to the right are those that go to the left, seen from behind", "[paragraph]")
+TEST_CASE("columns that go to the right mirror those that go to the left", "[paragraph]")
 {
     // What reaches to the right of a baseline there reaches to its left here.
     const auto turned = [](const line_metrics& m) { return line_metrics{-m.descender, -m.ascender, m.gap}; };

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include "support/catch.hpp"
+#include "support/analysed.hpp"
 #include "support/counting_memory.hpp"
 #include "support/toy_shaper.hpp"
 
 #include <typemesh/layout/impl/text_columns.hpp>
-#include <typemesh/unicode/unicode_analyser.hpp>
 
 #include <string>
 
@@ -14,9 +13,8 @@ TEST_CASE("what is combined is one grapheme between tabs and breaks, and no line
 {
     test::toy_shaper font;
     const std::u16string text = u"ab a\u0301 c\td\r\ne fg";
-    text_analysis found, plain;
-    REQUIRE_FALSE(unicode_analyser{}.analyse(text, {}, found));
-    REQUIRE_FALSE(unicode_analyser{}.analyse(text, {}, plain));
+    text_analysis found = test::analysed(text);
+    const text_analysis plain = test::analysed(text);
     const style_span span[] = {{1, 13, {.column = column_style::combined}}};
     style_spans styles;
     REQUIRE_FALSE(styles.read(span, found, 1));
@@ -39,8 +37,7 @@ TEST_CASE("whatever ends a line stands alone within what is combined", "[paragra
     const style_span span[] = {{0, 3, {.column = column_style::combined}}};
     for (const char16_t mark : {u'\t', u'\n', u'\u0085', u'\u2029', u'\x1C', u'\x1D', u'\x1E'}) {
         const std::u16string text{u'1', mark, u'2'};
-        text_analysis found;
-        REQUIRE_FALSE(unicode_analyser{}.analyse(text, {}, found));
+        text_analysis found = test::analysed(text);
         style_spans styles;
         REQUIRE_FALSE(styles.read(span, found, 1));
         text_columns columns;
@@ -53,8 +50,7 @@ TEST_CASE("whatever ends a line stands alone within what is combined", "[paragra
 TEST_CASE("lines have no columns", "[paragraph][columns]")
 {
     test::toy_shaper font;
-    text_analysis found;
-    REQUIRE_FALSE(unicode_analyser{}.analyse("ab", {}, found));
+    text_analysis found = test::analysed("ab");
     text_columns columns;
     REQUIRE_FALSE(columns.find(font, "ab", {.direction = direction::top_to_bottom}, style_spans{}, found));
     CHECK(columns.runs().size() == 1);

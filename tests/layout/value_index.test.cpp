@@ -10,38 +10,33 @@ using namespace typemesh;
 
 namespace {
 
-namespace indexed {
-
 /// A number that counts how often it is compared. Its hash has few values if wanted.
-struct counted {
+struct indexed_number {
     std::uint64_t number = 0;
     std::size_t* comparisons = nullptr;
     std::uint64_t hashes = 0xFFFF'FFFFu;
 
-    friend bool operator==(const counted& a, const counted& b) noexcept
+    friend bool operator==(const indexed_number& a, const indexed_number& b) noexcept
     {
         if (a.comparisons != nullptr) ++*a.comparisons;
         return a.number == b.number;
     }
-    friend std::uint64_t hash_of(const counted& c) noexcept
+    friend std::uint64_t hash_of(const indexed_number& c) noexcept
     {
         return (c.number * 0x9E37'79B9'7F4A'7C15u >> 32) % c.hashes;
     }
 };
 
-}  // namespace indexed
-
 }  // namespace
 
 TEST_CASE("values of a growing table are found, each with a few comparisons", "[layout]")
 {
-    using indexed::counted;
     for (const std::size_t count : {100u, 1'000u, 10'000u, 100'000u}) {
         std::size_t comparisons = 0;
-        std::vector<counted> table;
-        value_index<counted> index;
+        std::vector<indexed_number> table;
+        value_index<indexed_number> index;
         for (std::size_t i = 0; i < 2 * count; ++i) {
-            const counted value{i / 2 * 7919, &comparisons};
+            const indexed_number value{i / 2 * 7919, &comparisons};
             REQUIRE(index.read(table));
             const std::size_t found = index.find(table, value);
             REQUIRE(found == (i % 2 != 0 ? i / 2 : table.size()));
@@ -52,15 +47,14 @@ TEST_CASE("values of a growing table are found, each with a few comparisons", "[
     }
 }
 
-TEST_CASE("values of one hash, and of a table that has lost some, are told apart", "[layout]")
+TEST_CASE("values of one hash are found, even in a table that has lost some", "[layout]")
 {
-    using indexed::counted;
-    std::vector<counted> table;
-    value_index<counted> index;
+    std::vector<indexed_number> table;
+    value_index<indexed_number> index;
     CHECK(index.find(table, {}) == 0);
     for (std::uint64_t round = 0; round < 50; ++round) {
         for (std::uint64_t i = 0; i < 20; ++i) {
-            const counted value{1'000 * round + i, nullptr, 3};
+            const indexed_number value{1'000 * round + i, nullptr, 3};
             REQUIRE(index.read(table));
             CHECK(index.find(table, value) == table.size());
             table.push_back(value);
@@ -75,16 +69,15 @@ TEST_CASE("values of one hash, and of a table that has lost some, are told apart
     CHECK(index.find(table, table[0]) == 5);
 }
 
-TEST_CASE("an index without memory knows nothing, and a warm one asks for none", "[layout]")
+TEST_CASE("an index without memory knows nothing, and a warm one needs none", "[layout]")
 {
-    using indexed::counted;
-    const std::vector<counted> table(100);
+    const std::vector<indexed_number> table(100);
     test::counting_memory failing{.fail_at = 1};
-    value_index<counted> poor{failing.source()};
+    value_index<indexed_number> poor{failing.source()};
     CHECK_FALSE(poor.read(table));
     CHECK(poor.find(table, {}) == 100);
     test::counting_memory counting;
-    value_index<counted> index{counting.source()};
+    value_index<indexed_number> index{counting.source()};
     REQUIRE(index.read(table));
     const std::size_t warm = counting.requests;
     index.clear();

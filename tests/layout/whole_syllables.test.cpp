@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include "support/catch.hpp"
-#include "support/toy_shaper.hpp"
-
-#include <typemesh/paragraph/paragraph.hpp>
+#include "support/analysed.hpp"
+#include "support/laid_paragraph.hpp"
 
 #include <string>
 
@@ -12,8 +10,7 @@ namespace {
 
 std::size_t graphemes(const std::u16string& text)
 {
-    text_analysis found;
-    REQUIRE_FALSE(unicode_analyser{}.analyse(text, {}, found));
+    text_analysis found = test::analysed(text);
     keep_syllables_whole(text, found);
     std::size_t n = 0;
     for (const text_mark m : found.marks) n += has(m, text_mark::grapheme) ? 1u : 0u;
@@ -41,21 +38,17 @@ TEST_CASE("no line, no ellipsis and no caret parts a stack of Khmer or Burmese",
             const line_class line = character_of(text[i]).line;
             return line == line_class::sa_mark || (i > 0 && (text[i - 1] == 0x17D2 || text[i - 1] == 0x1039));
         };
-        test::toy_shaper font;
-        paragraph words{font};
-        glyph_run run;
-        REQUIRE(words.set(text));
+        test::laid_paragraph<> p{text};
         for (const wrap_mode wrap : {wrap_mode::word_or_grapheme, wrap_mode::grapheme})
             for (double width = 0.1; width < 8.0; width += 0.1) {
-                REQUIRE(words.lay_out({.width = width, .wrap = wrap}, run));
-                for (const laid_line& line : words.lines()) CHECK_FALSE(is_inner(line.first));
-                REQUIRE(words.lay_out({.width = width, .wrap = wrap, .max_lines = 1, .ellipsis = "."}, run));
-                std::size_t shown = 0;
-                for (const placed_glyph& g : run.glyphs) shown += g.id != '.' ? 1u : 0u;
+                p.again({.width = width, .wrap = wrap});
+                for (const laid_line& line : p.words.lines()) CHECK_FALSE(is_inner(line.first));
+                p.again({.width = width, .wrap = wrap, .max_lines = 1, .ellipsis = "."});
+                const std::size_t shown = p.run.glyphs.size() - p.count('.');
                 if (shown < text.size()) CHECK_FALSE(is_inner(shown));
             }
-        REQUIRE(words.lay_out({}, run));
+        p.again({});
         for (std::uint32_t i = 0; i < text.size(); ++i)
-            if (is_inner(i)) CHECK(words.laid().caret_at(i).at == words.laid().caret_at(i - 1).at);
+            if (is_inner(i)) CHECK(p.laid().caret_at(i).at == p.laid().caret_at(i - 1).at);
     }
 }

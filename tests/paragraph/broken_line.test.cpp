@@ -38,7 +38,7 @@ TEST_CASE("at its ends a broken line is as wide as its pieces are there", "[para
     CHECK(least_end({parted, {.end_change = 300.0}}, {}) == 820.0);  // a soft hyphen alone
 }
 
-TEST_CASE("only the spaces behind a broken line's last tab shrink", "[paragraph]")
+TEST_CASE("only the spaces after a broken line's last tab shrink", "[paragraph]")
 {
     const break_piece word{.width = 500.0, .space = 100.0, .stretch = 100.0}, tab{.width = 500.0, .tab = true};
     CHECK(least_end({word, tab, word, word}, {.shrink = 0.25, .tab = 400.0}) == 1200.0 + 1100.0 - 25.0);

@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include "support/catch.hpp"
-#include "support/counting_memory.hpp"
-#include "support/toy_shaper.hpp"
+#include "support/laid_paragraph.hpp"
 
 #include <typemesh/paragraph/fit_size.hpp>
-#include <typemesh/paragraph/paragraph.hpp>
 #include <typemesh/paragraph/total_fit.hpp>
 
+#include <algorithm>
 #include <limits>
 #include <string>
 
@@ -20,18 +18,16 @@ const std::u16string sample =
     u"here";
 
 template <class Breaker = first_fit>
-struct fitted {
-    test::toy_shaper font;
-    paragraph<test::toy_shaper, unicode_analyser, Breaker> words{font, heap(), unicode_analyser{}, Breaker{}};
+struct fitted : test::laid_paragraph<test::toy_shaper, Breaker> {
     layout_options how;
 
-    explicit fitted(const std::u16string& shown, const layout_options& options = {}) : how{options}, text_{shown}
+    explicit fitted(text_view shown, const layout_options& options = {})
+        : test::laid_paragraph<test::toy_shaper, Breaker>{shown}, how{options}
     {
-        REQUIRE(words.set(text_));
     }
     double size(double width, double height)
     {
-        const auto found = fit_size(words, width, height, how);
+        const auto found = fit_size(this->words, width, height, how);
         REQUIRE(found);
         return *found;
     }
@@ -42,18 +38,15 @@ struct fitted {
         at.width = width / size;
         at.wrap = wrap;
         at.anchor = vertical_anchor::top;
-        glyph_run run;
-        REQUIRE(words.lay_out(at, run));
+        this->again(at);
+        const auto lines = this->words.lines();
         double longest = 0.0;
-        for (const laid_line& line : words.lines()) longest = (std::max)(longest, line.width);
-        const double high = 200.0 - words.lines().back().origin.y;  // the toy's descender is -200
+        for (const laid_line& line : lines) longest = (std::max)(longest, line.width);
+        const double high = 200.0 - lines.back().origin.y;  // the toy's descender is -200
         constexpr double rounding = 1.0 + 1e-9;
         return longest / 1000.0 * size <= width * rounding && high / 1000.0 * size <= height * rounding &&
-               words.lines().back().last == text_.size();
+               lines.back().last == this->words.shaped().text().size();
     }
-
-private:
-    std::u16string text_;
 };
 
 }  // namespace
@@ -92,8 +85,7 @@ TEST_CASE("a size is found with total_fit, and the text fits at it", "[paragraph
 {
     for (double width = 2.0; width < 60.0; width *= 1.7) {
         fitted<total_fit> p{sample, {.align = alignment::justify}};
-        const double size = p.size(width, 10.0);
-        CHECK(p.fits(size, width, 10.0, wrap_mode::word_or_grapheme));
+        CHECK(p.fits(p.size(width, 10.0), width, 10.0, wrap_mode::word_or_grapheme));
     }
 }
 

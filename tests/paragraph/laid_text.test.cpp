@@ -1,8 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "support/catch.hpp"
-#include "support/toy_shaper.hpp"
-
-#include <typemesh/paragraph/paragraph.hpp>
+#include "support/laid_paragraph.hpp"
 
 #include <cmath>
 #include <string>
@@ -14,33 +11,43 @@ namespace {
 
 const std::u16string mixed = u"AV fix, \u05D0\u05D1 12 \u05D2 and\n\ta\u0301b fi \u05D3\u05D4\n";
 
-struct laid_out {
-    test::toy_shaper font;
-    paragraph<test::toy_shaper> words{font};
-    glyph_run run;
-
-    explicit laid_out(text_view text, const layout_options& options = {})
-    {
-        REQUIRE(words.set(text));
-        REQUIRE(words.lay_out(options, run));
-    }
-    [[nodiscard]] laid_text laid() const { return words.laid(); }
-    [[nodiscard]] std::vector<box> boxes(std::uint32_t first, std::uint32_t last) const
-    {
-        std::vector<box> all;
-        laid().boxes_of(first, last, [&](const box& b) { all.push_back(b); });
-        return all;
-    }
-};
+using laid_out = test::laid_paragraph<>;
 
 bool is_at(const caret& c, std::uint32_t line, double x, double y)
 {
     return c.line == line && std::fabs(c.at.x - x) < 1e-12 && std::fabs(c.at.y - y) < 1e-12;
 }
 
+double width_of(const laid_out& p, std::uint32_t first, std::uint32_t last)
+{
+    double width = 0.0;
+    for (const box& b : p.boxes(first, last)) width += b.width();
+    return width;
+}
+
+double width_of_units(const laid_out& p, std::uint32_t first, std::uint32_t last)
+{
+    double width = 0.0;
+    for (; first < last; ++first) width += width_of(p, first, first + 1);
+    return width;
+}
+
+/// Sixteen letters of which an ellipsis of 1.5 replaces nine.
+laid_out elided(ellipsis_place place)
+{
+    return laid_out{"abcdefghijklmnop", {.width = 5.0, .wrap = wrap_mode::none, .ellipsis = "...", .elide = place}};
+}
+
+constexpr struct {
+    ellipsis_place place;
+    std::uint32_t first, last;  // of what is dropped
+    double at;                  // of the ellipsis
+} elided_letters[] = {
+    {ellipsis_place::start, 0, 9, 0.0}, {ellipsis_place::middle, 3, 12, 1.5}, {ellipsis_place::end, 7, 16, 3.5}};
+
 }  // namespace
 
-TEST_CASE("a caret stands before its grapheme, upstream behind the one before", "[paragraph]")
+TEST_CASE("a caret stands before its grapheme, and upstream after the one before", "[paragraph]")
 {
     const laid_out p{"ab cd", {.width = 1.5}};
     CHECK(is_at(p.laid().caret_at(0), 0, 0.0, 0.0));
@@ -56,15 +63,11 @@ TEST_CASE("a caret stands before its grapheme, upstream behind the one before", 
 
 TEST_CASE("a line's last letter ends where its letter spacing has been taken away", "[paragraph]")
 {
-    test::toy_shaper font;
-    paragraph<test::toy_shaper> words{font};
-    glyph_run run;
     for (const text_view text : {text_view{"ab "}, text_view{u"\u05D0\u05D1 "}}) {
-        REQUIRE(words.set(text, {.letter_spacing = 0.1}));
-        REQUIRE(words.lay_out({.width = 9.0, .align = alignment::left}, run));
-        const bool back = words.lines()[0].level != 0;
+        const laid_out p{text, {.width = 9.0, .align = alignment::left}, {.letter_spacing = 0.1}};
+        const bool back = p.words.lines()[0].level != 0;
         for (const affinity side : {affinity::downstream, affinity::upstream})
-            CHECK(is_at(words.laid().caret_at(2, side), 0, back ? 0.0 : 1.1, 0.0));
+            CHECK(is_at(p.laid().caret_at(2, side), 0, back ? 0.0 : 1.1, 0.0));
     }
 }
 
@@ -78,52 +81,49 @@ TEST_CASE("where directions meet, a place has two carets", "[paragraph]")
     CHECK(is_at(p.laid().caret_at(4), 0, 1.0, 0.0));
 }
 
-TEST_CASE("behind a line break a caret stands in the next line", "[paragraph]")
+TEST_CASE("after a line break a caret stands in the next line", "[paragraph]")
 {
     for (const affinity side : {affinity::downstream, affinity::upstream}) {
         CHECK(is_at(laid_out{"ab\ncd"}.laid().caret_at(3, side), 1, 0.0, -1.0));
-        CHECK(is_at(laid_out{"ab\n"}.laid().caret_at(3, side), 1, 0.0, -1.0));
-        for (const char16_t* mark : {u"\n", u"\r\n", u"\u0085", u"\u2028", u"\u2029", u"\u001C"}) {
-            const std::u16string text = std::u16string{u"ab"}.append(mark);
-            const auto size = static_cast<std::uint32_t>(text.size());
-            CHECK(is_at(laid_out{text}.laid().caret_at(size, side), 1, 0.0, -1.0));
-        }
-        for (const char* text : {"ab\r\n", "ab\xC2\x85", "ab\xE2\x80\xA8", "ab\xE2\x80\xA9", "ab\x1E"}) {
-            const auto size = static_cast<std::uint32_t>(std::string{text}.size());
-            CHECK(is_at(laid_out{text}.laid().caret_at(size, side), 1, 0.0, -1.0));
-        }
         CHECK(is_at(laid_out{""}.laid().caret_at(0, side), 0, 0.0, 0.0));
+        for (const text_view text :
+             {text_view{u"ab\n"}, text_view{u"ab\r\n"}, text_view{u"ab\u0085"}, text_view{u"ab\u2028"},
+              text_view{u"ab\u2029"}, text_view{u"ab\u001C"}, text_view{"ab\n"}, text_view{"ab\r\n"},
+              text_view{"ab\xC2\x85"}, text_view{"ab\xE2\x80\xA8"}, text_view{"ab\xE2\x80\xA9"}, text_view{"ab\x1E"}})
+            CHECK(is_at(laid_out{text}.laid().caret_at(static_cast<std::uint32_t>(text.size()), side), 1, 0.0, -1.0));
     }
 }
 
 TEST_CASE("a caret's own point leads back to it", "[paragraph]")
 {
+    struct place {
+        std::uint32_t unit;
+        affinity side;
+        caret at;
+
+        bool is_same(const caret& other) const
+        {
+            return at.line == other.line && std::fabs(at.at.x - other.at.x) < 1e-9;
+        }
+    };
     std::size_t alone = 0;  // places that no other caret has
     for (const double width : {100.0, 5.0, 2.0, 0.6})
         for (const alignment align : {alignment::start, alignment::justify, alignment::centre}) {
             const laid_out p{mixed, {.width = width, .align = align}};
             const laid_text laid = p.laid();
-            struct place {
-                std::uint32_t unit;
-                affinity side;
-                caret at;
-            };
             std::vector<place> all;
             for (std::uint32_t unit = 0; unit <= mixed.size(); ++unit) {
                 if (unit < mixed.size() && !has(p.words.shaped().analysis.marks[unit], text_mark::grapheme)) continue;
                 for (const affinity side : {affinity::downstream, affinity::upstream})
                     all.push_back({unit, side, laid.caret_at(unit, side)});
             }
-            const auto same_place = [](const caret& a, const caret& b) {
-                return a.line == b.line && std::fabs(a.at.x - b.at.x) < 1e-9;
-            };
             for (const place& one : all) {
                 const text_place found = laid.caret_from(one.at.at);
-                CHECK(same_place(laid.caret_at(found.unit, found.side), one.at));
+                CHECK(one.is_same(laid.caret_at(found.unit, found.side)));
                 std::size_t units = 0, places = 0;
                 for (const place& other : all) {
-                    units += same_place(other.at, one.at) && other.unit != one.unit ? 1u : 0u;
-                    places += same_place(other.at, one.at) ? 1u : 0u;
+                    units += other.is_same(one.at) && other.unit != one.unit ? 1u : 0u;
+                    places += other.is_same(one.at) ? 1u : 0u;
                 }
                 if (units == 0) CHECK(found.unit == one.unit);
                 if (places == 1) CHECK((found.unit == one.unit && found.side == one.side));
@@ -135,15 +135,11 @@ TEST_CASE("a caret's own point leads back to it", "[paragraph]")
 
 TEST_CASE("a point in a line's box is in that line, however low the next one is", "[paragraph]")
 {
-    test::toy_shaper font;
-    paragraph<test::toy_shaper> words{font};
-    glyph_run run;
     const style_span large[] = {{0, 1, {.size = 3.0}}};
-    REQUIRE(words.set("A\nb", {.styles = large}));
-    REQUIRE(words.lay_out({}, run));
-    CHECK(words.laid().caret_from(words.laid().caret_at(0).at).unit == 0);  // the middle of the next line is nearer
-    CHECK(words.laid().caret_from({0.1, -0.5}).unit == 0);
-    CHECK(words.laid().caret_from({0.1, -1.0}).unit == 2);
+    const laid_out p{"A\nb", {}, {.styles = large}};
+    CHECK(p.laid().caret_from(p.laid().caret_at(0).at).unit == 0);  // the middle of the next line is nearer
+    CHECK(p.laid().caret_from({0.1, -0.5}).unit == 0);
+    CHECK(p.laid().caret_from({0.1, -1.0}).unit == 2);
 }
 
 TEST_CASE("a point is nearest to one side of a grapheme, and in a line or not", "[paragraph]")
@@ -172,13 +168,8 @@ TEST_CASE("boxes cover what is selected, stretch by stretch", "[paragraph]")
     // Whatever is selected, its boxes are as wide as its clusters.
     const laid_out wrapped{mixed, {.width = 4.0}};
     for (std::uint32_t first = 0; first < mixed.size(); ++first)
-        for (std::uint32_t last = first + 1; last <= mixed.size(); ++last) {
-            double width = 0.0, parts = 0.0;
-            for (const box& b : wrapped.boxes(first, last)) width += b.width();
-            for (std::uint32_t unit = first; unit < last; ++unit)
-                for (const box& b : wrapped.boxes(unit, unit + 1)) parts += b.width();
-            CHECK(std::fabs(width - parts) < 1e-9);
-        }
+        for (std::uint32_t last = first + 1; last <= mixed.size(); ++last)
+            CHECK(std::fabs(width_of(wrapped, first, last) - width_of_units(wrapped, first, last)) < 1e-9);
 }
 
 TEST_CASE("boxes have no holes where kashida fills a line", "[paragraph]")
@@ -189,42 +180,30 @@ TEST_CASE("boxes have no holes where kashida fills a line", "[paragraph]")
     REQUIRE(all.size() == 1);
     CHECK(all[0].low.x == 0.0);
     CHECK(std::fabs(all[0].high.x - 5.7) < 1e-12);
-    double parts = 0.0;
-    for (std::uint32_t unit = 0; unit < 8; ++unit)
-        for (const box& b : p.boxes(unit, unit + 1)) parts += b.width();
-    CHECK(std::fabs(parts - all[0].width()) < 1e-9);
+    CHECK(std::fabs(width_of_units(p, 0, 8) - all[0].width()) < 1e-9);
 }
 
 TEST_CASE("what an ellipsis has dropped is selected as the ellipsis, which stands for nothing else", "[paragraph]")
 {
-    struct expected {
-        ellipsis_place place;
-        std::uint32_t first, last;  // of what is dropped
-        double at;                  // of the ellipsis
+    const auto check_unit = [](const laid_out& p, std::uint32_t unit, double width) {
+        INFO(unit);
+        const std::vector<box> boxes = p.boxes(unit, unit + 1);
+        REQUIRE(boxes.size() == 1);
+        CHECK(boxes[0].width() == Approx(width));
+        return boxes[0].low.x;
     };
-    for (const expected& c : {expected{ellipsis_place::start, 0, 9, 0.0},
-                              {ellipsis_place::middle, 3, 12, 1.5},
-                              {ellipsis_place::end, 7, 16, 3.5}}) {
-        const laid_out p{"abcdefghijklmnop",
-                         {.width = 5.0, .wrap = wrap_mode::none, .ellipsis = "...", .elide = c.place}};
+    for (const auto& [place, first, last, at] : elided_letters) {
+        const laid_out p = elided(place);
         for (std::uint32_t unit = 0; unit < 16; ++unit) {
-            INFO(unit);
-            const std::vector<box> boxes = p.boxes(unit, unit + 1);
-            REQUIRE(boxes.size() == 1);
-            const bool dropped = unit >= c.first && unit < c.last;
-            CHECK((boxes[0].high.x - boxes[0].low.x == Approx(dropped ? 1.5 : 0.5)));
-            if (dropped) CHECK(boxes[0].low.x == Approx(c.at));
+            const bool dropped = unit >= first && unit < last;
+            const double left = check_unit(p, unit, dropped ? 1.5 : 0.5);
+            if (dropped) CHECK(left == Approx(at));
         }
         CHECK(p.boxes(0, 16).size() == 1);
     }
     // All that the last line cannot show, line breaks too.
     const laid_out lines{"one two\nthree", {.width = 3.0, .max_lines = 1, .ellipsis = ".."}};
-    for (std::uint32_t unit = 4; unit < 13; ++unit) {
-        const std::vector<box> boxes = lines.boxes(unit, unit + 1);
-        INFO(unit);
-        REQUIRE(boxes.size() == 1);
-        CHECK(boxes[0].high.x - boxes[0].low.x == Approx(1.0));
-    }
+    for (std::uint32_t unit = 4; unit < 13; ++unit) check_unit(lines, unit, 1.0);
 }
 
 TEST_CASE("white space that an ellipsis replaces is dropped with what follows it", "[paragraph]")
@@ -243,32 +222,23 @@ TEST_CASE("white space that an ellipsis replaces is dropped with what follows it
 
 TEST_CASE("carets in what an ellipsis has dropped stand at the ellipsis", "[paragraph]")
 {
-    struct {
-        ellipsis_place place;
-        std::uint32_t first, last;  // of what is dropped
-        double at;                  // of the ellipsis
-    } const cases[] = {
-        {ellipsis_place::start, 0, 9, 0.0}, {ellipsis_place::middle, 3, 12, 1.5}, {ellipsis_place::end, 7, 16, 3.5}};
-    for (const auto& c : cases) {
-        const laid_out p{"abcdefghijklmnop",
-                         {.width = 5.0, .wrap = wrap_mode::none, .ellipsis = "...", .elide = c.place}};
-        for (std::uint32_t unit = c.first; unit < c.last; ++unit) {
-            CHECK(is_at(p.laid().caret_at(unit), 0, c.at, 0.0));
-            CHECK(is_at(p.laid().caret_at(unit + 1, affinity::upstream), 0, c.at + 1.5, 0.0));
+    for (const auto& [place, first, last, at] : elided_letters) {
+        const laid_out p = elided(place);
+        for (std::uint32_t unit = first; unit < last; ++unit) {
+            CHECK(is_at(p.laid().caret_at(unit), 0, at, 0.0));
+            CHECK(is_at(p.laid().caret_at(unit + 1, affinity::upstream), 0, at + 1.5, 0.0));
         }
         CHECK(is_at(p.laid().caret_at(16), 0, 5.0, 0.0));
     }
     const laid_out filled{
         u"\u0628\u0628 \u0628\u0628 x y z",
         {.width = 2.9, .align = alignment::justify, .justify = justification::kashida, .max_lines = 1}};
-    bool strokes = false;  // which are no ellipsis
-    for (const placed_glyph& g : filled.run.glyphs) strokes = strokes || g.id == 0x640;
-    CHECK(strokes);
+    CHECK(filled.count(0x640) > 0);  // strokes, which are no ellipsis
     for (std::uint32_t unit = 6; unit < 11; ++unit)
         CHECK(filled.laid().caret_at(unit).at == filled.laid().caret_at(11).at);
 }
 
-TEST_CASE("lines tell their boxes, columns too", "[paragraph]")
+TEST_CASE("lines have boxes, columns too", "[paragraph]")
 {
     const laid_out p{"ab cd", {.width = 2.0, .align = alignment::right}};
     CHECK(length(p.laid().line_box(1).low - point{1.0, -1.2}) < 1e-12);
@@ -276,20 +246,13 @@ TEST_CASE("lines tell their boxes, columns too", "[paragraph]")
     CHECK(p.laid().line_of(2) == 0);
     CHECK(p.laid().line_of(3) == 1);
 
-    test::toy_shaper font;
-    paragraph words{font};
-    glyph_run run;
-    shape_options down;
-    down.direction = direction::top_to_bottom;
-    REQUIRE(words.set("abc", down));
-    REQUIRE(words.lay_out({}, run));
-    CHECK(words.laid().line_box(0).low == point{-0.45, -1.5});
-    CHECK(words.laid().caret_at(1).at == point{0.0, -0.5});
-    CHECK(words.laid().caret_from({0.1, -0.6}).unit == 1);
+    const laid_out down{"abc", {}, {.direction = direction::top_to_bottom}};
+    CHECK(down.laid().line_box(0).low == point{-0.45, -1.5});
+    CHECK(down.laid().caret_at(1).at == point{0.0, -0.5});
+    CHECK(down.laid().caret_from({0.1, -0.6}).unit == 1);
 }
 
-TEST_CASE("without a layout of its text a paragraph has no lines, carets stand at the beginning, nothing is chosen",
-          "[paragraph]")
+TEST_CASE("until its text is laid out a paragraph has no lines or boxes, and its carets stand at 0", "[paragraph]")
 {
     test::toy_shaper font;
     paragraph<test::toy_shaper> words{font};
@@ -313,18 +276,16 @@ TEST_CASE("without a layout of its text a paragraph has no lines, carets stand a
     has_none();
 }
 
-TEST_CASE("a grapheme is found below a point among those of its cluster, and its boxes hold the point", "[paragraph]")
+TEST_CASE("a point finds its grapheme in a cluster", "[paragraph]")
 {
-    for (const bool wide : {true, false}) {
-        const laid_out p{mixed, wide ? layout_options{} : layout_options{.width = 3.0}};
-        for (std::uint32_t unit = 0; unit < mixed.size(); ++unit) {
+    for (const layout_options& how : {layout_options{}, layout_options{.width = 3.0}}) {
+        const laid_out p{mixed, how};
+        for (std::uint32_t unit = 0; unit < mixed.size(); ++unit)
             for (const box& b : p.boxes(unit, unit + 1)) {
-                const point middle = 0.5 * (b.low + b.high);
-                const text_range found = p.laid().grapheme_at(unit, middle);
+                const text_range found = p.laid().grapheme_at(unit, 0.5 * (b.low + b.high));
                 CHECK(found.holds(unit));
                 CHECK(found.last > found.first);
             }
-        }
     }
     const laid_out ligature{u"xfia\u0301"};
     CHECK(ligature.laid().grapheme_at(1, {0.6, 0.0}).first == 1);  // f, the i is the same cluster
@@ -335,6 +296,5 @@ TEST_CASE("a grapheme is found below a point among those of its cluster, and its
     CHECK_FALSE(ligature.laid().in_columns());
     const laid_out elided{"abcdef", {.width = 2.0, .max_lines = 1, .ellipsis = "."}};
     CHECK(elided.laid().grapheme_at(5, {1.9, 0.0}).last == 6);
-    const laid_out empty{""};
-    CHECK(empty.laid().grapheme_at(0, {}).last == 0);
+    CHECK(laid_out{""}.laid().grapheme_at(0, {}).last == 0);
 }

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include "support/catch.hpp"
-#include "support/toy_shaper.hpp"
+#include "support/laid_paragraph.hpp"
 
-#include <typemesh/paragraph/paragraph.hpp>
+#include <string>
+#include <vector>
 
 using namespace typemesh;
 
@@ -24,11 +24,6 @@ static_assert(!line_breaker<int>);
 
 TEST_CASE("a paragraph takes any breaker", "[paragraph]")
 {
-    test::toy_shaper font;
-    paragraph<test::toy_shaper, unicode_analyser, narrowest> words{font};
-    glyph_run run;
-    REQUIRE(words.set("one two\tthree"));
-    REQUIRE(words.lay_out({}, run));
-    REQUIRE(run.lines.size() == 3);
-    CHECK(run.lines[2].glyph_count == 5);
+    const test::laid_paragraph<test::toy_shaper, narrowest> p{"one two\tthree"};
+    CHECK(p.lines() == std::vector<std::u16string>{u"one ", u"two", u"three"});
 }

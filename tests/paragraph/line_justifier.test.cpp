@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include "support/catch.hpp"
 #include "support/counting_memory.hpp"
-#include "support/toy_shaper.hpp"
+#include "support/each_failure.hpp"
+#include "support/laid_paragraph.hpp"
 
-#include <typemesh/paragraph/paragraph.hpp>
 #include <typemesh/paragraph/total_fit.hpp>
 
 #include <algorithm>
@@ -26,38 +25,16 @@ const std::u16string mixed_text =
 constexpr glyph_id stroke = 0x640;
 
 template <class Breaker = first_fit>
-struct justified {
-    test::toy_shaper font;
-    paragraph<test::toy_shaper, unicode_analyser, Breaker> words{font, heap(), unicode_analyser{}, Breaker{}};
-    glyph_run run;
-
-    justified(const std::u16string& text, double width, justification by, direction d = direction::automatic)
-        : text_{text}
+struct justified : test::laid_paragraph<test::toy_shaper, Breaker> {
+    justified(text_view text, double width, justification by, direction d = direction::automatic)
+        : test::laid_paragraph<test::toy_shaper, Breaker>{
+              text, {.width = width, .align = alignment::justify, .justify = by}, {.direction = d}}
     {
-        shape_options how;
-        how.direction = d;
-        REQUIRE(words.set(text_, how));
-        again(width, by);
     }
     void again(double width, justification by, alignment align = alignment::justify)
     {
-        REQUIRE(words.lay_out({.width = width, .align = align, .justify = by}, run));
+        test::laid_paragraph<test::toy_shaper, Breaker>::again({.width = width, .align = align, .justify = by});
     }
-    [[nodiscard]] std::vector<double> places() const
-    {
-        std::vector<double> x;
-        for (const placed_glyph& g : run.glyphs) x.push_back(g.origin.x);
-        return x;
-    }
-    [[nodiscard]] std::size_t strokes() const
-    {
-        std::size_t n = 0;
-        for (const placed_glyph& g : run.glyphs) n += g.id == stroke ? 1u : 0u;
-        return n;
-    }
-
-private:
-    std::u16string text_;
 };
 
 constexpr justification all_ways[] = {justification::automatic, justification::spaces, justification::letters,
@@ -110,7 +87,7 @@ TEST_CASE("every cluster of a justified text is drawn once, besides it hyphens a
             for (const placed_glyph& g : p.run.glyphs)
                 if (g.id != stroke) --times[{g.cluster, g.id}];
             for (const auto& [glyph, count] : times) CHECK(count == 0);
-            CHECK((by == justification::kashida || p.strokes() == 0));
+            CHECK((by == justification::kashida || p.count(stroke) == 0));
         }
 }
 
@@ -132,11 +109,11 @@ TEST_CASE("lines that need nothing are left as they are", "[paragraph]")
     }
 }
 
-TEST_CASE("letters move apart evenly, but for those that are written joined", "[paragraph]")
+TEST_CASE("letters move apart evenly, except those that are written joined", "[paragraph]")
 {
     justified<> p{u"abc de \u0628\u0628 x yyyyyyyy", 6.5, justification::letters};
     REQUIRE(p.run.lines.size() == 2);
-    // 12 letters and spaces before the edge, 11 distances of which one is between joined letters; 1000 to fill
+    // 12 letters and spaces before the edge, 11 distances, one of them between joined letters; 1000 to fill
     const std::vector<double> x = p.places();
     const double each = (6500.0 - p.words.shaped().advance(0, 11)) / 9.0;
     double pen = 0.0;
@@ -169,10 +146,8 @@ TEST_CASE("by default Chinese and Japanese fill their lines between ideographs, 
     justified<> mixed_line{u"\u6F22\u5B57ab c\u6F22 \u5B57\u5B57\u5B57\u5B57", 4.6, justification::automatic};
     const std::vector<double> y = mixed_line.places();
     const double each = (4600.0 - mixed_line.words.shaped().advance(0, 10)) / 6.0;
-    CHECK(y[1] - y[0] == Approx(500.0 + each));
-    CHECK(y[2] - y[1] == Approx(500.0 + each));
-    CHECK(y[3] - y[2] == Approx(500.0));
-    CHECK(y[5] - y[4] == Approx(250.0 + each));
+    for (const auto& [k, apart] : {std::pair{0u, 500.0 + each}, {1u, 500.0 + each}, {2u, 500.0}, {4u, 250.0 + each}})
+        CHECK(y[k + 1] - y[k] == Approx(apart));
 
     justified<> korean{u"\uAC00\uAC01 \uAC00\uAC01 \uAC00\uAC01", 3.0, justification::automatic};
     justified<> spaces{u"\uAC00\uAC01 \uAC00\uAC01 \uAC00\uAC01", 3.0, justification::spaces};
@@ -191,8 +166,7 @@ TEST_CASE("letters end at both edges of lines of both directions", "[paragraph]"
                                     {u"ab cd \u05D0\u05D1 xxxxxxxx", d::left_to_right}}) {
         justified<> p{text, 4.7, justification::letters, way};
         double left = 1e9, right = 0.0;
-        const text_line& line = p.run.lines[0];
-        for (const placed_glyph& g : p.run.glyphs.view().subspan(line.first_glyph, line.glyph_count)) {
+        for (const placed_glyph& g : p.glyphs_of(0)) {
             if (g.id == ' ') continue;
             left = (std::min)(left, g.origin.x);
             right = (std::max)(right, g.origin.x + 500.0);
@@ -205,11 +179,10 @@ TEST_CASE("letters end at both edges of lines of both directions", "[paragraph]"
 TEST_CASE("strokes stand between joined letters, each belongs to the letter before it", "[paragraph]")
 {
     justified<> p{u"\u0628\u0628\u0628 \u0628\u0628 \u0628 xxxxxxxxxx", 5.7, justification::kashida};
-    REQUIRE(p.strokes() == 4);  // 2200 to fill: four of 500, the rest in two spaces
-    const text_line& line = p.run.lines[0];
-    CHECK(line.advance == Approx(5700.0));
+    REQUIRE(p.count(stroke) == 4);  // 2200 to fill: four of 500, the rest in two spaces
+    CHECK(p.run.lines[0].advance == Approx(5700.0));
     std::map<cluster_id, int> of;
-    const auto glyphs = p.run.glyphs.view().subspan(line.first_glyph, line.glyph_count);
+    const auto glyphs = p.glyphs_of(0);
     for (std::size_t k = 0; k < glyphs.size(); ++k)
         if (glyphs[k].id == stroke) {
             ++of[glyphs[k].cluster];
@@ -223,10 +196,9 @@ TEST_CASE("strokes in a column lie on their side as the letters that they join",
 {
     const justified<> p{u"\u0628\u0628\u0628 \u0628\u0628 \u0628 xxxxxxxxxx", 5.7, justification::kashida,
                         direction::top_to_bottom};
-    REQUIRE(p.strokes() == 4);
-    const glyph_id letter = 0x628;
+    REQUIRE(p.count(stroke) == 4);
     for (const placed_glyph& g : p.run.glyphs) {
-        if (g.id != letter && g.id != stroke) continue;
+        if (g.id != 0x628 && g.id != stroke) continue;
         CHECK(p.run.glyph_styles[g.glyph_style].map == quarter_turn);
         CHECK(g.origin.x == p.run.glyphs[0].origin.x);
     }
@@ -235,10 +207,10 @@ TEST_CASE("strokes in a column lie on their side as the letters that they join",
 TEST_CASE("a line without spaces is filled by strokes that overlap, up to so many in a word", "[paragraph]")
 {
     justified<> p{u"\u0628\u0628\u0628 xxxxxxxxxxxxx", 2.3, justification::kashida};
-    CHECK(p.strokes() == 2);
+    CHECK(p.count(stroke) == 2);
     CHECK(p.run.lines[0].advance == Approx(2300.0));
     p.again(6.0, justification::kashida);
-    CHECK(p.strokes() == line_justifier::max_strokes);
+    CHECK(p.count(stroke) == line_justifier::max_strokes);
     CHECK(p.run.lines[0].advance == Approx(1500.0 + 500.0 * line_justifier::max_strokes));
 }
 
@@ -261,13 +233,12 @@ TEST_CASE("a word is shaped with its strokes whole, also before a hyphen", "[par
             for (shaped_glyph& g : glyphs.view().subspan(before)) g.flags = g.flags | glyph_flags::unsafe_to_break;
             return e;
         }
-    } font;
-    paragraph words{font};
-    glyph_run run;
-    REQUIRE(words.set("\xD8\xA8\xD8\xA8\xC2\xAD\xD8\xA8\xD8\xA8\xD8\xA8"));  // UTF-8, U+00AD in it
-    REQUIRE(words.lay_out({.width = 2.3, .align = alignment::justify, .justify = justification::kashida}, run));
-    REQUIRE(run.lines.size() == 2);
-    CHECK(font.word == U"\u0628\u0640\u0640\u0628\u00AD");
+    };
+    const test::laid_paragraph<reader> p{
+        "\xD8\xA8\xD8\xA8\xC2\xAD\xD8\xA8\xD8\xA8\xD8\xA8",  // UTF-8, U+00AD in it
+        {.width = 2.3, .align = alignment::justify, .justify = justification::kashida}};
+    REQUIRE(p.run.lines.size() == 2);
+    CHECK(p.font.word == U"\u0628\u0640\u0640\u0628\u00AD");
 }
 
 TEST_CASE("without a stroke in the font spaces fill the line", "[paragraph]")
@@ -279,13 +250,12 @@ TEST_CASE("without a stroke in the font spaces fill the line", "[paragraph]")
             if (item.first < item.last && decode(text, item.first).value == stroke) return {};
             return test::toy_shaper::shape(text, item, how, glyphs);
         }
-    } font;
-    paragraph words{font};
-    glyph_run run;
-    REQUIRE(words.set(u"\u0628\u0628 \u0628\u0628 xxxxxxxxxx"));
-    REQUIRE(words.lay_out({.width = 4.0, .align = alignment::justify, .justify = justification::kashida}, run));
-    CHECK(run.lines[0].advance == 4000.0);
-    for (const placed_glyph& g : run.glyphs) CHECK(g.id != stroke);
+    };
+    const test::laid_paragraph<without_strokes> p{
+        u"\u0628\u0628 \u0628\u0628 xxxxxxxxxx",
+        {.width = 4.0, .align = alignment::justify, .justify = justification::kashida}};
+    CHECK(p.run.lines[0].advance == 4000.0);
+    CHECK(p.count(stroke) == 0);
 }
 
 TEST_CASE("a caret's own point leads back to its place in lines of every justification", "[paragraph]")
@@ -315,21 +285,19 @@ TEST_CASE("lines that total_fit has made too full are narrowed to the width", "[
 TEST_CASE("justifying reports a memory that gives nothing, wherever it does, and keeps what it has", "[paragraph]")
 {
     for (const justification by : all_ways) {
+        const layout_options how{.width = 6.0, .align = alignment::justify, .justify = by};
+        test::check_each_failure([&how](memory source) {
+            test::toy_shaper font;
+            paragraph words{font, source, unicode_analyser{source}};
+            glyph_run run;
+            const error e = words.set(mixed_text).error();
+            return e ? e : words.lay_out(how, run).error();
+        });
         test::toy_shaper font;
         test::counting_memory counted;
         paragraph words{font, counted.source(), unicode_analyser{counted.source()}};
-        REQUIRE(words.set(mixed_text));
-        const layout_options how{.width = 6.0, .align = alignment::justify, .justify = by};
-        for (std::size_t n = 1;; ++n) {
-            test::counting_memory failing{.fail_at = n};
-            paragraph poor{font, failing.source(), unicode_analyser{failing.source()}};
-            glyph_run run;
-            error e = poor.set(mixed_text).error();
-            if (!e) e = poor.lay_out(how, run).error();
-            if (!e) break;
-            REQUIRE(e == error::out_of_memory);
-        }
         glyph_run run{counted.source()};
+        REQUIRE(words.set(mixed_text));
         REQUIRE(words.lay_out(how, run));
         const std::size_t before = counted.requests;
         for (int k = 0; k < 3; ++k) REQUIRE(words.lay_out(how, run));

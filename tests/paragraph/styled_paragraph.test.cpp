@@ -2,12 +2,10 @@
 //
 // Laws of styles that hold for every text: colours move nothing, sizes scale, memory.
 
-#include "support/catch.hpp"
 #include "support/counting_memory.hpp"
-#include "support/toy_shaper.hpp"
+#include "support/laid_paragraph.hpp"
 
-#include <typemesh/paragraph/paragraph.hpp>
-
+#include <algorithm>
 #include <cmath>
 #include <random>
 #include <string>
@@ -19,7 +17,7 @@ namespace {
 
 const std::u16string styled_letters = u"AV fix, \u05D0\u05D1 12 \u05D2 and\n\ta\u0301b fi AVAV \u05D3\u05D4 of fi";
 
-/// Spans one behind the other, with gaps, some of which begin inside graphemes.
+/// Spans one after the other, with gaps; some begin inside graphemes.
 std::vector<style_span> random_spans(std::mt19937& random, std::uint32_t size)
 {
     std::vector<style_span> spans;
@@ -32,47 +30,33 @@ std::vector<style_span> random_spans(std::mt19937& random, std::uint32_t size)
     }
 }
 
-bool same_styled_glyphs(const glyph_run& a, const glyph_run& b)
+bool same_lines_and_glyphs(const glyph_run& a, const glyph_run& b)
 {
-    if (a.glyphs.size() != b.glyphs.size() || a.lines.size() != b.lines.size()) return false;
-    for (std::size_t i = 0; i < a.glyphs.size(); ++i) {
-        const placed_glyph &g = a.glyphs[i], &h = b.glyphs[i];
-        if (g.id != h.id || g.cluster != h.cluster || !(g.origin == h.origin)) return false;
-    }
-    for (std::size_t i = 0; i < a.lines.size(); ++i)
-        if (!(a.lines[i].origin == b.lines[i].origin) || !same(a.lines[i].advance, b.lines[i].advance)) return false;
-    return true;
-}
-
-style_id style_drawn(const glyph_run& run, std::size_t glyph)
-{
-    return run.glyph_styles.empty() ? style_id{} : run.glyph_styles[run.glyphs[glyph].glyph_style].style;
+    return test::same_glyphs(a, b) && std::equal(a.lines.begin(), a.lines.end(), b.lines.begin(), b.lines.end(),
+                                                 [](const text_line& l, const text_line& m) {
+                                                     return l.origin == m.origin && same(l.advance, m.advance);
+                                                 });
 }
 
 }  // namespace
 
 TEST_CASE("colours move nothing: glyphs and places are the same to the bit", "[paragraph][styles]")
 {
-    test::toy_shaper font;
-    paragraph<test::toy_shaper> plain{font}, coloured{font};
+    test::laid_paragraph<> plain{""}, coloured{""};
     std::mt19937 random{3};
     for (int round = 0; round < 60; ++round) {
         const auto spans = random_spans(random, static_cast<std::uint32_t>(styled_letters.size()));
-        REQUIRE(plain.set(styled_letters));
-        const std::size_t calls = font.calls;
-        REQUIRE(plain.set(styled_letters));
-        const std::size_t once = font.calls - calls;
-        REQUIRE(coloured.set(styled_letters, {.styles = spans}));
-        CHECK(font.calls - calls == 2 * once);
+        const std::size_t calls = plain.font.calls, styled_calls = coloured.font.calls;
+        REQUIRE(plain.words.set(styled_letters));
+        REQUIRE(coloured.words.set(styled_letters, {.styles = spans}));
+        CHECK(coloured.font.calls - styled_calls == plain.font.calls - calls);
         for (const double width : {2.0, 4.0, 1e3}) {
-            glyph_run without, with;
-            const layout_options options{.width = width, .align = alignment::justify};
-            REQUIRE(plain.lay_out(options, without));
-            REQUIRE(coloured.lay_out(options, with));
-            CHECK(same_styled_glyphs(without, with));
-            for (std::size_t i = 0; i < with.glyphs.size(); ++i) {  // by its first character's span
-                const style_spans& styles = coloured.shaped().styles;
-                CHECK(style_drawn(with, i) == styles[styles.number_at(with.glyphs[i].cluster)].style);
+            plain.again({.width = width, .align = alignment::justify});
+            coloured.again({.width = width, .align = alignment::justify});
+            CHECK(same_lines_and_glyphs(plain.run, coloured.run));
+            for (std::size_t i = 0; i < coloured.run.glyphs.size(); ++i) {  // by its first character's span
+                const style_spans& styles = coloured.words.shaped().styles;
+                CHECK(coloured.style(i).style == styles[styles.number_at(coloured.run.glyphs[i].cluster)].style);
             }
         }
     }
@@ -80,44 +64,31 @@ TEST_CASE("colours move nothing: glyphs and places are the same to the bit", "[p
 
 TEST_CASE("a ligature over two styles has its first character's", "[paragraph][styles]")
 {
-    test::toy_shaper font;
-    paragraph<test::toy_shaper> words{font};
     const style_span spans[] = {{1, 2, {.style = style_id{7}}}, {2, 3, {.style = style_id{8}}}};
-    REQUIRE(words.set("xfi", {.styles = spans}));
-    glyph_run run;
-    REQUIRE(words.lay_out({}, run));
-    REQUIRE(run.glyphs.size() == 2);
-    CHECK(run.glyphs[1].id == 0xFB01);
-    CHECK(style_drawn(run, 0) == style_id{});
-    CHECK(style_drawn(run, 1) == style_id{7});
+    const test::laid_paragraph<> p{"xfi", {}, {.styles = spans}};
+    CHECK(p.line(0) == u"x\uFB01");
+    CHECK(p.style(0).style == style_id{});
+    CHECK(p.style(1).style == style_id{7});
 
     const style_span sizes[] = {{1, 2, {.size = 2.0}}};  // which shape it apart
-    REQUIRE(words.set("xfi", {.styles = sizes}));
-    REQUIRE(words.lay_out({}, run));
-    CHECK(run.glyphs.size() == 3);
+    CHECK(test::laid_paragraph<>{"xfi", {}, {.styles = sizes}}.run.glyphs.size() == 3);
 }
 
 TEST_CASE("sizes, rises, slants and distances do what they say", "[paragraph][styles]")
 {
-    test::toy_shaper font;
-    paragraph<test::toy_shaper> words{font};
-    glyph_run run;
     const style_span spans[] = {{1, 3, {.size = 2.0, .letter_spacing = 0.25, .rise = 0.5, .slant = 0.125}},
                                 {3, 6, {.word_spacing = 0.125}}};
-    REQUIRE(words.set("abc d\te", {.styles = spans}));
-    REQUIRE(words.lay_out({.tab_stops = {}}, run));
-    REQUIRE(run.glyphs.size() == 6);
+    const test::laid_paragraph<> p{"abc d\te", {}, {.styles = spans}};
+    REQUIRE(p.run.glyphs.size() == 6);
     const double places[] = {0.0, 500.0, 1750.0, 3000.0, 3375.0};
-    for (std::size_t i = 0; i < 5; ++i) CHECK(std::fabs(run.glyphs[i].origin.x - places[i]) < 1e-9);
-    CHECK(run.glyphs[1].origin.y == 500.0);
-    CHECK(run.glyph_styles[run.glyphs[1].glyph_style].map == affine{.xx = 2.0, .xy = 0.25, .yy = 2.0});
-    CHECK(run.glyph_styles[run.glyphs[0].glyph_style] == glyph_style{});
-    CHECK(run.glyphs[5].origin.x == 5000.0);  // stops are those of plain spaces; that at 4000 is too near
+    for (std::size_t i = 0; i < 5; ++i) CHECK(std::fabs(p.run.glyphs[i].origin.x - places[i]) < 1e-9);
+    CHECK(p.run.glyphs[1].origin.y == 500.0);
+    CHECK(p.style(1).map == affine{.xx = 2.0, .xy = 0.25, .yy = 2.0});
+    CHECK(p.style(0) == glyph_style{});
+    CHECK(p.run.glyphs[5].origin.x == 5000.0);  // stops are those of plain spaces; that at 4000 is too near
 
     const style_span large[] = {{0, 7, {.size = 3.0}}};
-    REQUIRE(words.set("abc d\te", {.styles = large}));
-    REQUIRE(words.lay_out({}, run));
-    CHECK(run.glyphs.back().origin.x == 7000.0);
+    CHECK(test::laid_paragraph<>{"abc d\te", {}, {.styles = large}}.run.glyphs.back().origin.x == 7000.0);
 }
 
 TEST_CASE("a refused set of spans leaves an empty text", "[paragraph][styles]")
@@ -170,6 +141,6 @@ TEST_CASE("a styled text whose memory fails is laid out as before once there is 
         if (failed) CHECK(e == error::out_of_memory);
         REQUIRE(words.set(styled_letters, {.styles = spans}));
         REQUIRE(words.lay_out({.width = 3.0}, run));
-        CHECK(same_styled_glyphs(run, wanted));
+        CHECK(same_lines_and_glyphs(run, wanted));
     }
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "support/catch.hpp"
+#include "pieces.hpp"
 #include "support/counting_memory.hpp"
 #include "support/toy_shaper.hpp"
 
@@ -19,46 +19,8 @@ using namespace typemesh;
 namespace total_fit_tests {
 namespace {
 
-using piece_list = std::vector<break_piece>;
-using ends_of = std::vector<std::uint32_t>;
+using test::broken, test::ends_of, test::line_of, test::piece_list;
 constexpr double infinite = std::numeric_limits<double>::infinity();
-
-template <class Breaker>
-ends_of broken(const Breaker& how, const piece_list& pieces, const line_room& room)
-{
-    buffer<std::uint32_t> ends;
-    REQUIRE_FALSE(how.break_lines(pieces, room, ends));
-    return {ends.begin(), ends.end()};
-}
-
-piece_list words(std::initializer_list<double> widths)
-{
-    piece_list all;
-    for (const double w : widths) all.push_back({.width = w, .space = 1.0, .stretch = 1.0});
-    all.back().end = piece_end::paragraph;
-    return all;
-}
-
-struct measured {
-    double width = 0.0, stretch = 0.0;
-};
-
-/// Pieces [first, last) as a line.
-measured line_of(const piece_list& pieces, std::size_t first, std::size_t last, const line_room& room)
-{
-    const bool fresh = first == 0 || pieces[first - 1].end == piece_end::paragraph;
-    double pen = room.start(fresh) + pieces[first].begin_change, stretch = 0.0;
-    measured line;
-    for (std::size_t k = first; k < last; ++k) {
-        const break_piece& p = pieces[k];
-        if (p.width > 0.0 || (k + 1 == last && p.is_visible()))
-            line = {pen + p.width + (k + 1 == last ? p.end_change : 0.0), stretch};
-        pen += p.width + p.space;
-        stretch += p.stretch;
-        if (p.tab) pen = room.after_tab(pen), stretch = 0.0;
-    }
-    return line;
-}
 
 /// By the definition; infinite for a line that is not within the tolerance.
 double demerits_of(const total_fit& how, const piece_list& pieces, std::size_t first, std::size_t last,
@@ -69,7 +31,7 @@ double demerits_of(const total_fit& how, const piece_list& pieces, std::size_t f
     const break_piece& end = pieces[last - 1];
     const bool demanded = end.ends_line() || last == pieces.size();
     if (!demanded && end.end != piece_end::allowed) return infinite;
-    const measured line = line_of(pieces, first, last, room);
+    const auto line = line_of(pieces, first, last, room);
     const double spare = room.width - line.width, stretch = line.stretch + how.emergency_stretch * room.width;
     double badness = 0.0;
     if (spare < 0.0) {
@@ -161,12 +123,12 @@ using namespace total_fit_tests;
 
 TEST_CASE("total_fit evens lines out that first_fit leaves ragged", "[paragraph]")
 {
-    const piece_list pieces = words({3, 2, 2, 5});
+    const piece_list pieces = test::words({3, 2, 2, 5});
     CHECK(broken(first_fit{}, pieces, {.width = 6.0}) == ends_of{2, 3, 4});
     CHECK(broken(total_fit{.emergency_stretch = 1.0}, pieces, {.width = 6.0}) == ends_of{1, 3, 4});
 }
 
-TEST_CASE("total_fit finds the lines of fewest demerits among all that there are", "[paragraph]")
+TEST_CASE("total_fit finds the lines of fewest demerits among all possible lines", "[paragraph]")
 {
     dice d;
     int found = 0;
@@ -230,7 +192,7 @@ TEST_CASE("lines of hundreds of words are nearly the best, though 32 beginnings 
 
 TEST_CASE("emergency_stretch sets a paragraph that has no lines without it", "[paragraph]")
 {
-    const piece_list pieces = words({6, 6, 6, 3, 3});
+    const piece_list pieces = test::words({6, 6, 6, 3, 3});
     const line_room room{.width = 10.0};
     const total_fit plain, helped{.emergency_stretch = 0.5};
     CHECK_FALSE(demerits_of(plain, pieces, broken(plain, pieces, room), room) < infinite);
@@ -238,14 +200,14 @@ TEST_CASE("emergency_stretch sets a paragraph that has no lines without it", "[p
     CHECK(demerits_of(helped, pieces, ends, room) == least_demerits(helped, pieces, room));
 
     // Where it is not needed it changes nothing.
-    const piece_list easy = words({3, 5, 4, 4, 4, 4, 2});
+    const piece_list easy = test::words({3, 5, 4, 4, 4, 4, 2});
     CHECK(broken(plain, easy, room) == broken(helped, easy, room));
     CHECK(demerits_of(plain, easy, broken(plain, easy, room), room) < infinite);
 }
 
 TEST_CASE("without a width total_fit ends lines where the text demands it", "[paragraph]")
 {
-    piece_list pieces = words({3, 3, 3});
+    piece_list pieces = test::words({3, 3, 3});
     CHECK(broken(total_fit{}, pieces, {}) == ends_of{3});
     CHECK(broken(total_fit{.emergency_stretch = 0.1}, pieces, {}) == ends_of{3});
     pieces[1].end = piece_end::line;
@@ -256,7 +218,7 @@ TEST_CASE("without a width total_fit ends lines where the text demands it", "[pa
 
 TEST_CASE("total_fit refuses options out of their range and reports a memory that gives nothing", "[paragraph]")
 {
-    const piece_list pieces = words({1});
+    const piece_list pieces = test::words({1});
     const double nan = std::numeric_limits<double>::quiet_NaN();
     buffer<std::uint32_t> ends;
     for (const total_fit& how :
@@ -295,10 +257,8 @@ TEST_CASE("words are parted with hyphens, as hyphen_penalty allows", "[paragraph
     const auto hyphens = [&](double penalty) {
         words.breaker().hyphen_penalty = penalty;
         REQUIRE(words.lay_out({.width = 3.3}, run));
-        std::size_t count = 0;
-        for (const placed_glyph& g : run.glyphs) count += g.id == 0x2010 ? 1u : 0u;
         for (const text_line& line : run.lines) CHECK(line.advance <= 3300.0);
-        return count;
+        return std::ranges::count(run.glyphs, glyph_id{0x2010}, &placed_glyph::id);
     };
     CHECK(hyphens(0.0) == 2);
     CHECK(hyphens(1e9) == 1);  // nothing else is within the tolerance

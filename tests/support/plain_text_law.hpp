@@ -83,7 +83,9 @@ inline std::string difference(const glyph_run& a, const glyph_run& b)
     };
     if (!std::equal(a.glyphs.begin(), a.glyphs.end(), b.glyphs.begin(), b.glyphs.end(), same_glyph)) return "glyphs";
     if (!std::equal(a.lines.begin(), a.lines.end(), b.lines.begin(), b.lines.end(), same_line)) return "lines";
-    if (a.missing != b.missing || a.first_missing != b.first_missing || a.parted != b.parted) return "missing glyphs";
+    if (a.missing != b.missing || a.first_missing != b.first_missing || a.parted != b.parted ||
+        a.first_parted != b.first_parted)
+        return "missing glyphs";
     if (a.invalid_units != b.invalid_units || a.first_invalid_unit != b.first_invalid_unit) return "invalid units";
     return a.units_per_em == b.units_per_em ? "" : "units";
 }

@@ -18,12 +18,13 @@ struct shaped_paragraph {
 
     explicit shaped_paragraph(typemesh::text_view text, typemesh::direction d = typemesh::direction::automatic,
                               double letter_spacing = 0.0)
+        : shaped_paragraph{text, {.direction = d, .letter_spacing = letter_spacing / 1000.0}}
+    {
+    }
+    shaped_paragraph(typemesh::text_view text, const typemesh::shape_options& how)
     {
         using namespace typemesh;
         REQUIRE_FALSE(unicode_analyser{}.analyse(text, {}, shaped.analysis));
-        shape_options how;
-        how.direction = d;
-        how.letter_spacing = letter_spacing / 1000.0;
         REQUIRE_FALSE(shaped.read(font, 1, text, how));
         REQUIRE_FALSE(shaped.shape(font));
         REQUIRE_FALSE(pieces.find_words(shaped, font));

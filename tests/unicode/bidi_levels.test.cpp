@@ -186,10 +186,9 @@ TEST_CASE("bidi levels of any text agree with the rules word by word", "[bidi]")
 TEST_CASE("an overridden mark does not follow the bracket before it", "[bidi]")
 {
     const std::u32string text = U"\u202Ba(b)\u202C\u202E\u0301";
-    const std::vector<bidi_class> classes = classes_of(text);
     std::vector<std::uint8_t> levels(text.size());
     workspace space;
-    REQUIRE(bidi_levels(text, classes, paragraph_direction::left_to_right, space, levels));
+    REQUIRE(bidi_levels(text, classes_of(text), paragraph_direction::left_to_right, space, levels));
     CHECK(levels == std::vector<std::uint8_t>{0, 2, 2, 2, 2, 2, 2, 1});
 }
 
@@ -199,8 +198,8 @@ TEST_CASE("an empty paragraph has a level, and a paragraph without memory an err
     workspace space{heap.source()};
     CHECK(*bidi_levels({}, {}, paragraph_direction::automatic, space, {}) == 0);
     CHECK(*bidi_levels({}, {}, paragraph_direction::right_to_left, space, {}) == 1);
-    const std::vector<char32_t> text{U'a', 0x05D0, U'b'};
-    const std::vector<bidi_class> classes{bidi_class::l, bidi_class::r, bidi_class::l};
+    const std::u32string text = U"a\u05D0b";
+    const std::vector<bidi_class> classes = classes_of(text);
     std::vector<std::uint8_t> levels(3);
     heap.fail_at = 1;
     CHECK(bidi_levels(text, classes, paragraph_direction::automatic, space, levels).error() == error::out_of_memory);

@@ -34,4 +34,20 @@ inline std::vector<break_case> break_cases(const std::string& file)
     return cases;
 }
 
+/// Every case of a file: breaks_of(text) says before which characters there is a break.
+template <class Find>
+void check_break_cases(const std::string& file, std::size_t count, const Find& breaks_of)
+{
+    if (!is_of_our_version()) return;
+    const auto cases = break_cases(file);
+    CHECK(cases.size() == count);
+    std::size_t wrong = 0;
+    for (const break_case& one : cases) {
+        std::vector<bool> breaks = breaks_of(one.text);
+        breaks.push_back(true);  // at the end
+        if (breaks != one.breaks && ++wrong <= 5) WARN(one.row);
+    }
+    CHECK(wrong == 0);
+}
+
 }  // namespace ucd

@@ -94,20 +94,15 @@ inline void refine_grapheme_class(std::string& grapheme, const std::string& conj
 /// The table of character_of().
 inline std::string character_table()
 {
-    const std::vector<std::string> bidi_names = {"L",   "R",   "AL",  "EN",  "ES",  "ET",  "AN",  "CS",
-                                                 "NSM", "BN",  "B",   "S",   "WS",  "ON",  "LRE", "LRO",
-                                                 "RLE", "RLO", "PDF", "LRI", "RLI", "FSI", "PDI"};
-    const std::vector<std::string> line_names = {"AL", "ALc", "ALp", "BK", "CR",  "LF", "NL",  "SP",  "ZW", "CM", "ZWJ",
-                                                 "WJ", "GL",  "BA",  "BB", "B2",  "HY", "HH",  "CB",  "CL", "CP", "EX",
-                                                 "IN", "NS",  "CJ",  "OP", "OPw", "QU", "QUi", "QUf", "IS", "NU", "PO",
-                                                 "PR", "SY",  "HL",  "ID", "EB",  "EM", "IDp", "H2",  "H3", "JL", "JV",
-                                                 "JT", "AK",  "AS",  "AP", "VF",  "VI", "RI",  "SA",  "SAm"};
-    const std::vector<std::string> grapheme_names = {
-        "Other",   "CR",          "LF",          "Control", "Extend",
-        "Linker",  "NonJoiner",   "Consonant",   "ZWJ",     "Regional_Indicator",
-        "Prepend", "SpacingMark", "L",           "V",       "T",
-        "LV",      "LVT",         "Pictographic"};
-    const std::vector<std::string> upright_names = {"R", "U", "Tr", "Tu"};
+    const auto
+        bidi_names = words("L R AL EN ES ET AN CS NSM BN B S WS ON LRE LRO RLE RLO PDF LRI RLI FSI PDI"),
+        line_names = words(
+            "AL ALc ALp BK CR LF NL SP ZW CM ZWJ WJ GL BA BB B2 HY HH CB CL CP EX IN NS CJ OP OPw QU QUi QUf IS "
+            "NU PO PR SY HL ID EB EM IDp H2 H3 JL JV JT AK AS AP VF VI RI SA SAm"),
+        grapheme_names = words(
+            "Other CR LF Control Extend Linker NonJoiner Consonant ZWJ Regional_Indicator Prepend SpacingMark L V "
+            "T LV LVT Pictographic"),
+        upright_names = words("R U Tr Tu");
     const std::map<std::string, std::string> long_names = {{"Left_To_Right", "L"},
                                                            {"Right_To_Left", "R"},
                                                            {"Arabic_Letter", "AL"},
@@ -121,7 +116,7 @@ inline std::string character_table()
     const auto picture = property("emoji/emoji-data.txt", "Extended_Pictographic");
     const auto upright = property("VerticalOrientation.txt");
     const auto conjunct = property("DerivedCoreProperties.txt", "InCB", 1);
-    std::vector<std::string> bracket = std::vector<std::string>(0x110000);
+    std::vector<std::string> bracket(0x110000);
     for_each_line(contents("BidiBrackets.txt"), [&](std::string_view row) {
         const auto fields = split(row.substr(0, row.find('#')), ';');
         if (fields.size() == 3) bracket[hexadecimal(fields[0])] = fields[2];
@@ -150,14 +145,10 @@ inline std::string character_table()
                 l += "p";
             }
         }
-        const std::uint64_t record = number_of(bidi_names, bidi[c]) |
-                                     (bracket[c] == "o"   ? 1u
-                                      : bracket[c] == "c" ? 2u
-                                                          : 0u)
-                                         << 6 |
-                                     number_of(line_names, l) << 8 | (is_wide ? 1u : 0u) << 15 |
-                                     number_of(grapheme_names, grapheme[c]) << 16 |
-                                     number_of(upright_names, upright[c]) << 24;
+        const std::uint64_t record =
+            number_of(bidi_names, bidi[c]) | (bracket[c].empty() ? 0u : number_of({"n", "o", "c"}, bracket[c])) << 6 |
+            number_of(line_names, l) << 8 | (is_wide ? 1u : 0u) << 15 | number_of(grapheme_names, grapheme[c]) << 16 |
+            number_of(upright_names, upright[c]) << 24;
         const auto [at, fresh] = known.try_emplace(record, records.size());
         if (fresh) records.push_back(record);
         which.push_back(at->second);

@@ -1,16 +1,13 @@
 // SPDX-License-Identifier: MIT
-#include "support/catch.hpp"
+#include "support/analysed.hpp"
 
 #include <typemesh/unicode/text_analysis.hpp>
-#include <typemesh/unicode/unicode_analyser.hpp>
 
 using namespace typemesh;
 
 TEST_CASE("each unit belongs to the paragraph that contains it", "[analysis]")
 {
-    unicode_analyser analyser;
-    text_analysis found;
-    REQUIRE_FALSE(analyser.analyse(u8"ab\n\nשל\n", {}, found));
+    const text_analysis found = test::analysed(u8"ab\n\nשל\n");
     REQUIRE(found.paragraphs.size() == 4);
     const int wanted[] = {0, 0, 0, 1, 2, 2, 2, 2, 2, 3};
     for (std::size_t i = 0; i < std::size(wanted); ++i)
@@ -22,10 +19,8 @@ TEST_CASE("each unit belongs to the paragraph that contains it", "[analysis]")
 
 TEST_CASE("a line of an analysis is ordered by the level of its paragraph", "[analysis]")
 {
-    unicode_analyser analyser;
-    text_analysis found;
+    text_analysis found = test::analysed(u"ab\nשל ab ");
     buffer<visual_run> runs;
-    REQUIRE_FALSE(analyser.analyse(u"ab\nשל ab ", {}, found));
     REQUIRE(visual_runs(found, {3, 9}, runs));
     REQUIRE(runs.size() == 3);
     CHECK((runs[0].first == 8 && runs[0].level == 1));  // the space at the end moves to the left end of the line

@@ -2,12 +2,10 @@
 //
 // Bevelled letters of real fonts: closed whatever strokes vanish, in every way that a text is built.
 
+#include "opened_font.hpp"
 #include "same_meshes.hpp"
-#include "support/catch.hpp"
 #include "support/lit_mesh.hpp"
-#include "support/workload.hpp"
 
-#include <typemesh/adapt/harfbuzz.hpp>
 #include <typemesh/extrude/bevelled.hpp>
 #include <typemesh/inspect/closedness.hpp>
 #include <typemesh/inspect/mesh_measure.hpp>
@@ -28,28 +26,16 @@ using test::lit_vertex;
 
 namespace {
 
-constexpr const char* scripts[] = {"latin", "arabic", "chinese", "japanese"};
-
-struct bevelled_text {
-    std::string font, script, text;
-};
-
-/// A text of 300 bytes at most for each font of each script.
-std::vector<bevelled_text> bevelled_texts()
+/// The beginning of a script's first text, of 300 bytes at most.
+std::string short_text(const std::string& script)
 {
-    std::vector<bevelled_text> all;
-    for (const test::workload_font& font : test::workload_fonts())
-        for (const char* const script : scripts) {
-            if (!font.serves(script) || !font.available()) continue;
-            std::string text = test::workload_texts(script).front();
-            if (text.size() > 300) {
-                std::size_t end = 300;
-                while ((static_cast<unsigned char>(text[end]) & 0xC0u) == 0x80u) --end;
-                text.resize(end);
-            }
-            all.push_back({font.path, script, text});
-        }
-    return all;
+    std::string text = test::workload_texts(script).front();
+    if (text.size() > 300) {
+        std::size_t end = 300;
+        while ((static_cast<unsigned char>(text[end]) & 0xC0u) == 0x80u) --end;
+        text.resize(end);
+    }
+    return text;
 }
 
 /// The triangles that are wider than 3 cells in the plane or stand upright: nodes are rounded by up to two, so that
@@ -82,60 +68,52 @@ lit_mesh written_bevels(const Plan& plan)
 TEST_CASE("bevelled letters of real fonts are closed and lit from outside at every width", "[workload]")
 {
     std::size_t letters = 0, slivers = 0, triangles = 0;
-    for (const test::workload_font& file : test::workload_fonts()) {
-        if (!file.available()) continue;
-        auto font = harfbuzz_font::open(file.path.c_str());
-        REQUIRE(font);
+    test::for_each_script([&](harfbuzz_font& font, const std::string& path, const std::string& script) {
         for (const float width : {0.01f, 0.03f, 0.05f, 0.3f}) {
             const bevelled how{.width = width, .bevel_depth = 0.05f, .profile = round_profile(4)};
-            auto mesher = text_mesher{*font}.with(how);
-            for (const char* const script : scripts) {
-                if (!file.serves(script)) continue;
-                for (const std::string& character : test::workload_lines(std::string{"chars-"} + script + ".txt")) {
-                    INFO(file.path << ", " << character << ", width " << width);
-                    const auto plan = mesher.plan(character, {.unit = output_unit::font_units});  // floats are exact
-                    REQUIRE(plan);
-                    if (plan->size().triangles == 0) continue;
-                    CHECK(plan->report().refused == 0);
-                    const lit_mesh all = written_bevels(*plan), m = without_slivers(all, 512.0);
-                    slivers += all.indices.size() / 3 - m.indices.size() / 3;
-                    triangles += all.indices.size() / 3;
-                    CHECK(inspect::check_normals(m.view(), &lit_vertex::normal, 1).is_right());
-                    ++letters;
-                }
+            auto mesher = text_mesher{font}.with(how);
+            for (const std::string& character : test::workload_lines("chars-" + script + ".txt")) {
+                INFO(path << ", " << character << ", width " << width);
+                const auto plan = mesher.plan(character, {.unit = output_unit::font_units});  // floats are exact
+                REQUIRE(plan);
+                if (plan->size().triangles == 0) continue;
+                CHECK(plan->report().refused == 0);
+                const lit_mesh all = written_bevels(*plan), m = without_slivers(all, 512.0);
+                slivers += all.indices.size() / 3 - m.indices.size() / 3;
+                triangles += all.indices.size() / 3;
+                CHECK(inspect::check_normals(m.view(), &lit_vertex::normal, 1).is_right());
+                ++letters;
             }
         }
-    }
+    });
     CHECK(letters >= 1000);
     CHECK(slivers * 1000 < triangles);
 }
 
 TEST_CASE("bevelled texts are the same from caches, workers and every order of tasks", "[workload]")
 {
-    for (const bevelled_text& subject : bevelled_texts()) {
-        INFO(subject.font << ", " << subject.script);
+    test::for_each_script([](harfbuzz_font&, const std::string& path, const std::string& script) {
+        INFO(path << ", " << script);
         test::check_same_meshes(
-            subject.font, subject.text, [](const auto& plan) { return written_bevels(plan); },
+            path, short_text(script), [](const auto& plan) { return written_bevels(plan); },
             bevelled{.width = 0.04f, .bevel_depth = 0.04f});
-    }
+    });
 }
 
 TEST_CASE("bevelled letters that meet are merged first, and have one bevel around them", "[workload]")
 {
     std::size_t groups = 0;
-    for (const bevelled_text& subject : bevelled_texts()) {
-        if (subject.script != "arabic") continue;
-        auto font = harfbuzz_font::open(subject.font.c_str());
-        REQUIRE(font);
-        for (const std::string& phrase : test::workload_texts("arabic")) {
-            INFO(subject.font << ": " << phrase);
-            auto mesher = text_mesher{*font}.with(bevelled{.width = 0.01f, .bevel_depth = 0.01f});
+    test::for_each_script([&groups](harfbuzz_font& font, const std::string& path, const std::string& script) {
+        if (script != "arabic") return;
+        for (const std::string& phrase : test::workload_texts(script)) {
+            INFO(path << ": " << phrase);
+            auto mesher = text_mesher{font}.with(bevelled{.width = 0.01f, .bevel_depth = 0.01f});
             const auto plan = mesher.plan(phrase, {.unit = output_unit::font_units, .merge = true});
             REQUIRE(plan);
             CHECK(plan->report().refused == 0);
             for (std::size_t g = 0; g < plan->glyphs().size(); ++g) groups += plan->members(g).size() > 1;
             (void)written_bevels(*plan);
         }
-    }
+    });
     CHECK(groups > 10);
 }

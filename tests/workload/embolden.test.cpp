@@ -3,11 +3,9 @@
 // Bold and hollow letters of real fonts: closed at every distance, none narrowed, the same in every way that a text is
 // built.
 
+#include "opened_font.hpp"
 #include "same_meshes.hpp"
-#include "support/catch.hpp"
-#include "support/workload.hpp"
 
-#include <typemesh/adapt/harfbuzz.hpp>
 #include <typemesh/extrude/bevelled.hpp>
 #include <typemesh/extrude/embolden.hpp>
 #include <typemesh/extrude/outlined.hpp>
@@ -23,8 +21,6 @@
 using namespace typemesh;
 
 namespace {
-
-constexpr const char* bold_scripts[] = {"latin", "arabic", "chinese", "japanese"};
 
 struct moved_vertex {
     vec3 place, normal;
@@ -72,29 +68,23 @@ struct tally {
 template <class E>
 void check_letters(const E& how, tally& all)
 {
-    for (const test::workload_font& file : test::workload_fonts()) {
-        if (!file.available()) continue;
-        auto font = harfbuzz_font::open(file.path.c_str());
-        REQUIRE(font);
-        auto mesher = text_mesher{*font}.with(how);
-        for (const char* const script : bold_scripts) {
-            if (!file.serves(script)) continue;
-            for (const std::string& character : test::workload_lines(std::string{"chars-"} + script + ".txt")) {
-                INFO(file.path << ", " << character);
-                const auto plan = mesher.plan(character, {.unit = output_unit::font_units});  // floats are exact
-                REQUIRE(plan);
-                const text_report& report = plan->report();
-                const bool gone = report.refused != 0 && report.first_refusal == error::nothing_left;
-                all.gone += gone;
-                all.refused += report.refused != 0 && !gone;
-                all.narrowed += report.narrowed;
-                if (plan->size().triangles == 0) continue;
-                const moved_mesh m = written(*plan);
-                CHECK(inspect::check_normals(m.view(), &moved_vertex::normal, 1).is_right());
-                ++all.letters;
-            }
+    test::for_each_script([&](harfbuzz_font& font, const std::string& path, const std::string& script) {
+        auto mesher = text_mesher{font}.with(how);
+        for (const std::string& character : test::workload_lines("chars-" + script + ".txt")) {
+            INFO(path << ", " << character);
+            const auto plan = mesher.plan(character, {.unit = output_unit::font_units});  // floats are exact
+            REQUIRE(plan);
+            const text_report& report = plan->report();
+            const bool gone = report.refused != 0 && report.first_refusal == error::nothing_left;
+            all.gone += gone;
+            all.refused += report.refused != 0 && !gone;
+            all.narrowed += report.narrowed;
+            if (plan->size().triangles == 0) continue;
+            const moved_mesh m = written(*plan);
+            CHECK(inspect::check_normals(m.view(), &moved_vertex::normal, 1).is_right());
+            ++all.letters;
         }
-    }
+    });
 }
 
 }  // namespace
@@ -132,26 +122,22 @@ TEST_CASE("hollow letters of real fonts are closed and lit from outside, with th
 
 TEST_CASE("bold, bevelled and hollow texts of real fonts are the same from caches, workers and merged", "[workload]")
 {
-    const auto check = [](const auto& how, const std::string& path, const std::string& text, auto... step) {
-        test::check_same_meshes(path, text, [](const auto& plan) { return written(plan); }, how, step...);
-        auto font = harfbuzz_font::open(path.c_str());
-        REQUIRE(font);
-        text_mesher mesher{*font, how, step...};
-        const auto merged = mesher.plan(text, {.unit = output_unit::font_units, .merge = true});
-        REQUIRE(merged);
-        CHECK(merged->report().refused == 0);
-        CHECK(merged->report().narrowed == 0);
-        (void)written(*merged);
-    };
     std::size_t texts = 0;
-    for (const test::workload_font& file : test::workload_fonts())
-        for (const char* const script : bold_scripts) {
-            if (!file.serves(script) || !file.available()) continue;
-            const std::string text = test::workload_texts(script).back();
-            INFO(file.path << ": " << text);
-            check(bevelled{.width = 0.01f}, file.path, text, embolden{.by = 0.015f});
-            check(framed{.width = 0.015f, .place = outline_place::outer}, file.path, text);
-            ++texts;
-        }
+    test::for_each_script([&texts](harfbuzz_font& font, const std::string& path, const std::string& script) {
+        const std::string text = test::workload_texts(script).back();
+        INFO(path << ": " << text);
+        const auto check = [&](const auto&... steps) {
+            test::check_same_meshes(path, text, [](const auto& plan) { return written(plan); }, steps...);
+            text_mesher mesher{font, steps...};
+            const auto merged = mesher.plan(text, {.unit = output_unit::font_units, .merge = true});
+            REQUIRE(merged);
+            CHECK(merged->report().refused == 0);
+            CHECK(merged->report().narrowed == 0);
+            (void)written(*merged);
+        };
+        check(bevelled{.width = 0.01f}, embolden{.by = 0.015f});
+        check(framed{.width = 0.015f, .place = outline_place::outer});
+        ++texts;
+    });
     CHECK(texts > 5);
 }

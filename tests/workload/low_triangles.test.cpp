@@ -3,11 +3,8 @@
 // Fonts whose units per em are no power of two: no cell of the grid is a float there. Within two em of the origin no
 // triangle may turn over or go flat in the floats that are written.
 
-#include "support/catch.hpp"
+#include "opened_font.hpp"
 #include "support/font_file.hpp"
-
-#include <typemesh/adapt/harfbuzz.hpp>
-#include <typemesh/typemesh.hpp>
 
 using namespace typemesh;
 
@@ -33,15 +30,14 @@ TEST_CASE("no triangle within two em of the origin is turned over by rounding to
     const auto check = [](const std::string& path, float weight) {
         const variation w[] = {{"wght", weight}};
         const std::span<const variation> place{w, weight != 0.0f ? std::size_t{1} : std::size_t{0}};
-        auto font = harfbuzz_font::open(path.c_str(), {.variations = place});
-        REQUIRE(font);
-        text_mesher by_sweep{*font};
-        auto delaunay = text_mesher{*font}.with(constrained_delaunay{});
-        for (glyph_id id = 6; id < font->glyph_count(); id += 7)
+        auto font = test::opened(path, {.variations = place});
+        text_mesher by_sweep{font};
+        auto delaunay = text_mesher{font}.with(constrained_delaunay{});
+        for (glyph_id id = 6; id < font.glyph_count(); id += 7)
             for (const point em : {point{0, 0}, point{1.11, 0.03}, point{0.37, 1.21}, point{2, 2}}) {
                 INFO(path << ", weight " << weight << ", glyph " << id << " at " << em.x << ", " << em.y);
-                CHECK(flipped(*font, by_sweep, id, em, quality::low) == 0);
-                if (em == point{}) CHECK(flipped(*font, delaunay, id, em, quality::low) == 0);
+                CHECK(flipped(font, by_sweep, id, em, quality::low) == 0);
+                if (em == point{}) CHECK(flipped(font, delaunay, id, em, quality::low) == 0);
             }
     };
     const std::string inter = font_file("truetype/inter-vf/Inter-italic.var.ttf");

@@ -2,13 +2,12 @@
 //
 // Joined scripts, merged to solids without inner walls: Arabic, and Latin whose letters run into each other.
 
-#include "support/catch.hpp"
+#include "opened_font.hpp"
 #include "support/font_file.hpp"
 #include "support/mesh_laws.hpp"
 #include "support/oracle.hpp"
-#include "support/workload.hpp"
+#include "support/written_mesh.hpp"
 
-#include <typemesh/adapt/harfbuzz.hpp>
 #include <typemesh/typemesh.hpp>
 
 #include <set>
@@ -60,11 +59,10 @@ TEST_CASE("merged texts are closed and as large as the union of their glyphs, an
 {
     std::size_t groups = 0, texts = 0;
     for (const joined_text& subject : joined_texts()) {
-        auto font = harfbuzz_font::open(subject.font.c_str());
-        REQUIRE(font);
+        auto font = test::opened(subject.font);
         INFO(subject.font << ": " << subject.text);
         for (const double tolerance : {quality::low, quality::high}) {
-            text_mesher apart_mesher{*font}, mesher{*font};
+            text_mesher apart_mesher{font}, mesher{font};
             auto apart = apart_mesher.plan(subject.text, {.tolerance = tolerance});
             REQUIRE(apart);
             const auto outlines = placed_outlines(*apart);
@@ -74,25 +72,18 @@ TEST_CASE("merged texts are closed and as large as the union of their glyphs, an
             auto merged =
                 mesher.plan(subject.text, {.tolerance = tolerance, .unit = output_unit::font_units, .merge = true});
             REQUIRE(merged);
-            test::full_mesh m;
-            REQUIRE(merged->write(into(m.vertices, m.indices)));
+            const auto m = test::written<test::full_mesh>(*merged);
             std::set<std::uint32_t> drawn;
             for (std::size_t g = 0; g < merged->glyphs().size(); ++g) {
                 groups += merged->members(g).size() > 1;
                 for (const std::uint32_t member : merged->members(g)) CHECK(drawn.insert(member).second);
-                std::vector<std::uint32_t> own;
-                for (const part p : merged->parts()) {
-                    const mesh_range r = merged->range(g, p);
-                    own.insert(own.end(), m.indices.begin() + r.first_index,
-                               m.indices.begin() + r.first_index + r.index_count);
-                }
-                const auto c = test::examine(m.vertices, own);
+                const auto c = test::examine(m.vertices, test::indices_of(*merged, g, m));
                 CHECK(c.unmatched_edges == 0);
                 CHECK(c.crowded_slanted == 0);
             }
             CHECK(drawn.size() == apart->glyphs().size());
 
-            const double depth = 0.2 * font->units_per_em(), bent = test::oracle::length(given) / 512.0 * 2.0 / 512.0;
+            const double depth = 0.2 * font.units_per_em(), bent = test::oracle::length(given) / 512.0 * 2.0 / 512.0;
             const double area = test::volume(m.vertices, m.indices) / depth;
             CHECK(std::fabs(area - filled) <= 1e-5 * filled + bent);  // floats, and crossings that lie on the grid
             ++texts;

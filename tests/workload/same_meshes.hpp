@@ -3,10 +3,9 @@
 
 // Texts of real fonts that are built in several ways.
 
-#include "support/catch.hpp"
+#include "opened_font.hpp"
 #include "support/executors.hpp"
 
-#include <typemesh/adapt/harfbuzz.hpp>
 #include <typemesh/typemesh.hpp>
 
 #include <cstddef>
@@ -21,15 +20,14 @@ void check_same_meshes(const std::string& path, const std::string& text, const W
 {
     using namespace typemesh;
     const text_options options{.unit = output_unit::font_units};
-    auto font = harfbuzz_font::open(path.c_str());
-    REQUIRE(font);
-    text_mesher mesher{*font, policies...};
+    harfbuzz_font font = opened(path);
+    text_mesher mesher{font, policies...};
     const auto plan = mesher.plan(text, options);
     REQUIRE(plan);
     const auto expected = written(*plan);
 
     glyph_cache cache;
-    text_mesher cached{*font, policies..., cached_in{cache, 1}};
+    text_mesher cached{font, policies..., cached_in{cache, 1}};
     for (int i = 0; i < 2; ++i) {
         const auto again = cached.plan(text, options);
         REQUIRE(again);

@@ -2,12 +2,11 @@
 //
 // Styles given at random to texts of two directions, in real fonts.
 
-#include "support/catch.hpp"
+#include "opened_font.hpp"
 #include "support/executors.hpp"
 #include "support/font_file.hpp"
 #include "support/style_laws.hpp"
 
-#include <typemesh/adapt/harfbuzz.hpp>
 #include <typemesh/text/font_faces.hpp>
 #include <typemesh/typemesh.hpp>
 
@@ -17,35 +16,36 @@
 
 using namespace typemesh;
 
+namespace {
+
+std::string amiri() { return font_file("opentype/fonts-hosny-amiri/Amiri-Regular.ttf"); }
+
+}  // namespace
+
 TEST_CASE("styles only reorder glyphs of lines of both directions, whether merged, in chunks or by workers",
           "[workload]")
 {
-    const std::string path = font_folder().string() + "/opentype/fonts-hosny-amiri/Amiri-Regular.ttf";
-    auto font = harfbuzz_font::open(path.c_str());
-    REQUIRE(font);
-    text_mesher mesher{*font}, other{*font};
+    auto font = test::opened(amiri());
+    text_mesher mesher{font}, other{font};
     test::scrambled_workers several{3};
-    auto pool = workers_of(several, [&](std::size_t) noexcept { return harfbuzz_font::wrap(font->handle()); });
+    auto pool = workers_of(several, [&](std::size_t) noexcept { return harfbuzz_font::wrap(font.handle()); });
     REQUIRE(pool);
     glyph_run run;
     const char* text = "الخط العربي\nHello world, WAVE\nمرحبا بالعالم";
-    REQUIRE(layout(*font, text, {.letter_spacing = -0.03}, {.align = alignment::centre}, run));
+    REQUIRE(layout(font, text, {.letter_spacing = -0.03}, {.align = alignment::centre}, run));
     for (std::uint32_t seed = 1; seed <= 2; ++seed)
         test::check_styles(mesher, other, *pool, run, {.tolerance = quality::normal}, seed);
 }
 
 TEST_CASE("a line of two fonts has the same meshes as each font by itself", "[workload]")
 {
-    const std::string fonts = font_folder().string();
-    auto latin = harfbuzz_font::open((fonts + "/truetype/dejavu/DejaVuSans.ttf").c_str());
-    auto arabic = harfbuzz_font::open((fonts + "/opentype/fonts-hosny-amiri/Amiri-Regular.ttf").c_str());
-    REQUIRE(latin);
-    REQUIRE(arabic);
-    REQUIRE(latin->units_per_em() != arabic->units_per_em());
+    auto latin = test::opened(font_file("truetype/dejavu/DejaVuSans.ttf"));
+    auto arabic = test::opened(amiri());
+    REQUIRE(latin.units_per_em() != arabic.units_per_em());
     glyph_run first, second, both;
-    REQUIRE(layout(*latin, "Two fonts", {}, {}, first));
-    REQUIRE(layout(*arabic, "خطان", {}, {}, second));
-    const double scale = latin->units_per_em() / arabic->units_per_em();
+    REQUIRE(layout(latin, "Two fonts", {}, {}, first));
+    REQUIRE(layout(arabic, "خطان", {}, {}, second));
+    const double scale = latin.units_per_em() / arabic.units_per_em();
     const auto other_face = both.number_of({.face = 1});
     REQUIRE(other_face);
     for (const placed_glyph& g : first.glyphs) REQUIRE(both.glyphs.push_back(g));
@@ -54,9 +54,9 @@ TEST_CASE("a line of two fonts has the same meshes as each font by itself", "[wo
         g.glyph_style = *other_face;
         REQUIRE(both.glyphs.push_back(g));
     }
-    font_faces faces{*latin, *arabic};
+    font_faces faces{latin, arabic};
     text_mesher mesher{faces};
-    text_mesher latin_mesher{*latin}, arabic_mesher{*arabic};
+    text_mesher latin_mesher{latin}, arabic_mesher{arabic};
     const auto plan = mesher.plan(both);
     const auto of_latin = latin_mesher.plan(first), of_arabic = arabic_mesher.plan(second);
     REQUIRE(plan);

@@ -2,14 +2,12 @@
 //
 // Glyphs whose contours only touch in points: proven as they are, and the region that resolve() makes of them.
 
-#include "support/catch.hpp"
+#include "opened_font.hpp"
 #include "support/cycles.hpp"
 #include "support/font_file.hpp"
 #include "support/oracle.hpp"
 
-#include <typemesh/adapt/harfbuzz.hpp>
 #include <typemesh/glyph/cap_builder.hpp>
-#include <typemesh/typemesh.hpp>
 
 using namespace typemesh;
 
@@ -18,16 +16,15 @@ TEST_CASE("glyphs that only touch in points are the region that resolve() makes,
     std::size_t touching = 0;
     for (const char* name : {"truetype/wqy/wqy-microhei.ttc", "truetype/sawarabi-mincho/sawarabi-mincho-medium.ttf",
                              "truetype/inter-vf/Inter.var.ttf"}) {
-        auto font = harfbuzz_font::open(font_file(name).c_str());
-        REQUIRE(font);
+        auto font = test::opened(font_file(name));
         workspace space;
         outline shape;
         contours resolved;
         cap_builder caps;
-        for (glyph_id id = 0; id < font->glyph_count(); ++id) {
-            if (!record(*font, id, shape) || shape.curves.empty()) continue;
-            const double tolerance = quality::normal * font->units_per_em();
-            const auto g = grid::fitting(font->units_per_em(), shape.bounds);
+        for (glyph_id id = 0; id < font.glyph_count(); ++id) {
+            if (!record(font, id, shape) || shape.curves.empty()) continue;
+            const double tolerance = quality::normal * font.units_per_em();
+            const auto g = grid::fitting(font.units_per_em(), shape.bounds);
             if (!g || !caps.flatten(shape, certified{}, tolerance, *g)) continue;
             const result<region> proven = caps.prove(monotone{});
             if (!proven || !proven->is_touching()) continue;

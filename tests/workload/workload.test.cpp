@@ -2,14 +2,13 @@
 //
 // Every text of the workload with every font of its script, glyph by glyph, against the laws and the oracle.
 
-#include "support/workload.hpp"
-#include "support/catch.hpp"
+#include "opened_font.hpp"
 #include "support/font_file.hpp"
 #include "support/mesh_laws.hpp"
 #include "support/oracle.hpp"
+#include "support/written_mesh.hpp"
 
 #include <typemesh/adapt/freetype.hpp>
-#include <typemesh/adapt/harfbuzz.hpp>
 #include <typemesh/inspect/normal_check.hpp>
 #include <typemesh/typemesh.hpp>
 
@@ -33,7 +32,7 @@ std::vector<subject> subjects()
     std::vector<subject> all;
     for (const auto& font : test::workload_fonts())
         for (const char* script : {"latin", "arabic", "chinese", "japanese"})
-            if (font.serves(script)) all.push_back({script, font});
+            if (font.serves(script) && font.available()) all.push_back({script, font});
     return all;
 }
 
@@ -70,11 +69,9 @@ double cap_area(const test::full_mesh& m, const mesh_range& r)
 TEST_CASE("every glyph of every text of the workload is present and closed, even where its contours meet", "[workload]")
 {
     const auto s = GENERATE(from_range(subjects()));
-    if (!s.font.available()) return;
     INFO(s.font.name << " (" << s.script << ")");
-    auto font = harfbuzz_font::open(s.font.path.c_str());
-    REQUIRE(font);
-    text_mesher mesher{*font};
+    auto font = test::opened(s.font.path);
+    text_mesher mesher{font};
 
     std::size_t built = 0;
     std::set<glyph_id> resolved;
@@ -85,18 +82,11 @@ TEST_CASE("every glyph of every text of the workload is present and closed, even
             REQUIRE(plan);
             CHECK(plan->report().invalid_units == 0);
             CHECK(plan->report().refused == 0);
-            test::full_mesh m;
-            REQUIRE(plan->write(into(m.vertices, m.indices)));
-
+            const auto m = test::written<test::full_mesh>(*plan);
             std::set<glyph_id> present;
             for (std::size_t g = 0; g < plan->glyphs().size(); ++g) {
                 present.insert(plan->glyphs()[g].id);
-                std::vector<std::uint32_t> own;
-                for (const part p : plan->parts()) {
-                    const mesh_range r = plan->range(g, p);
-                    own.insert(own.end(), m.indices.begin() + r.first_index,
-                               m.indices.begin() + r.first_index + r.index_count);
-                }
+                const auto own = test::indices_of(*plan, g, m);
                 const auto law = test::examine(m.vertices, own);
                 INFO("glyph " << plan->glyphs()[g].id);
                 CHECK(law.unmatched_edges == 0);
@@ -111,10 +101,10 @@ TEST_CASE("every glyph of every text of the workload is present and closed, even
             if (flipped_triangles(*plan) == 0) CHECK(normals.is_right());
             for (const auto& g : plan->run().glyphs) {
                 if (g.missing) continue;
-                if (is_resolved(*font, g.id, certified{}, tolerance)) resolved.insert(g.id);
+                if (is_resolved(font, g.id, certified{}, tolerance)) resolved.insert(g.id);
                 if (!present.count(g.id)) {  // then it must be blank
                     outline shape;
-                    REQUIRE(record(*font, g.id, shape));
+                    REQUIRE(record(font, g.id, shape));
                     CHECK(shape.bounds.width() * shape.bounds.height() == 0.0);
                 }
             }
@@ -128,12 +118,10 @@ TEST_CASE("every glyph of every text of the workload is present and closed, even
 TEST_CASE("the four styles of normals have 2N, 4N, 4N+2H and 4N+2H vertices for every phrase", "[workload]")
 {
     const auto s = GENERATE(from_range(subjects()));
-    if (!s.font.available()) return;
     INFO(s.font.name << " (" << s.script << ")");
-    auto font = harfbuzz_font::open(s.font.path.c_str());
-    REQUIRE(font);
+    auto font = test::opened(s.font.path);
     const auto law = [&](auto extruder, std::uint64_t per_point, bool doubles) {
-        auto mesher = text_mesher{*font}.with(extruder);
+        auto mesher = text_mesher{font}.with(extruder);
         for (const std::string& text : test::workload_lines("phrases-" + s.script + ".txt")) {
             auto plan = mesher.plan(text);
             REQUIRE(plan);
@@ -141,10 +129,7 @@ TEST_CASE("the four styles of normals have 2N, 4N, 4N+2H and 4N+2H vertices for 
             CHECK(plan->size().vertices == per_point * n + (doubles ? 2 * h : 0));
             if (!doubles) CHECK(h == 0);
             CHECK(plan->range(part::side).index_count == 6 * n);
-            test::full_mesh m;
-            REQUIRE(plan->write(into(m.vertices, m.indices)));
-            CHECK(m.vertices.size() == plan->size().vertices);
-            CHECK(test::examine(m).unmatched_edges == 0);
+            CHECK(test::examine(test::written<test::full_mesh>(*plan)).unmatched_edges == 0);
         }
     };
     constexpr auto box = texture_mapping::box;  // without seams
@@ -157,38 +142,29 @@ TEST_CASE("the four styles of normals have 2N, 4N, 4N+2H and 4N+2H vertices for 
 TEST_CASE("caps have exactly the area of the region, and walls close, for every rotation of the glyph", "[workload]")
 {
     const auto s = GENERATE(from_range(subjects()));
-    if (!s.font.available()) return;
-    auto font = harfbuzz_font::open(s.font.path.c_str());
-    REQUIRE(font);
+    auto font = test::opened(s.font.path);
     const double degrees = GENERATE(0.0, 0.001, 90.0, 180.0);
     const bool mirrored = GENERATE(false, true);
     INFO(s.font.name << " (" << s.script << ") turned by " << degrees << (mirrored ? ", mirrored" : ""));
 
     const double angle = degrees * 3.14159265358979323846 / 180.0;
-    const bool quarter = degrees == 90.0, half = degrees == 180.0;
-    const double c = quarter ? 0.0
-                     : half  ? -1.0
-                             : std::cos(angle),
-                 n = quarter ? 1.0
-                     : half  ? 0.0
-                             : std::sin(angle),
-                 m = mirrored ? -1.0 : 1.0;
-    transformed_outlines turned{*font, {.xx = c * m, .xy = -n, .yx = n * m, .yy = c}};
+    const bool quarters = degrees == 90.0 || degrees == 180.0;  // which are exact
+    const double c = quarters ? std::round(std::cos(angle)) : std::cos(angle);
+    const double n = quarters ? std::round(std::sin(angle)) : std::sin(angle), m = mirrored ? -1.0 : 1.0;
+    transformed_outlines turned{font, {.xx = c * m, .xy = -n, .yx = n * m, .yy = c}};
 
-    shaped_by both{*font, turned};
+    shaped_by both{font, turned};
     auto mesher = text_mesher{both}.with(flat{});
     auto plan = mesher.plan(test::workload_texts(s.script).front(), {.unit = output_unit::font_units});
     REQUIRE(plan);
-    test::full_mesh mesh;
-    REQUIRE(plan->write(into(mesh.vertices, mesh.indices)));
     CHECK(plan->report().refused == 0);
 
     text_mesher deep{both};
     auto walls = deep.plan(test::workload_texts(s.script).front());
     REQUIRE(walls);
-    REQUIRE(walls->write(into(mesh.vertices, mesh.indices)));
-    CHECK(test::examine(mesh).unmatched_edges == 0);
-    CHECK(test::volume(mesh.vertices, mesh.indices) > 0.0);
+    const auto solid = test::written<test::full_mesh>(*walls);
+    CHECK(test::examine(solid).unmatched_edges == 0);
+    CHECK(test::volume(solid.vertices, solid.indices) > 0.0);
 
     outline shape;
     contours loops;
@@ -196,21 +172,20 @@ TEST_CASE("caps have exactly the area of the region, and walls close, for every 
     for (std::size_t g = 0; g < plan->glyphs().size(); ++g) {
         const auto& glyph = plan->glyphs()[g];
         glyph_run alone;  // at the origin, so that 32-bit floats hold the grid points exactly
-        alone.units_per_em = font->units_per_em();
+        alone.units_per_em = font.units_per_em();
         REQUIRE(alone.glyphs.push_back({glyph.id, 0, {0, 0}}));
         auto single = text_mesher{turned}.with(flat{});
         auto own = single.plan(alone, {.unit = output_unit::font_units});
         REQUIRE(own);
-        REQUIRE(own->write(into(mesh.vertices, mesh.indices)));
+        const auto mesh = test::written<test::full_mesh>(*own);
         REQUIRE(record(turned, glyph.id, shape));
-        const auto grid_of = grid::fitting(font->units_per_em(), shape.bounds);
-        REQUIRE(discretise(shape, certified{}, quality::high * font->units_per_em(), *grid_of, loops));
+        const auto grid_of = grid::fitting(font.units_per_em(), shape.bounds);
+        REQUIRE(discretise(shape, certified{}, quality::high * font.units_per_em(), *grid_of, loops));
         const double cells = grid_of->cells;
         const double area = cap_area(mesh, own->range(part::front)) * cells * cells;
-        const double filled_area = test::oracle::doubled_filled_area(test::oracle::loops_of(loops), shape.rule);
-        const double snapped = test::oracle::is_crossing(test::oracle::loops_of(loops))
-                                   ? 2.0 * test::oracle::length(test::oracle::loops_of(loops))
-                                   : 0.0;
+        const auto given = test::oracle::loops_of(loops);
+        const double filled_area = test::oracle::doubled_filled_area(given, shape.rule);
+        const double snapped = test::oracle::is_crossing(given) ? 2.0 * test::oracle::length(given) : 0.0;
         CHECK(std::fabs(area - filled_area) <= 1e-11 * filled_area + snapped);
         orient(loops);
         const auto filled = fill(loops, shape.rule, space);
@@ -223,15 +198,12 @@ TEST_CASE("caps have exactly the area of the region, and walls close, for every 
 TEST_CASE("the same text from FreeType's outlines is as closed as from HarfBuzz'", "[workload]")
 {
     const auto s = GENERATE(from_range(subjects()));
-    if (!s.font.available()) return;
     INFO(s.font.name);
-    auto shapes = harfbuzz_font::open(s.font.path.c_str());
+    auto shapes = test::opened(s.font.path);
     auto draws = freetype_font::open(s.font.path.c_str());
-    REQUIRE(shapes);
     REQUIRE(draws);
-    shaped_by font{*shapes, *draws};
-    text_mesher mesher{font};
-    text_mesher reference{*shapes};
+    shaped_by font{shapes, *draws};
+    text_mesher mesher{font}, reference{shapes};
     for (const std::string& text : test::workload_lines("phrases-" + s.script + ".txt")) {
         test::full_mesh m;
         const auto made = mesher.build(text, into(m.vertices, m.indices));
@@ -284,10 +256,9 @@ TEST_CASE("a variable font is meshed at every end of its axes, and each weight h
     std::vector<double> volumes;
     for (const float weight : {100.0f, 400.0f, 900.0f}) {
         const variation wanted[] = {{"wght", weight}};
-        auto font = harfbuzz_font::open(path.c_str(), {.variations = wanted});
-        INFO(path << " (Debian package fonts-inter-variable) at weight " << weight);
-        REQUIRE(font);
-        text_mesher mesher{*font};
+        INFO("Debian package fonts-inter-variable, at weight " << weight);
+        auto font = test::opened(path, {.variations = wanted});
+        text_mesher mesher{font};
         for (const std::string& text : test::workload_texts("latin")) {
             test::full_mesh m;
             const auto made = mesher.build(text, into(m.vertices, m.indices));
