@@ -234,6 +234,7 @@ std::string refusal_in_words(const options& o, const typemesh::error& e)
     if (e.code != typemesh::error::bad_option) return in_words(e);
     const std::string_view option = e.option;
     constexpr float narrow = 1e-4f;  // a ring is refused that is narrower than a few cells
+    if (option == "max_edge") return "--max-edge is too small for this font: give a larger number.";
     if (option == "outlined::width")
         return o.outline.width < narrow ? "--outline is too narrow for this font: give a larger number."
                                         : "--outline is too wide for this font: give a smaller number.";

@@ -95,14 +95,14 @@ std::string version()
 /// Words of the command line that become something else after parsing.
 struct raw_values {
     std::vector<std::string> variations, features, show;
-    std::string uv, fill, fit, profile = "chamfer", family, format, anchor, origin;
+    std::string uv, fill, fit, profile = "chamfer", refine, family, format, anchor, origin;
     std::optional<typemesh::touching> corners;
     std::optional<double> size, bevel_depth, bevel_steps, letter_spacing;
     bool text_given = false, no_merge = false, tolerance_given = false, shading_given = false, normals_given = false,
          bevel_given = false;
-    std::string of_a_bevel, of_an_outline;  // the first option that only a bevel, an outline has
-    std::string of_columns;                 // likewise
-    std::vector<std::string> of_lines;      // options for lines that depend on each other; those that are given
+    std::string of_a_bevel, of_an_outline, of_refining;  // the first option that only a bevel, ... has
+    std::string of_columns;                              // likewise
+    std::vector<std::string> of_lines;  // options for lines that depend on each other; those that are given
 };
 
 void add_text_options(CLI::App& app, options& out, raw_values& raw)
@@ -367,6 +367,22 @@ void add_weight_options(CLI::App& app, options& out)
     app.add_flag("--outline-letter", out.outline.letter, "also make the letter inside the ring, as parts of its own");
 }
 
+void add_refine_options(CLI::App& app, options& out, raw_values& raw)
+{
+    app.add_option("--refine", raw.refine, "add points to the letters, for meshes that will be bent or computed on")
+        ->check(one_of({"delaunay"}));
+    add_number(
+        app, "--min-angle", "the least angle of refined triangles (default 25)", "a number from 0 to 33",
+        [](double n) { return n >= 0.0 && n <= 33.0; },
+        [&out](double n) { out.refine.min_angle = static_cast<float>(n); })
+        ->type_name("DEGREES");
+    add_number(
+        app, "--max-edge", "the longest edge of refined triangles; 0 allows any length (default)",
+        "a number from 0 to 1000", [](double n) { return n >= 0.0 && n <= 1000.0; },
+        [&out](double n) { out.refine.max_edge = static_cast<float>(n); })
+        ->type_name("EM");
+}
+
 void add_output_options(CLI::App& app, options& out, raw_values& raw)
 {
     app.add_option("-o,--output", out.output,
@@ -465,6 +481,17 @@ std::string settle_weight(options& out, const raw_values& raw)
     out.columns.combined_gap = wider;
     const double bevel = out.bevel.outward ? static_cast<double>(out.bevel.width) : 0.0;
     out.growth = std::max(0.0, bolder + around + bevel);
+    return {};
+}
+
+/// Finishes refined letters. Gives an empty string, or one sentence of what is wrong.
+std::string settle_refine(options& out, const raw_values& raw)
+{
+    out.refine.is_on = !raw.refine.empty();
+    if (!out.refine.is_on)
+        return raw.of_refining.empty() ? std::string{} : raw.of_refining + " needs --refine delaunay";
+    if (out.bevel.width > 0.0f) return "--refine does not work with --bevel";
+    if (out.outline.width > 0.0f) return "--refine does not work with --outline";
     return {};
 }
 
@@ -636,6 +663,7 @@ std::string settle(options& out, const raw_values& raw)
     if (std::string trouble = refused_columns(out, raw); !trouble.empty()) return trouble;
     if (std::string trouble = settle_bevel(out, raw); !trouble.empty()) return trouble;
     if (std::string trouble = settle_weight(out, raw); !trouble.empty()) return trouble;
+    if (std::string trouble = settle_refine(out, raw); !trouble.empty()) return trouble;
 
     if (std::string trouble = settle_files(out, raw); !trouble.empty()) return trouble;
     if (std::string trouble = settle_place(out, raw); !trouble.empty()) return trouble;
@@ -687,6 +715,7 @@ std::optional<int> parse(int argc, char** argv, options& out)
     add_mesh_options(app, out, raw);
     add_bevel_options(app, out, raw);
     add_weight_options(app, out);
+    add_refine_options(app, out, raw);
     add_output_options(app, out, raw);
 
     const auto complain = [](const std::string& sentence) {
@@ -716,6 +745,8 @@ std::optional<int> parse(int argc, char** argv, options& out)
         if (app.count(option) > 0) raw.of_a_bevel = option;
     for (const char* option : {"--outline-letter", "--outline-place"})
         if (app.count(option) > 0) raw.of_an_outline = option;
+    for (const char* option : {"--max-edge", "--min-angle"})
+        if (app.count(option) > 0) raw.of_refining = option;
     for (const char* option : {"--latin", "--combine-digits", "--columns"})
         if (app.count(option) > 0) raw.of_columns = option;
     raw.shading_given = app.count("--shading") > 0;

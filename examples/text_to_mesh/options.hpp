@@ -42,6 +42,13 @@ struct outline_options {
     bool letter = false;  ///< the letter is made, too
 };
 
+/// Refined letters, as delaunay_refined.hpp has them.
+struct refine_options {
+    bool is_on = false;
+    float min_angle = 25.0f;  ///< degrees
+    float max_edge = 0.0f;    ///< em; 0: any length
+};
+
 /// What the command line requests.
 struct options {
     std::string who = "text_to_mesh: ";  ///< begins a sentence on standard error; of a batch it names the line
@@ -72,6 +79,7 @@ struct options {
     bevel_options bevel;
     float embolden = 0.0f;  ///< em; how far edges move outwards
     outline_options outline;
+    refine_options refine;
     preset quality = preset::high;
     double tolerance = typemesh::quality::high;
     bool quality_given = false;  ///< by --quality or --tolerance

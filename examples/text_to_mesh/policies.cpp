@@ -49,6 +49,9 @@ plain_solid plain_of(const options& o)
 
 chosen_solid solid_of(const options& o)
 {
+    if (o.refine.is_on)
+        return refined_solid{.solid = plain_of(o),
+                             .how = {.min_angle = o.refine.min_angle, .max_edge = o.refine.max_edge}};
     const letter_solid letter = o.bevel.width > 0.0f ? letter_solid{bevelled_of(o)} : letter_solid{plain_of(o)};
     if (o.outline.width > 0.0f) {
         hollow_solid hollow{.width = o.outline.width, .place = o.outline.place, .ring = letter, .letter = plain_of(o)};

@@ -831,6 +831,17 @@ expect 2 "outline-place must be inner, center or outer, not top" x --font $sans 
 expect 2 "^text_to_mesh: --bevel-out does not work with --outline-letter, because the ring would grow into the letter\.$" x --font $sans --output x.glb --outline 0.02 --outline-letter --bevel 0.01 --bevel-out
 expect 0 "" "ab" --font $sans --output ring.obj --outline 0.02 --outline-letter --style 0..1:colour=red --style 1..2:colour=white
 that "a letter within a coloured ring has another colour" [ "$(grep '^Kd' ring.mtl | sort -u | wc -l)" = 8 ]
+# Refined letters: more triangles, none with a small angle, no long edge; the solid stays closed (external/admesh.sh).
+triangles() { sed -n 's/.*"triangles": *\([0-9]*\).*/\1/p' "$1"; }
+expect 0 "" "Rag" --font $sans --output plain.stl --stats && cp out plain.stats
+expect 0 "" "Rag" --font $sans --output refined.stl --stats --refine delaunay --max-edge 0.05 && cp out refined.stats
+that "refining adds triangles: $(triangles plain.stats) to $(triangles refined.stats)" [ "$(triangles refined.stats)" -gt $((5 * $(triangles plain.stats))) ]
+expect 2 "^text_to_mesh: --max-edge needs --refine delaunay\.$" x --font $sans --output x.glb --max-edge 0.1
+expect 2 "^text_to_mesh: --refine does not work with --bevel\.$" x --font $sans --output x.glb --refine delaunay --bevel 0.01
+expect 2 "^text_to_mesh: --refine does not work with --outline\.$" x --font $sans --output x.glb --refine delaunay --outline 0.01
+expect 2 "^text_to_mesh: --min-angle must be a number from 0 to 33, not 60\.$" x --font $sans --output x.glb --refine delaunay --min-angle 60
+expect 1 "^text_to_mesh: --max-edge is too small for this font: give a larger number\.$" x --font $sans --output x.glb --refine delaunay --max-edge 1e-6
+
 for option in "--outline-place outer" --outline-letter; do
     # shellcheck disable=SC2086  # an option and its value
     expect 2 "^text_to_mesh: ${option% *} needs --outline\.$" x --font $sans --output x.glb $option

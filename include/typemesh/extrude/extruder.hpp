@@ -31,6 +31,10 @@ struct solid_outline {
     array_view<const std::uint32_t> starts;
 };
 
+/// Whether an extruder accepts points inside the region: see refinable_extruder (refined.hpp).
+template <class E>
+concept takes_inner_points = requires { requires E::writes_inner_points; };
+
 /// A receiver that discards an extruder's output: the concept `extruder` is checked with it.
 struct ignore_surface {
     template <attribute Wants>

@@ -18,7 +18,7 @@ namespace typemesh::inline TYPEMESH_ABI {
 /// An extruder that accepts points inside the region. In solid::points they follow the points of the loops, and the
 /// caps' triangles may use them.
 template <class E>
-concept refinable_extruder = extruder<E> && requires { requires E::writes_inner_points; };
+concept refinable_extruder = extruder<E> && takes_inner_points<E>;
 
 /// The plan data of refined: the solid of the refined region.
 template <class Solid, class Refiner>
