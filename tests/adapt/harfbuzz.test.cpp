@@ -2,6 +2,7 @@
 #include "adapt/opened_font.hpp"
 #include "support/catch.hpp"
 #include "support/font_file.hpp"
+#include "support/required.hpp"
 
 #include <typemesh/adapt/harfbuzz.hpp>
 #include <typemesh/layout/layout.hpp>
@@ -387,8 +388,7 @@ TEST_CASE("variations change outlines and advances, and are kept inside their ra
 TEST_CASE("a font opens alike from its path and from its bytes", "[adapt][harfbuzz]")
 {
     const auto bytes = bytes_of(font_file(amiri));
-    auto lent = harfbuzz_font::open(bytes);
-    REQUIRE(lent);
+    auto lent = test::required(harfbuzz_font::open(bytes));
     harfbuzz_font read = opened(amiri);
     CHECK(same_run(shaped(*lent, u8"مرحبا بالعالم!"), shaped(read, u8"مرحبا بالعالم!")));
     for (glyph_id id = 0; id < read.glyph_count(); id += 97) CHECK(points_of(*lent, id) == points_of(read, id));
@@ -401,8 +401,7 @@ TEST_CASE("the caller's hb_font_t is right at any scale, also with y down, and i
     for (const auto& [x, y] : {std::pair{2048, 2048}, {2048 * 64, -2048 * 64}, {1 << 20, 1 << 20}, {-2048, 4096}}) {
         INFO(x << " x " << y);
         hb_font_set_scale(callers, x, y);
-        auto wrapped = harfbuzz_font::wrap(callers);
-        REQUIRE(wrapped);
+        auto wrapped = test::required(harfbuzz_font::wrap(callers));
         CHECK(wrapped->units_per_em() == 2048.0);
         CHECK(std::fabs(wrapped->metrics(direction::automatic).ascender - 1901.0) < 1.0);
         CHECK(same_run(shaped(*wrapped, u"AVq\u0301"), shaped(own, u"AVq\u0301"), 2.0));
@@ -435,8 +434,7 @@ TEST_CASE("a font moves with all it holds", "[adapt][harfbuzz]")
     CHECK(third.units_per_em() == 2048.0);
     CHECK(same_run(shaped(third, "Hello"), before));
     CHECK(!points_of(third, before.glyphs[0].id).empty());
-    auto shared = harfbuzz_font::wrap(third.handle());
-    REQUIRE(shared);
+    auto shared = test::required(harfbuzz_font::wrap(third.handle()));
     CHECK(same_run(shaped(*shared, "Hello"), before));
 }
 

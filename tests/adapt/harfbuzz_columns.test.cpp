@@ -5,6 +5,7 @@
 #include "adapt/opened_font.hpp"
 #include "support/catch.hpp"
 #include "support/font_file.hpp"
+#include "support/required.hpp"
 
 #include <typemesh/adapt/harfbuzz.hpp>
 #include <typemesh/layout/face_metrics.hpp>
@@ -298,8 +299,7 @@ TEST_CASE("a mesh of a column is that of the line, turned", "[adapt][harfbuzz][c
     text_mesher mesher{font};
     text_options how{.unit = output_unit::font_units};
     const auto bounds_of = [&] {
-        const auto plan = mesher.plan("AVg", how);
-        REQUIRE(plan);
+        const auto plan = test::required(mesher.plan("AVg", how));
         return plan->bounds();
     };
     const auto a = bounds_of();
@@ -320,8 +320,7 @@ TEST_CASE("letters on their side do not reach from one column to the next", "[ad
         text_mesher mesher{font};
         text_options how{.unit = output_unit::font_units};
         how.shape.direction = direction::top_to_bottom;
-        const auto plan = mesher.plan("jgpyQ|\xC3\x85", how);
-        REQUIRE(plan);
+        const auto plan = test::required(mesher.plan("jgpyQ|\xC3\x85", how));
         const line_metrics reach = line_reach_of(font, direction::top_to_bottom);
         CHECK(plan->bounds().low.x >= reach.descender);
         CHECK(plan->bounds().high.x <= reach.ascender);

@@ -6,6 +6,7 @@
 
 #include "support/catch.hpp"
 #include "support/font_file.hpp"
+#include "support/required.hpp"
 
 #include <cstdint>
 #include <string>
@@ -40,8 +41,7 @@ void check(Font& font, const emoji_text& t)
         CHECK(run.parted == t.parted);
         CHECK(run.first_parted == t.first);
         text_mesher mesher{font};
-        auto plan = mesher.plan(run, {.tolerance = quality::low});
-        REQUIRE(plan);
+        auto plan = test::required(mesher.plan(run, {.tolerance = quality::low}));
         CHECK(plan->report().missing == t.parted);
         CHECK(plan->report().parted == t.parted);
         CHECK(plan->report().first_missing == t.first);
@@ -59,10 +59,8 @@ void check(Font& font, const emoji_text& t)
 
 TEST_CASE("an emoji that has fallen apart is reported as missing, by a layout and by a paragraph", "[harfbuzz][emoji]")
 {
-    auto symbola = harfbuzz_font::open(font_file("truetype/ancient-scripts/Symbola_hint.ttf").c_str());
-    auto latin = harfbuzz_font::open(font_file("truetype/dejavu/DejaVuSans.ttf").c_str());
-    REQUIRE(symbola);
-    REQUIRE(latin);
+    auto symbola = test::required(harfbuzz_font::open(font_file("truetype/ancient-scripts/Symbola_hint.ttf").c_str()));
+    auto latin = test::required(harfbuzz_font::open(font_file("truetype/dejavu/DejaVuSans.ttf").c_str()));
     const emoji_text& t = texts[GENERATE(range(0u, 6u))];
     if (t.text[0] != u'\u05D0') check(*symbola, t);  // it has no Hebrew
     font_cascade both{*latin, *symbola};
@@ -73,8 +71,7 @@ TEST_CASE("an emoji that has fallen apart is reported as missing, by a layout an
 
 TEST_CASE("an emoji that a line has dropped is not reported", "[harfbuzz][emoji]")
 {
-    auto font = harfbuzz_font::open(font_file("truetype/ancient-scripts/Symbola_hint.ttf").c_str());
-    REQUIRE(font);
+    auto font = test::required(harfbuzz_font::open(font_file("truetype/ancient-scripts/Symbola_hint.ttf").c_str()));
     paragraph words{*font};
     glyph_run run;
     REQUIRE(words.set("one two \U0001F44D\U0001F3FD"));

@@ -5,6 +5,7 @@
 #include "support/catch.hpp"
 #include "support/font_file.hpp"
 #include "support/mesh_laws.hpp"
+#include "support/required.hpp"
 
 #include <typemesh/adapt/harfbuzz.hpp>
 #include <typemesh/paragraph/paragraph.hpp>
@@ -26,8 +27,7 @@ const std::u16string bismi = u"\u0628\u0633\u0645 \u0627\u0644\u0644\u0647 \u063
 
 harfbuzz_font styled_font(const char* name)
 {
-    auto font = harfbuzz_font::open(font_file(name).c_str());
-    REQUIRE(font);
+    auto font = test::required(harfbuzz_font::open(font_file(name).c_str()));
     return std::move(*font);
 }
 
@@ -86,8 +86,7 @@ TEST_CASE("a recoloured letter is built once, and styles part the mesh", "[adapt
     glyph_run run;
     REQUIRE(words.lay_out({}, run));
     const bool merge = GENERATE(false, true);
-    auto plan = mesher.plan(run, {.merge = merge});
-    REQUIRE(plan);
+    auto plan = test::required(mesher.plan(run, {.merge = merge}));
     CHECK(plan->glyphs().size() == 7 + 4);
     if (!merge) CHECK(plan->meshes().size() == 2 + 2);  // the o of either size; bars of two sizes, twice each
     std::vector<styled_vertex> vertices;
@@ -117,8 +116,7 @@ TEST_CASE("decorated text is closed, and its bars are as wide as its letters' ad
     REQUIRE(words.set("gypsy quay", {.styles = spans}));
     glyph_run run;
     REQUIRE(words.lay_out({}, run));
-    auto plan = mesher.plan(run, {});
-    REQUIRE(plan);
+    auto plan = test::required(mesher.plan(run, {}));
     std::vector<test::full_vertex> vertices;
     std::vector<std::uint32_t> indices;
     REQUIRE(plan->write(into(vertices, indices)));

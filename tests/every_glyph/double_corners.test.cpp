@@ -17,6 +17,7 @@
 #include "support/bevel_oracle.hpp"
 #include "support/bevel_surface.hpp"
 #include "support/catch.hpp"
+#include "support/required.hpp"
 #include "support/shape_file.hpp"
 #include "support/solid_in_cells.hpp"
 
@@ -50,8 +51,7 @@ public:
     void raise(const bevelled& how)
     {
         how_ = how;
-        const auto plan = test::write_in_cells(how, region_, caps_, em_, data_, mesh_);
-        REQUIRE(plan);
+        const auto plan = test::required(test::write_in_cells(how, region_, caps_, em_, data_, mesh_));
         CHECK_FALSE(plan->narrowed);
     }
 
@@ -61,8 +61,7 @@ public:
         if (!how_.outward) return loops_of(region_);
         const double reach = farthest_way(region_, width(), double(how_.mitre_limit));
         REQUIRE_FALSE(surround(region_, reach, around_.loops()));
-        const auto filled = around_.fill({}, monotone{});
-        REQUIRE(filled);
+        const auto filled = test::required(around_.fill({}, monotone{}));
         return loops_of(*filled);
     }
     /// The surroundings with each loop as in the letter, even if two of them touch.

@@ -15,6 +15,7 @@
 #include "support/catch.hpp"
 #include "support/executors.hpp"
 #include "support/lit_mesh.hpp"
+#include "support/required.hpp"
 #include "support/toy_font.hpp"
 #include "tapering_twist.hpp"
 
@@ -42,8 +43,7 @@ TEST_CASE("a stranger's extruder of five parts makes closed solids of exact size
     test::toy_font font;
     const stranger::flared how;
     auto mesher = text_mesher{font}.with(how);
-    const auto alone = mesher.plan("i");
-    REQUIRE(alone);
+    const auto alone = test::required(mesher.plan("i"));
     CHECK(alone->parts().size() == 5);
     const std::uint32_t vertices[] = {4, 4, 16, 16, 16}, triangles[] = {2, 2, 8, 8, 8};
     for (const part p : alone->parts()) {
@@ -62,14 +62,12 @@ TEST_CASE("a stranger's extruder of five parts makes closed solids of exact size
     turned.winding = -1;
     for (const frame& f : {right_handed_y_up, left_handed_y_up, right_handed_z_up, left_handed_z_up, turned}) {
         const text_options options{.frame = f};
-        const auto plan = mesher.plan(word, options);
-        REQUIRE(plan);
+        const auto plan = test::required(mesher.plan(word, options));
         (void)lawful(*plan, f);
     }
     // Its own box is fitted.
     const text_options fitted{.unit = output_unit::unit_box};
-    const auto fits = mesher.plan(word, fitted);
-    REQUIRE(fits);
+    const auto fits = test::required(mesher.plan(word, fitted));
     (void)lawful(*fits);
     CHECK(fits->bounds().low.x == -1.0f);
     CHECK(fits->bounds().high.x == 1.0f);
@@ -79,21 +77,18 @@ TEST_CASE("a stranger's five parts are the same through caches, teams and constr
 {
     test::toy_font font;
     auto mesher = text_mesher{font}.with(stranger::flared{});
-    const auto plan = mesher.plan(word);
-    REQUIRE(plan);
+    const auto plan = test::required(mesher.plan(word));
     const mesh expected = lawful(*plan);
 
     glyph_cache<own_lock> cache;
     auto cached = text_mesher{font}.with(stranger::flared{}).with(cached_in{cache, 1});
     for (int i = 0; i < 2; ++i) {
-        const auto again = cached.plan(word);
-        REQUIRE(again);
+        const auto again = test::required(cached.plan(word));
         CHECK(lawful(*again) == expected);
     }
     CHECK(cache.statistics().hits >= 5);
     auto other = text_mesher{font}.with(stranger::flared{.rim = 0.1f}).with(cached_in{cache, 1});
-    const auto deeper = other.plan(word);
-    REQUIRE(deeper);
+    const auto deeper = test::required(other.plan(word));
     CHECK_FALSE(lawful(*deeper) == expected);
 
     test::scrambled_workers pool;
@@ -101,15 +96,13 @@ TEST_CASE("a stranger's five parts are the same through caches, teams and constr
     REQUIRE(team);
     const text_options options;
     for (int i = 0; i < 2; ++i) {
-        const auto shared = mesher.plan(word, options, *team);
-        REQUIRE(shared);
+        const auto shared = test::required(mesher.plan(word, options, *team));
         mesh m;
         REQUIRE(shared->write(into(m.vertices, m.indices), pool));
         CHECK(m == expected);
     }
     auto delaunay = text_mesher{font}.with(stranger::flared{}).with(constrained_delaunay{});
-    const auto cut = delaunay.plan(word);
-    REQUIRE(cut);
+    const auto cut = test::required(delaunay.plan(word));
     CHECK(lawful(*cut).vertices.size() == expected.vertices.size());
 }
 
@@ -121,14 +114,12 @@ TEST_CASE("a stranger's five parts are merged, cut into chunks, instanced and wr
     for (const double x : {0.0, 300.0, 1500.0}) REQUIRE(run.glyphs.push_back({1, 0, {x, 0.0}}));  // two rings that meet
     run.units_per_em = 1000.0;
     const text_options merging{.merge = true};
-    const auto joined = mesher.plan(run, merging);
-    REQUIRE(joined);
+    const auto joined = test::required(mesher.plan(run, merging));
     CHECK(joined->glyphs().size() == 2);
     (void)lawful(*joined);
     CHECK(joined->owner(0, stranger::flared::front_slope, 0) == shared_glyph);
 
-    const auto plan = mesher.plan(word);
-    REQUIRE(plan);
+    const auto plan = test::required(mesher.plan(word));
     mesh whole = lawful(*plan);
     text_chunks chunks;
     for (const std::uint32_t most : {65'535u, 200u, 30u}) {  // all glyphs, one, pieces
@@ -179,8 +170,7 @@ TEST_CASE("letters that twist and taper stay within their stated bounds", "[stra
             auto mesher = text_mesher{font}.with(stranger::tapering_twist{.turn = turn, .taper = taper});
             for (const output_unit unit : {output_unit::em, output_unit::unit_box}) {
                 const text_options options{.unit = unit};
-                const auto plan = mesher.plan(word, options);
-                REQUIRE(plan);
+                const auto plan = test::required(mesher.plan(word, options));
                 const mesh m = written(*plan);
                 bounds3 seen{m.vertices[0].place, m.vertices[0].place};
                 for (const vertex& v : m.vertices) seen.add(v.place);

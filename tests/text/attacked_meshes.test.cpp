@@ -19,6 +19,7 @@
 
 #include "support/catch.hpp"
 #include "support/lit_mesh.hpp"
+#include "support/required.hpp"
 #include "support/toy_font.hpp"
 
 using namespace typemesh;
@@ -62,8 +63,7 @@ TEST_CASE("thinner letters with outward bevels are merged where they meet in the
     const glyph_run run = glyph_row({0.0, 420.0});
     const auto glyphs_of = [&](float by, float width) {
         text_mesher mesher{stems, embolden{.by = by}, bevelled{.width = width, .outward = true}};
-        const auto plan = mesher.plan(run, {.merge = true});
-        REQUIRE(plan);
+        const auto plan = test::required(mesher.plan(run, {.merge = true}));
         CHECK(inspect::check_closedness(test::written(*plan).view()).is_closed());
         return plan->glyphs().size();
     };
@@ -79,8 +79,7 @@ TEST_CASE("a ring without room for its letter is as high as the ring alone", "[t
     text_mesher mesher{
         stem, outlined<extruded<>, extruded<>>{.width = 0.05f, .ring = {.depth = 0.1f}, .letter = {.depth = 0.5f}}};
     const glyph_run run = glyph_row({0.0});
-    const auto plan = mesher.plan(run);
-    REQUIRE(plan);
+    const auto plan = test::required(mesher.plan(run));
     CHECK(plan->bounds().low.z == -0.1f);
 }
 
@@ -114,8 +113,7 @@ TEST_CASE("the bridge that joins a ring's corners leaves room for the letter", "
                 waist, outlined<extruded<>, extruded<>>{
                            .width = width, .mitre_limit = 0.0f, .ring = {.depth = 0.2f}, .letter = {.depth = 0.1f}}};
             for (const touching way : {touching::part, touching::join}) {
-                const auto plan = mesher.plan(run, {.unit = output_unit::font_units, .corners = way});
-                REQUIRE(plan);
+                const auto plan = test::required(mesher.plan(run, {.unit = output_unit::font_units, .corners = way}));
                 moved += plan->report().corners_moved;
                 const auto found = checked_faces(plan);
                 CHECK(found.crowded_edges == 0);
@@ -209,10 +207,8 @@ TEST_CASE("a solid chosen at run time names the owners of merged letters and the
     run.units_per_em = attacked_units;
     text_mesher alone{font, extruded<>{}};
     text_mesher<one_of<flat, extruded<>, bevelled>> chosen{font, extruded<>{}};
-    const auto a = alone.plan(run, {.merge = true});
-    const auto b = chosen.plan(run, {.merge = true});
-    REQUIRE(a);
-    REQUIRE(b);
+    const auto a = test::required(alone.plan(run, {.merge = true}));
+    const auto b = test::required(chosen.plan(run, {.merge = true}));
     std::size_t owned = 0;
     for (const part p : a->parts())
         for (std::uint32_t t = 0; t < a->range(0, p).index_count / 3; ++t) {
@@ -236,8 +232,7 @@ TEST_CASE("glyphs that fit onto a coarser grid alone do not make it too fine for
     run.units_per_em = 1024.0;
     REQUIRE((run.glyphs.push_back({0, 0, {}}) && run.glyphs.push_back({1, 1, {}})));
     text_mesher mesher{font, embolden{.by = 8.0f / 1024.0f, .mitre_limit = 0.0f}};
-    const auto plan = mesher.plan(run, {.unit = output_unit::font_units, .corners = touching::part});
-    REQUIRE(plan);
+    const auto plan = test::required(mesher.plan(run, {.unit = output_unit::font_units, .corners = touching::part}));
     CHECK(plan->glyphs().size() == 2);
     for (const drawn_glyph& g : plan->glyphs())
         CHECK(g.built->cells() * 1024.0 <= cells_told_apart(g.built->ink().high.x / 1024.0, true));
@@ -308,8 +303,7 @@ TEST_CASE("bevels that fit leave a letter its cap, however few joins its corners
                 if (2.0 * tolerance * attacked_units >= stem) continue;  // no circle of the tolerance has room
                 text_mesher mesher{letter,
                                    bevelled{.width = 0.1f, .mode = bevel_mode::fit, .mitre_limit = mitre_limit}};
-                const auto plan = mesher.plan(run, {.tolerance = tolerance});
-                REQUIRE(plan);
+                const auto plan = test::required(mesher.plan(run, {.tolerance = tolerance}));
                 CHECK(plan->report().lost_caps == 0);
                 CHECK(plan->range(part::front).index_count != 0);
             }

@@ -19,6 +19,7 @@
 #include "support/counting_memory.hpp"
 #include "support/executors.hpp"
 #include "support/lit_mesh.hpp"
+#include "support/required.hpp"
 #include "support/toy_font.hpp"
 
 using namespace typemesh;
@@ -44,24 +45,21 @@ TEST_CASE("bevelled letters come out of caches, teams and constrained Delaunay a
 {
     test::toy_font font;
     auto mesher = text_mesher{font}.with(rounding);
-    const auto plan = mesher.plan(bevelled_word);
-    REQUIRE(plan);
+    const auto plan = test::required(mesher.plan(bevelled_word));
     CHECK(plan->report().refused == 0);
     const test::lit_mesh expected = checked_mesh(*plan);
 
     glyph_cache<> cache;
     auto cached = text_mesher{font}.with(rounding).with(cached_in{cache, 1});
     for (int i = 0; i < 2; ++i) {
-        const auto again = cached.plan(bevelled_word);
-        REQUIRE(again);
+        const auto again = test::required(cached.plan(bevelled_word));
         CHECK(checked_mesh(*again) == expected);
     }
     CHECK(cache.statistics().hits >= 5);
     bevelled wider = rounding;
     wider.width = 0.03f;
     auto other = text_mesher{font}.with(wider).with(cached_in{cache, 1});
-    const auto wide = other.plan(bevelled_word);
-    REQUIRE(wide);
+    const auto wide = test::required(other.plan(bevelled_word));
     CHECK_FALSE(checked_mesh(*wide) == expected);
 
     test::scrambled_workers pool;
@@ -69,16 +67,14 @@ TEST_CASE("bevelled letters come out of caches, teams and constrained Delaunay a
     REQUIRE(team);
     const text_options options;
     for (int i = 0; i < 2; ++i) {
-        const auto shared = mesher.plan(bevelled_word, options, *team);
-        REQUIRE(shared);
+        const auto shared = test::required(mesher.plan(bevelled_word, options, *team));
         test::lit_mesh m;
         REQUIRE(shared->write(into(m.vertices, m.indices), pool));
         CHECK(m == expected);
     }
 
     auto delaunay = text_mesher{font}.with(rounding).with(constrained_delaunay{});
-    const auto cut = delaunay.plan(bevelled_word);
-    REQUIRE(cut);
+    const auto cut = test::required(delaunay.plan(bevelled_word));
     const test::lit_mesh finer = checked_mesh(*cut);
     CHECK(inspect::measure(finer.view()).volume ==
           Catch::Approx(inspect::measure(expected.view()).volume).epsilon(1e-5));
@@ -92,13 +88,11 @@ TEST_CASE("bevelled letters are merged, cut into chunks, instanced and written i
     for (const double x : {0.0, 300.0, 1500.0}) REQUIRE(run.glyphs.push_back({1, 0, {x, 0.0}}));  // two rings that meet
     run.units_per_em = 1000.0;
     const text_options merging{.merge = true};
-    const auto joined = mesher.plan(run, merging);
-    REQUIRE(joined);
+    const auto joined = test::required(mesher.plan(run, merging));
     CHECK(joined->glyphs().size() == 2);
     (void)checked_mesh(*joined);
 
-    const auto plan = mesher.plan(bevelled_word);
-    REQUIRE(plan);
+    const auto plan = test::required(mesher.plan(bevelled_word));
     const test::lit_mesh whole = checked_mesh(*plan);
     text_chunks chunks;
     for (const std::uint32_t most : {65'535u, 600u, 60u}) {  // of all glyphs, of one, of pieces
@@ -138,8 +132,7 @@ TEST_CASE("a bevel keeps its slope where depths are in output units", "[text]")
     const bevelled how{.depth = 20.0f, .width = 0.02f, .bevel_depth = 2.0f};
     auto mesher = text_mesher{font}.with(how);
     const text_options options{.unit = output_unit::pixels, .pixels_per_em = 100.0, .depth_in = depth_unit::output};
-    const auto plan = mesher.plan("i", options);
-    REQUIRE(plan);
+    const auto plan = test::required(mesher.plan("i", options));
     const test::lit_mesh m = checked_mesh(*plan);
     const mesh_range r = plan->range(part::front_bevel);
     for (std::uint32_t i = 0; i < r.vertex_count; ++i)
@@ -154,8 +147,7 @@ TEST_CASE("bevelled letters obey their laws in every frame, in mirrored glyph st
     frame godot = right_handed_y_up;
     godot.winding = -1;
     for (const frame& f : {right_handed_y_up, left_handed_y_up, right_handed_z_up, left_handed_z_up, godot}) {
-        const auto plan = mesher.plan(bevelled_word, {.frame = f});
-        REQUIRE(plan);
+        const auto plan = test::required(mesher.plan(bevelled_word, {.frame = f}));
         (void)checked_mesh(*plan, f);
     }
     glyph_run run;
@@ -166,8 +158,7 @@ TEST_CASE("bevelled letters obey their laws in every frame, in mirrored glyph st
         for (const std::uint32_t glyph_style : {0u, 1u})
             REQUIRE(run.glyphs.push_back(
                 {.id = g, .origin = {2000.0 * g, 2000.0 * glyph_style}, .glyph_style = glyph_style}));
-    const auto plan = mesher.plan(run);
-    REQUIRE(plan);
+    const auto plan = test::required(mesher.plan(run));
     CHECK(plan->report().refused == 0);
     (void)checked_mesh(*plan);
 }
@@ -177,8 +168,7 @@ TEST_CASE("a bevelled text reports memory that fails at any request, and can be 
     const bool once = GENERATE(true, false);
     test::toy_font font;
     auto reference = text_mesher{font}.with(rounding);
-    const auto plan = reference.plan(bevelled_word);
-    REQUIRE(plan);
+    const auto plan = test::required(reference.plan(bevelled_word));
     const test::lit_mesh expected = test::written(*plan);
     std::size_t failures = 0;
     for (std::size_t n = 1; n < 1000; ++n) {
@@ -217,16 +207,14 @@ TEST_CASE("bevels that fit a text are as narrow as its narrowest letter's, with 
     };
 
     auto each = text_mesher{font}.with(fit);
-    const auto apart = each.plan("oE");
-    REQUIRE(apart);
+    const auto apart = test::required(each.plan("oE"));
     const auto own = widths_of(*apart, fit);
     CHECK(own[1] == Catch::Approx(0.045));  // "E" is 100 units thick, and so is "o", but for its chords
     CHECK(own[0] > own[1]);
     CHECK(apart->report().narrowed == 2);  // to less than half
 
     auto mesher = text_mesher{font}.with(fit_text);
-    const auto plan = mesher.plan("oE");
-    REQUIRE(plan);
+    const auto plan = test::required(mesher.plan("oE"));
     CHECK(plan->report().narrowed == 2);
     const auto same_width = widths_of(*plan, fit_text);
     CHECK(same(same_width[0], own[1]));
@@ -237,25 +225,21 @@ TEST_CASE("bevels that fit a text are as narrow as its narrowest letter's, with 
     bevelled nearly = fit_text;
     nearly.width = 0.08f;
     auto enough = text_mesher{font}.with(nearly);
-    const auto not_by_half = enough.plan("oE");
-    REQUIRE(not_by_half);
+    const auto not_by_half = test::required(enough.plan("oE"));
     CHECK(not_by_half->report().narrowed == 0);
-    const auto other = mesher.plan("o");
-    REQUIRE(other);
+    const auto other = test::required(mesher.plan("o"));
     CHECK(same(widths_of(*other, fit_text)[0], own[0]));
 
     bevelled at_once = clip;
     at_once.width = own[1];
     auto clipped = text_mesher{font}.with(at_once);
-    const auto by_hand = clipped.plan("oE");
-    REQUIRE(by_hand);
+    const auto by_hand = test::required(clipped.plan("oE"));
     CHECK(checked_mesh(*by_hand) == expected);
 
     glyph_cache<> cache;
     auto cached = text_mesher{font}.with(fit_text).with(cached_in{cache, 1});
     for (int i = 0; i < 2; ++i) {
-        const auto again = cached.plan("oE");
-        REQUIRE(again);
+        const auto again = test::required(cached.plan("oE"));
         CHECK(checked_mesh(*again) == expected);
         CHECK(cache.statistics().entries == 4);
         CHECK(cache.statistics().pinned == 2);
@@ -267,16 +251,14 @@ TEST_CASE("bevels that fit a text are as narrow as its narrowest letter's, with 
     REQUIRE(team);
     const text_options options, merging{.merge = true};
     for (int i = 0; i < 2; ++i) {
-        const auto shared = mesher.plan("oE", options, *team);
-        REQUIRE(shared);
+        const auto shared = test::required(mesher.plan("oE", options, *team));
         CHECK(checked_mesh(*shared) == expected);
     }
 
     glyph_run run;
     run.units_per_em = 1000.0;
     for (const double x : {0.0, 300.0, 1500.0}) REQUIRE(run.glyphs.push_back({1, 0, {x, 0.0}}));  // two rings that meet
-    const auto joined = mesher.plan(run, merging);
-    REQUIRE(joined);
+    const auto joined = test::required(mesher.plan(run, merging));
     const auto of_groups = widths_of(*joined, fit_text);
     REQUIRE(of_groups.size() == 2);
     CHECK(same(of_groups[0], of_groups[1]));
@@ -312,9 +294,8 @@ TEST_CASE("bevels that fit a text are its own, though another in the cache was a
     auto cached = text_mesher{font}.with(how).with(cached_in{cache, 1});
     for (const float width : {0.2f, 0.02f, 0.05f, 0.1f}) {
         alone.solid().width = cached.solid().width = width;
-        const auto plan = alone.plan(run);
-        const auto again = cached.plan(run);
-        REQUIRE((plan && again));
+        const auto plan = test::required(alone.plan(run));
+        const auto again = test::required(cached.plan(run));
         CHECK(checked_mesh(*again) == checked_mesh(*plan));
     }
 }
@@ -325,10 +306,8 @@ TEST_CASE("the bounds of a bevelled text are those of its vertices, in height as
     for (const float width : {0.02f, 0.3f}) {
         auto mesher = text_mesher{font}.with(bevelled{.width = width, .bevel_depth = 0.09f});
         for (const char* text : {"o", "i", "oExi"}) {
-            const auto plan = mesher.plan(text);
-            REQUIRE(plan);
-            test::lit_mesh m;
-            REQUIRE(plan->write(into(m.vertices, m.indices)));
+            const auto plan = test::required(mesher.plan(text));
+            const test::lit_mesh m = test::written(*plan);
             bounds3 seen{m.vertices[0].place, m.vertices[0].place};
             for (const test::lit_vertex& v : m.vertices) seen.add(v.place);
             CHECK(plan->bounds().low == seen.low);
@@ -347,8 +326,7 @@ TEST_CASE("triangles of bevels that floats turn over are counted, far from the o
         glyph_run run;
         run.units_per_em = 1000.0;
         REQUIRE(run.glyphs.push_back({1, 0, {x, 0.0}}));
-        const auto plan = made.plan(run);
-        REQUIRE(plan);
+        const auto plan = test::required(made.plan(run));
         return flipped_triangles(*plan);
     };
     CHECK(flipped_at(mesher, 0.0) == 0);
@@ -363,8 +341,7 @@ TEST_CASE("of merged letters with bevels every triangle is shared", "[text]")
     glyph_run run;
     run.units_per_em = 1000.0;
     for (const double x : {0.0, 300.0}) REQUIRE(run.glyphs.push_back({1, 0, {x, 0.0}}));
-    const auto plan = mesher.plan(run, {.merge = true});
-    REQUIRE(plan);
+    const auto plan = test::required(mesher.plan(run, {.merge = true}));
     for (const part p : plan->parts()) {
         const std::uint32_t triangles = plan->range(0, p).index_count / 3;
         for (const std::uint32_t t : {0u, triangles - 1}) CHECK(plan->owner(0, p, t) == shared_glyph);
@@ -384,17 +361,14 @@ TEST_CASE("letters that meet when outward bevels have grown are merged: one surf
             const bevelled how{.width = width, .bevel_depth = 0.05f, .sides = sides, .outward = true};
             const bool meet = width > 0.02f;
             auto mesher = text_mesher{font}.with(how);
-            const auto plan = mesher.plan(run, {.merge = true});
-            REQUIRE(plan);
+            const auto plan = test::required(mesher.plan(run, {.merge = true}));
             REQUIRE(plan->glyphs().size() == (meet ? 2u : 3u));
             const bevelled inward{.width = width, .bevel_depth = 0.05f, .sides = sides};
             auto carved = text_mesher{font}.with(inward);
-            const auto apart = carved.plan(run, {.merge = true});
-            REQUIRE(apart);
+            const auto apart = test::required(carved.plan(run, {.merge = true}));
             CHECK(apart->glyphs().size() == 3);
 
-            test::lit_mesh m;
-            REQUIRE(plan->write(into(m.vertices, m.indices)));
+            const test::lit_mesh m = test::written(*plan);
             CHECK(inspect::check_closedness(m.view()).is_closed());
             std::int64_t twice = 0;
             plan->each_seen_from_front(0, [&](grid_point a, grid_point b, grid_point c) noexcept {
@@ -423,10 +397,8 @@ TEST_CASE("bolder letters are merged where they have grown together, thinner one
         run.units_per_em = 1000.0;
         for (const double x : {0.0, second}) REQUIRE(run.glyphs.push_back({5, 0, {x, 0.0}}));  // bars, 100 wide
         text_mesher mesher{font, step, how};
-        const auto plan = mesher.plan(run, {.merge = true});
-        REQUIRE(plan);
-        test::lit_mesh m;
-        REQUIRE(plan->write(into(m.vertices, m.indices)));
+        const auto plan = test::required(mesher.plan(run, {.merge = true}));
+        const test::lit_mesh m = test::written(*plan);
         CHECK(inspect::check_closedness(m.view()).is_closed());
         std::int64_t twice = 0;
         for (std::size_t i = 0; i < plan->glyphs().size(); ++i)
@@ -449,8 +421,7 @@ TEST_CASE("bolder letters are merged where they have grown together, thinner one
 
     const bevelled fitting{.width = 0.2f, .mode = bevel_mode::fit_text};
     text_mesher mesher{font, little, fitting};
-    const auto plan = mesher.plan("Ei");
-    REQUIRE(plan);
+    const auto plan = test::required(mesher.plan("Ei"));
     REQUIRE(plan->glyphs().size() == 2);
     for (const drawn_glyph& g : plan->glyphs())
         CHECK(fitting.width_of(g.built->planned<bevelled>().form) == Catch::Approx(0.9 * 0.06f).margin(1e-4));

@@ -7,6 +7,7 @@
 #include "support/counting_memory.hpp"
 #include "support/executors.hpp"
 #include "support/lit_mesh.hpp"
+#include "support/required.hpp"
 
 #include <typemesh/extrude/bevelled.hpp>
 #include <typemesh/extrude/embolden.hpp>
@@ -140,8 +141,7 @@ TEST_CASE("without the option letters that touch themselves have edges with four
     const recorded_outlines font = touching_font();
     auto mesher = text_mesher{font};
     const glyph_run run = all_of(font);
-    const auto plan = mesher.plan(run);
-    REQUIRE(plan);
+    const auto plan = test::required(mesher.plan(run));
     CHECK(plan->report().corners_moved == 0);
     CHECK(faces_of(*plan).crowded_edges > 100);
     CHECK(faces_of(*plan).pinched_points > 200);
@@ -186,8 +186,7 @@ TEST_CASE("steps of a bevel lean, so that those of a ring have two faces an edge
         const float t = 0.4325f + 0.0005f * static_cast<float>(i);
         auto mesher =
             text_mesher{uneven}.with(bevelled{.width = 0.08f, .profile = {{0, 0}, {t, 0.3f}, {t, 0.7f}, {1, 1}}});
-        const auto plan = mesher.plan(run);
-        REQUIRE(plan);
+        const auto plan = test::required(mesher.plan(run));
         crowded += faces_of(*plan).crowded_edges;
         for (const touching way : {touching::part, touching::join}) check_manifold(mesher.plan(run, {.corners = way}));
     }
@@ -280,8 +279,7 @@ TEST_CASE("the grid goes by the place, and near the origin it is the font's", "[
     auto mesher = text_mesher{font};
     const auto cells_at = [&](point from, touching way) {
         const glyph_run run = all_of(font, 0.0, from);
-        const auto plan = mesher.plan(run, {.corners = way});
-        REQUIRE(plan);
+        const auto plan = test::required(mesher.plan(run, {.corners = way}));
         return plan->glyphs()[0].built->cells();
     };
     CHECK(same(cells_at({}, touching::part), 512.0));
@@ -318,8 +316,7 @@ TEST_CASE("several workers part the same corners", "[text]")
         for (const bool merge : {false, true}) {
             const text_options options{.merge = merge, .corners = way};
             auto mesher = text_mesher{font};
-            const auto expected = mesher.plan(run, options);
-            REQUIRE(expected);
+            const auto expected = test::required(mesher.plan(run, options));
             const test::lit_mesh mesh = test::written(*expected);
             for (const std::size_t count : {std::size_t{1}, std::size_t{3}}) {
                 test::scrambled_workers pool{count};
@@ -328,8 +325,7 @@ TEST_CASE("several workers part the same corners", "[text]")
                 });
                 REQUIRE(workers);
                 auto team = text_mesher{font};
-                const auto made = team.plan(run, options, *workers);
-                REQUIRE(made);
+                const auto made = test::required(team.plan(run, options, *workers));
                 CHECK(test::written(*made) == mesh);
                 CHECK(made->report().corners_moved == expected->report().corners_moved);
             }

@@ -19,6 +19,7 @@
 #include "support/catch.hpp"
 #include "support/emboldened.hpp"
 #include "support/executors.hpp"
+#include "support/required.hpp"
 #include "support/toy_font.hpp"
 
 using namespace typemesh;
@@ -109,8 +110,7 @@ void check_everywhere(const E& how, const E& other)
     constexpr std::size_t parts = part_count_of<E>;
     test::toy_font font;
     auto mesher = mesher_of(font, how);
-    const auto plan = mesher.plan(bold_word);
-    REQUIRE(plan);
+    const auto plan = test::required(mesher.plan(bold_word));
     CHECK(plan->report().complete());
     CHECK(plan->report().narrowed == 0);
     const bold_mesh expected = checked_mesh(*plan, parts);
@@ -118,30 +118,26 @@ void check_everywhere(const E& how, const E& other)
     glyph_cache<> cache;
     auto cached = mesher_of(font, how).with(cached_in{cache, 1});
     for (int i = 0; i < 2; ++i) {
-        const auto again = cached.plan(bold_word);
-        REQUIRE(again);
+        const auto again = test::required(cached.plan(bold_word));
         CHECK(checked_mesh(*again, parts) == expected);
     }
     CHECK(cache.statistics().hits >= 5);
     auto unlike = mesher_of(font, other).with(cached_in{cache, 1});
-    const auto different = unlike.plan(bold_word);
-    REQUIRE(different);
+    const auto different = test::required(unlike.plan(bold_word));
     CHECK_FALSE(checked_mesh(*different, parts) == expected);
 
     test::scrambled_workers pool;
     auto team = workers_of(pool, [](std::size_t) noexcept { return result<test::toy_font>{test::toy_font{}}; });
     REQUIRE(team);
     for (int i = 0; i < 2; ++i) {
-        const auto shared = mesher.plan(bold_word, {}, *team);
-        REQUIRE(shared);
+        const auto shared = test::required(mesher.plan(bold_word, {}, *team));
         bold_mesh m;
         REQUIRE(shared->write(into(m.vertices, m.indices), pool));
         CHECK(m == expected);
     }
 
     auto delaunay = mesher_of(font, how).with(constrained_delaunay{});
-    const auto cut = delaunay.plan(bold_word);
-    REQUIRE(cut);
+    const auto cut = test::required(delaunay.plan(bold_word));
     CHECK(volume_of(checked_mesh(*cut, parts)) == Catch::Approx(volume_of(expected)).epsilon(1e-5));
 }
 
@@ -151,8 +147,7 @@ void check_pieces(const E& how)
 {
     test::toy_font font;
     auto mesher = mesher_of(font, how);
-    const auto plan = mesher.plan(bold_word);
-    REQUIRE(plan);
+    const auto plan = test::required(mesher.plan(bold_word));
     const bold_mesh whole = checked_mesh(*plan, part_count_of<E>);
     text_chunks chunks;
     for (const std::uint32_t most : {65'535u, 900u, 60u}) {  // of all glyphs, of one, of pieces
@@ -216,17 +211,14 @@ TEST_CASE("bold and hollow letters that meet as they are drawn are merged first"
     run.units_per_em = 1000.0;
     const text_options merging{.merge = true};
     auto bolder = mesher_of(font, bold);
-    const auto joined = bolder.plan(run, merging);
-    REQUIRE(joined);
+    const auto joined = test::required(bolder.plan(run, merging));
     CHECK(joined->glyphs().size() == 2);
     const bold_mesh m = checked_mesh(*joined, 5);
-    const auto apart = bolder.plan(run);
-    REQUIRE(apart);
+    const auto apart = test::required(bolder.plan(run));
     CHECK(volume_of(m) < volume_of(checked_mesh(*apart, 5)));
 
     auto hollower = text_mesher{font}.with(hollow);
-    const auto rings = hollower.plan(run, merging);
-    REQUIRE(rings);
+    const auto rings = test::required(hollower.plan(run, merging));
     CHECK(rings->glyphs().size() == 2);
     (void)checked_mesh(*rings, 6);
 }
@@ -239,8 +231,7 @@ TEST_CASE("rings that meet when they have grown are one ring round both letters"
         run.units_per_em = 1000.0;
         for (const double x : {0.0, second}) REQUIRE(run.glyphs.push_back({5, 0, {x, 0.0}}));  // bars, 100 wide
         auto mesher = mesher_of(font, how);
-        auto plan = mesher.plan(run, {.merge = true});
-        REQUIRE(plan);
+        auto plan = test::required(mesher.plan(run, {.merge = true}));
         (void)checked_mesh(*plan, part_count_of<decltype(how)>);
         return std::pair{plan->glyphs().size(), flipped_triangles(*plan)};
     };
@@ -276,8 +267,7 @@ TEST_CASE("bevels of rings have one width in a text, and their bounds are exact"
     using ring = outlined<bevelled>;
     auto mesher = text_mesher{font}.with(
         ring{.width = 0.03f, .ring = {.width = 0.1f, .bevel_depth = 0.05f, .mode = bevel_mode::fit_text}});
-    const auto plan = mesher.plan("oi");
-    REQUIRE(plan);
+    const auto plan = test::required(mesher.plan("oi"));
     const bold_mesh m = checked_mesh(*plan, 5);
     bounds3 reached;
     for (const bold_corner& v : m.vertices) reached.add(v.place);
@@ -299,8 +289,7 @@ TEST_CASE("a glyph that thinning leaves nothing of is left out and named, from a
     run.units_per_em = 1000.0;
     auto thinner = text_mesher{font}.with(embolden{.by = -0.03f}).with(cached_in{cache, 1});
     for (int i = 0; i < 2; ++i) {
-        const auto plan = thinner.plan(run);
-        REQUIRE(plan);
+        const auto plan = test::required(thinner.plan(run));
         CHECK(plan->report().refused == 1);
         CHECK(plan->report().first_refusal == error::nothing_left);
         CHECK(plan->report().first_refusal.cluster == 1);
@@ -316,10 +305,8 @@ TEST_CASE("letter spacing of twice the distance keeps bold letters as far apart 
     test::toy_font font;
     auto plain = text_mesher{font}.with(extruded<>{});
     auto bolder = text_mesher{font}.with(embolden{.by = 0.03f});
-    const auto thin = plain.plan("EEE");
-    const auto wide = bolder.plan("EEE", {.shape = {.letter_spacing = 2 * 0.03}});
-    REQUIRE(thin);
-    REQUIRE(wide);
+    const auto thin = test::required(plain.plan("EEE"));
+    const auto wide = test::required(bolder.plan("EEE", {.shape = {.letter_spacing = 2 * 0.03}}));
     const double ink = thin->bounds().high.x - thin->bounds().low.x,
                  grown = wide->bounds().high.x - wide->bounds().low.x;
     CHECK(grown == Catch::Approx(ink + 6 * 0.03).margin(1e-5));
@@ -333,10 +320,8 @@ TEMPLATE_TEST_CASE("a step before a solid makes what an extruder makes that move
         for (const bool merge : {false, true}) {
             text_mesher stepped{font, embolden{.by = by}, TestType{}};
             text_mesher nested{font, test::emboldened<TestType>{.by = by}};
-            const auto a = stepped.plan(bold_word, {.merge = merge});
-            const auto b = nested.plan(bold_word, {.merge = merge});
-            REQUIRE(a);
-            REQUIRE(b);
+            const auto a = test::required(stepped.plan(bold_word, {.merge = merge}));
+            const auto b = test::required(nested.plan(bold_word, {.merge = merge}));
             CHECK(a->glyphs().size() == b->glyphs().size());
             bold_mesh m, n;
             REQUIRE(a->write(into(m.vertices, m.indices)));
@@ -350,8 +335,7 @@ TEST_CASE("a step is exchanged while the program runs, and refuses its options b
     test::toy_font font;
     text_mesher mesher{font, extruded<>{}};
     const auto written = [&] {
-        const auto plan = mesher.plan(bold_word);
-        REQUIRE(plan);
+        const auto plan = test::required(mesher.plan(bold_word));
         bold_mesh m;
         REQUIRE(plan->write(into(m.vertices, m.indices)));
         return m;
@@ -377,8 +361,7 @@ TEST_CASE("merged bold letters tell whose outline each wall stands on", "[text]"
     for (const double x : {0.0, 300.0}) REQUIRE(run.glyphs.push_back({1, 0, {x, 0.0}}));
     run.units_per_em = 1000.0;
     text_mesher mesher{font, embolden{.by = 0.01f}, extruded<>{}};
-    const auto plan = mesher.plan(run, {.merge = true});
-    REQUIRE(plan);
+    const auto plan = test::required(mesher.plan(run, {.merge = true}));
     REQUIRE(plan->glyphs().size() == 1);
     bold_mesh m;
     REQUIRE(plan->write(into(m.vertices, m.indices)));

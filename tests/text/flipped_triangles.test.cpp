@@ -4,6 +4,7 @@
 #include <typemesh/typemesh.hpp>
 
 #include "support/catch.hpp"
+#include "support/required.hpp"
 #include "support/toy_font.hpp"
 
 #include <string>
@@ -57,8 +58,7 @@ TEST_CASE("flipped triangles are counted as the written floats have them, near t
         for (const double away : {0.0, 1e3, 1e5, 1e6}) {
             text_options options{.tolerance = 1.0 / 16000};
             options.shape.letter_spacing = away;
-            const auto plan = mesher.plan(text, options);
-            REQUIRE(plan);
+            const auto plan = test::required(mesher.plan(text, options));
             INFO(text << " spaced by " << away);
             const std::uint64_t flipped = flipped_triangles(*plan);
             CHECK(flipped == counted(*plan));
@@ -75,8 +75,7 @@ TEST_CASE("no triangle is flipped because depths run the other way", "[text][fli
     text_mesher mesher = text_mesher{font}.with(flat{});
     text_options options;
     options.frame.toward = {0.0f, 0.0f, -1.0f};
-    const auto plan = mesher.plan("oE", options);
-    REQUIRE(plan);
+    const auto plan = test::required(mesher.plan("oE", options));
     CHECK(flipped_triangles(*plan) == 0);
 }
 
@@ -120,11 +119,9 @@ TEST_CASE("half positions turn no triangle over within an em of the origin, but 
 {
     test::toy_font font;
     text_mesher mesher = text_mesher{font}.with(flat{});
-    const auto near = mesher.plan("o");
-    REQUIRE(near);
+    const auto near = test::required(mesher.plan("o"));
     CHECK(share_flipped(*near, halved{}) <= 0.0);
-    const auto far = mesher.plan(std::string(400, 'o'));
-    REQUIRE(far);
+    const auto far = test::required(mesher.plan(std::string(400, 'o')));
     CHECK(share_flipped(*far, halved{}) > 0.5);
     boxed packed;
     packed.box = position_box::around(far->bounds().low, far->bounds().high);

@@ -14,6 +14,7 @@
 
 #include "support/catch.hpp"
 #include "support/lit_mesh.hpp"
+#include "support/required.hpp"
 #include "support/toy_covering_font.hpp"
 #include "support/toy_font.hpp"
 
@@ -34,8 +35,7 @@ public:
     {
         REQUIRE(words_.set(text));
         REQUIRE(words_.lay_out({.width = width_}, page_));
-        const auto plan = mesher_.plan(page_);
-        REQUIRE(plan);
+        const auto plan = test::required(mesher_.plan(page_));
         lines_ = page_.lines.size();
         return test::written(*plan);
     }
@@ -86,8 +86,7 @@ TEST_CASE("two meshers are swapped with their fonts, policies and caches", "[tex
     run.units_per_em = 1000.0;
     REQUIRE(run.glyphs.push_back({0, 0, {}}));
     const auto mesh_of = [](text_mesher<>& mesher, const glyph_run& what) {
-        const auto plan = mesher.plan(what);
-        REQUIRE(plan);
+        const auto plan = test::required(mesher.plan(what));
         return test::written(*plan);
     };
     const test::lit_mesh letter = mesh_of(letters, run), square = mesh_of(squares, run);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "support/catch.hpp"
 #include "support/executors.hpp"
+#include "support/required.hpp"
 #include "support/toy_font.hpp"
 
 #include <typemesh/extrude/flat.hpp>
@@ -63,8 +64,7 @@ TEST_CASE("a glyph keeps its line and its place whatever its style, beside lines
                     run.glyphs.push_back({1, line, {x, 0.0}, false, static_cast<std::uint32_t>(random() % styles)}));
             }
         }
-        const auto plan = mesher.plan(run);
-        REQUIRE(plan);
+        const auto plan = test::required(mesher.plan(run));
         REQUIRE(plan->glyphs().size() == run.glyphs.size());
         for (const drawn_glyph& g : plan->glyphs()) {
             CHECK(g.line == run.glyphs[g.glyph].cluster);
@@ -79,8 +79,7 @@ TEST_CASE("what stands too far away is refused, each glyph for itself", "[text]"
     text_mesher mesher{font};
     glyph_run run;
     for (const double x : {0.0, 0x1p81, -0x1p81, 600.0}) REQUIRE(run.glyphs.push_back({1, 0, {x, 0.0}}));
-    const auto plan = mesher.plan(run);
-    REQUIRE(plan);
+    const auto plan = test::required(mesher.plan(run));
     CHECK(plan->glyphs().size() == 2);
     CHECK(plan->report().refused == 2);
     CHECK(plan->report().first_refusal == error::outline_beyond_grid);
@@ -117,8 +116,7 @@ TEST_CASE("what an extruder narrows is counted glyph by glyph, whichever way the
     check(mesher.plan(narrow, options, *team));
 
     auto plain = text_mesher{font}.with(flat{});
-    const auto whole = plain.plan(narrow);
-    REQUIRE(whole);
+    const auto whole = test::required(plain.plan(narrow));
     CHECK(whole->report().narrowed == 0);
     CHECK(whole->report().first_narrowed == no_cluster);
 }
@@ -133,8 +131,7 @@ TEST_CASE("of merged glyphs that are narrowed one is counted, and the first is t
     for (const std::uint32_t style : {2u, 1u}) REQUIRE(run.glyph_styles.push_back({.style = style_id{style}}));
     for (const double x : {0.0, 300.0}) REQUIRE(run.glyphs.push_back({1, 5, {x, 0.0}, false, 0}));  // rings that meet
     REQUIRE(run.glyphs.push_back({1, 9, {2000.0, 0.0}, false, 1}));  // first in the mesh, for its style is lower
-    const auto plan = mesher.plan(run, {.merge = true});
-    REQUIRE(plan);
+    const auto plan = test::required(mesher.plan(run, {.merge = true}));
     REQUIRE(plan->glyphs().size() == 2);
     CHECK(plan->glyphs()[0].cluster == 9);
     CHECK(plan->report().narrowed == 2);

@@ -2,6 +2,7 @@
 #include "support/catch.hpp"
 #include "support/counting_memory.hpp"
 #include "support/executors.hpp"
+#include "support/required.hpp"
 #include "support/style_laws.hpp"
 #include "support/toy_font.hpp"
 
@@ -61,9 +62,8 @@ TEST_CASE("a table of glyph styles that are all plain changes nothing, to the bi
     for (std::size_t i = 0; i < tabled.glyphs.size(); ++i)
         tabled.glyphs[i].glyph_style = static_cast<std::uint32_t>(i % 3);
     for (const bool merge : {false, true}) {
-        const auto a = mesher.plan(plain, {.merge = merge}), b = other.plan(tabled, {.merge = merge});
-        REQUIRE(a);
-        REQUIRE(b);
+        const auto a = test::required(mesher.plan(plain, {.merge = merge}));
+        const auto b = test::required(other.plan(tabled, {.merge = merge}));
         CHECK(test::same_bits(test::written<test::styled_mesh>(*a), test::written<test::styled_mesh>(*b)));
         CHECK(a->meshes().size() == b->meshes().size());
         CHECK(b->styles().size() == 1);
@@ -118,8 +118,7 @@ TEST_CASE("the first glyph that is refused is the first of the run, whatever its
     for (const std::uint32_t s : {5u, 2u}) REQUIRE(run.glyph_styles.push_back({.style = style_id{s}}));
     REQUIRE(run.glyphs.push_back({6, 10, {0, 0}, false, 0}));
     REQUIRE(run.glyphs.push_back({6, 11, {600, 0}, false, 1}));
-    const auto plan = mesher.plan(run);
-    REQUIRE(plan);
+    const auto plan = test::required(mesher.plan(run));
     CHECK(plan->report().refused == 2);
     CHECK(plan->report().first_refusal.cluster == 10);
 }
