@@ -18,7 +18,7 @@ static_assert(fallback_provider<fontconfig_fallback<harfbuzz_font>, harfbuzz_fon
 TEST_CASE("an installed font with all of a grapheme is found, and is the same the next time",
           "[adapt][fontconfig][fallback]")
 {
-    auto fonts = test::required(fontconfig_fonts::open());
+    const auto fonts = test::required(fontconfig_fonts::open());
     fontconfig_fallback<harfbuzz_font> installed{*fonts};
     const std::u16string graphemes[] = {u"a", u"\u05D0", u"\u0628\u064E", u"\u0915\u093F", u"\u4E00\uFE00", u"\u0E01"};
     for (const std::u16string& g : graphemes) {
@@ -29,8 +29,7 @@ TEST_CASE("an installed font with all of a grapheme is found, and is the same th
             hb_codepoint_t id = 0;
             CHECK((is_default_ignorable(c) || hb_font_get_nominal_glyph((*found)->handle(), c, &id) != 0));
         }
-        const auto again = test::required(installed.font_for(g, whole, 0, {}));
-        CHECK(*again == *found);
+        CHECK(*test::required(installed.font_for(g, whole, 0, {})) == *found);
     }
     for (const std::u16string_view nobody : {u"\uFFFE", u"a\uFFFE"}) {
         const auto none = installed.font_for(nobody, {0, static_cast<std::uint32_t>(nobody.size())}, 0, {});
@@ -81,15 +80,13 @@ TEST_CASE("a font that memory lacked for is opened the next time, one that is br
     CHECK(moody_font::asked == 1);
     const std::string first = moody_font::last;
     moody_font::answer = {};
-    const auto found = test::required(poor.font_for("a", {0, 1}, 0, {}));
-    CHECK(*found != nullptr);
+    CHECK(*test::required(poor.font_for("a", {0, 1}, 0, {})) != nullptr);
     CHECK(moody_font::asked == 2);
     CHECK(moody_font::last == first);
 
     moody_font::answer = error::unreadable_file;
     for (int k = 0; k < 2; ++k) {
-        const auto none = test::required(broken.font_for("a", {0, 1}, 0, {}));
-        CHECK(*none == nullptr);
+        CHECK(*test::required(broken.font_for("a", {0, 1}, 0, {})) == nullptr);
     }
     const int before = moody_font::asked;
     CHECK(*broken.font_for("b", {0, 1}, 0, {}) == nullptr);

@@ -298,10 +298,7 @@ TEST_CASE("a mesh of a column is that of the line, turned", "[adapt][harfbuzz][c
     harfbuzz_font font = opened(dejavu);
     text_mesher mesher{font};
     text_options how{.unit = output_unit::font_units};
-    const auto bounds_of = [&] {
-        const auto plan = test::required(mesher.plan("AVg", how));
-        return plan->bounds();
-    };
+    const auto bounds_of = [&] { return test::required(mesher.plan("AVg", how))->bounds(); };
     const auto a = bounds_of();
     how.shape.direction = direction::top_to_bottom;
     const auto b = bounds_of();

@@ -326,8 +326,7 @@ TEST_CASE("whatever text is laid out in whatever way, all of it is drawn once, a
     std::vector<harfbuzz_font> fonts;
     for (const char* name : {"truetype/dejavu/DejaVuSans.ttf", "opentype/fonts-hosny-amiri/Amiri-Regular.ttf",
                              "truetype/lohit-devanagari/Lohit-Devanagari.ttf"}) {
-        auto font = test::required(harfbuzz_font::open(font_file(name).c_str()));
-        fonts.push_back(std::move(*font));
+        fonts.push_back(std::move(*test::required(harfbuzz_font::open(font_file(name).c_str()))));
     }
     std::mt19937 random{14};
     std::uint8_t deepest = 0;

@@ -27,8 +27,7 @@ const std::u16string bismi = u"\u0628\u0633\u0645 \u0627\u0644\u0644\u0647 \u063
 
 harfbuzz_font styled_font(const char* name)
 {
-    auto font = test::required(harfbuzz_font::open(font_file(name).c_str()));
-    return std::move(*font);
+    return std::move(*test::required(harfbuzz_font::open(font_file(name).c_str())));
 }
 
 struct styled_vertex {

@@ -51,8 +51,7 @@ public:
     void raise(const bevelled& how)
     {
         how_ = how;
-        const auto plan = test::required(test::write_in_cells(how, region_, caps_, em_, data_, mesh_));
-        CHECK_FALSE(plan->narrowed);
+        CHECK_FALSE(test::required(test::write_in_cells(how, region_, caps_, em_, data_, mesh_))->narrowed);
     }
 
     /// The loops that the sweep moves, in its order: for an outward bevel, the loops of the surroundings.
@@ -61,8 +60,7 @@ public:
         if (!how_.outward) return loops_of(region_);
         const double reach = farthest_way(region_, width(), double(how_.mitre_limit));
         REQUIRE_FALSE(surround(region_, reach, around_.loops()));
-        const auto filled = test::required(around_.fill({}, monotone{}));
-        return loops_of(*filled);
+        return loops_of(*test::required(around_.fill({}, monotone{})));
     }
     /// The surroundings with each loop as in the letter, even if two of them touch.
     [[nodiscard]] loops own_loops()

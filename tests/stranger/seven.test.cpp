@@ -79,8 +79,7 @@ ply_mesh written(Mesher mesher)
     REQUIRE(file != nullptr);
     stranger::ply_sink sink{file};
     const text_options options;
-    const auto report = test::required(mesher.build(word, sink, options));
-    CHECK(report->complete());
+    CHECK(test::required(mesher.build(word, sink, options))->complete());
     std::vector<std::byte> bytes(static_cast<std::size_t>(std::ftell(file)));
     std::rewind(file);
     REQUIRE(std::fread(bytes.data(), 1, bytes.size(), file) == bytes.size());
@@ -158,8 +157,7 @@ TEST_CASE("strangers' triangulators cover a region once", "[stranger]")
     outline drawn;
     const auto covers = [&](const auto& how, glyph_id id) {
         REQUIRE(record(font.paths, id, drawn));
-        const auto g = test::required(grid::fitting(100.0, drawn.bounds));
-        REQUIRE(caps.flatten(drawn, stranger::equal_steps{}, 0.1, *g));
+        REQUIRE(caps.flatten(drawn, stranger::equal_steps{}, 0.1, *test::required(grid::fitting(100.0, drawn.bounds))));
         const auto r = test::required(caps.fill({drawn.rule}, how));
         CHECK(std::string{inspect::check_cap(*r, caps.triangles().view()).broken()} == "");
     };

@@ -29,8 +29,7 @@ struct meshed {
         REQUIRE(record(font, id, drawn));
         const auto g = test::required(grid::fitting(font.units_per_em(), drawn.bounds));
         REQUIRE(discretise(drawn, stranger::thirds{}, 0.1, *g, loops));
-        const auto r = test::required(fill(loops, drawn.rule, space));
-        filled = *r;
+        filled = *test::required(fill(loops, drawn.rule, space));
         REQUIRE_FALSE(stranger::patient{}(filled, space, cap));
     }
 

@@ -36,8 +36,7 @@ TEST_CASE("each of a stranger's policies works by itself, and all together", "[s
     stranger::stamps font;
     stranger::volume sink;
     const auto volume = [&](auto mesher) {
-        const auto report = test::required(mesher.build("[o~", sink));
-        CHECK(report->complete());
+        CHECK(test::required(mesher.build("[o~", sink))->complete());
         return sink.value();
     };
     const double own = volume(text_mesher{font}.with(stranger::thirds{}));

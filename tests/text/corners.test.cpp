@@ -8,6 +8,7 @@
 #include "support/executors.hpp"
 #include "support/lit_mesh.hpp"
 #include "support/required.hpp"
+#include "support/toy_runs.hpp"
 
 #include <typemesh/extrude/bevelled.hpp>
 #include <typemesh/extrude/embolden.hpp>
@@ -152,10 +153,8 @@ TEST_CASE("corners are parted and joined in plain letters, and counted", "[text]
     check_extruder(extruded<>{});
     const recorded_outlines font = touching_font();
     auto mesher = text_mesher{font};
-    glyph_run run;
-    run.units_per_em = 1000.0;
-    REQUIRE((run.glyphs.push_back({two_squares, 0, {}}) && run.glyphs.push_back({checkerboard, 1, {2000, 0}}) &&
-             run.glyphs.push_back({two_squares, 2, {4000, 0}})));
+    const glyph_run run =
+        test::run_of({{two_squares, 0, {}}, {checkerboard, 1, {2000, 0}}, {two_squares, 2, {4000, 0}}});
     for (const touching way : {touching::part, touching::join}) {
         const auto plan = mesher.plan(run, {.corners = way});
         check_manifold(plan);
@@ -178,9 +177,7 @@ TEST_CASE("steps of a bevel lean, so that those of a ring have two faces an edge
     // Within a ring of uneven width both sides of a step touch where it is as wide as twice the step's distance.
     recorded_outlines uneven{1000.0};
     REQUIRE(uneven.add([](auto& pen) { circle(pen, {400, 400}, 400, 1), circle(pen, {430, 400}, 300, -1); }));
-    glyph_run run;
-    run.units_per_em = 1000.0;
-    REQUIRE(run.glyphs.push_back({0, 0, {}}));
+    const glyph_run run = test::row_of(0, {0.0});
     std::size_t crowded = 0;
     for (int i = 0; i < 20; ++i) {
         const float t = 0.4325f + 0.0005f * static_cast<float>(i);
@@ -199,9 +196,7 @@ TEST_CASE("corners are parted and joined in letters with outward bevels", "[text
     // Squares half of whose distance is the width would touch all along their sides.
     recorded_outlines pair{1000.0};
     REQUIRE(pair.add([](auto& pen) { square(pen, 0, 0, 300), square(pen, 340, 0, 300); }));
-    glyph_run run;
-    run.units_per_em = 1000.0;
-    REQUIRE(run.glyphs.push_back({0, 0, {}}));
+    const glyph_run run = test::row_of(0, {0.0});
     for (const float width : {0.02f, 0.01999f, 0.02001f}) {
         auto mesher = text_mesher{pair}.with(bevelled{.width = width, .outward = true, .mitre_limit = 0.0f});
         for (const touching way : {touching::part, touching::join}) check_manifold(mesher.plan(run, {.corners = way}));
@@ -262,9 +257,7 @@ TEST_CASE("letters that reach far beyond their pens have a grid for that, too", 
         for (int i = 0; i < 2000; ++i) square(pen, 700000 + 0.25 * i, 0.25 * i, 0.25);
         square(pen, 0, 0, 500);
     }));
-    glyph_run run;
-    run.units_per_em = 1000.0;
-    REQUIRE(run.glyphs.push_back({0, 0, {}}));
+    const glyph_run run = test::row_of(0, {0.0});
     auto mesher = text_mesher{font};
     for (const touching way : {touching::part, touching::join}) {
         const auto plan = mesher.plan(run, {.corners = way});

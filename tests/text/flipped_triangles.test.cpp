@@ -75,8 +75,7 @@ TEST_CASE("no triangle is flipped because depths run the other way", "[text][fli
     text_mesher mesher = text_mesher{font}.with(flat{});
     text_options options;
     options.frame.toward = {0.0f, 0.0f, -1.0f};
-    const auto plan = test::required(mesher.plan("oE", options));
-    CHECK(flipped_triangles(*plan) == 0);
+    CHECK(flipped_triangles(*test::required(mesher.plan("oE", options))) == 0);
 }
 
 namespace {
@@ -119,8 +118,7 @@ TEST_CASE("half positions turn no triangle over within an em of the origin, but 
 {
     test::toy_font font;
     text_mesher mesher = text_mesher{font}.with(flat{});
-    const auto near = test::required(mesher.plan("o"));
-    CHECK(share_flipped(*near, halved{}) <= 0.0);
+    CHECK(share_flipped(*test::required(mesher.plan("o")), halved{}) <= 0.0);
     const auto far = test::required(mesher.plan(std::string(400, 'o')));
     CHECK(share_flipped(*far, halved{}) > 0.5);
     boxed packed;

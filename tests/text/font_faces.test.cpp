@@ -199,8 +199,7 @@ TEST_CASE("workers with faces of their own make the same mesh", "[text][glyph_st
     glyph_run run = run_of({{}, {.face = 1, .style = style_id{1}}, {.map = {.xy = 0.2}}}, {});
     for (std::uint32_t i = 0; i < 40; ++i) REQUIRE(run.glyphs.push_back({i % 2, i, {600.0 * i, 0}, false, i % 3}));
     const full_mesh expected = test::written<full_mesh>(*mesher.plan(run));
-    const auto plan = test::required(mesher.plan(run, {}, *pool));
-    CHECK(test::same_bits(test::written<full_mesh>(*plan), expected));
+    CHECK(test::same_bits(test::written<full_mesh>(*test::required(mesher.plan(run, {}, *pool))), expected));
 }
 
 TEST_CASE("looks, faces and units that there are not are refused, each by name", "[text][glyph_styles]")

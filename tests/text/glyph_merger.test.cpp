@@ -93,8 +93,7 @@ TEST_CASE("A group that a policy refuses is left out as a glyph is, and the text
     test::toy_font font;
     text_mesher measured{font};
     const glyph_run apart = run_of({{ring, 0, {0, 0}}, {ring, 0, {9000, 0}}});
-    auto plain = test::required(measured.plan(apart, {}));
-    const std::size_t points = static_cast<std::size_t>(plain->contour_points()) / 2;
+    const std::size_t points = static_cast<std::size_t>(test::required(measured.plan(apart, {}))->contour_points()) / 2;
 
     auto mesher = text_mesher{font}.with(few_points{points});
     const glyph_run run = run_of({{ring, 0, {0, 0}}, {ring, 0, {150, 0}}, {ring, 0, {9000, 0}}});
@@ -288,8 +287,7 @@ TEST_CASE("regions of fonts of different units per em are joined on the finer gr
             REQUIRE((loops.points.push_back(p) && loops.edges.push_back({})));
         static const curve line[1] = {};
         loops.curves = line;
-        auto r = test::required(fill(loops, fill_rule::non_zero, space));
-        return *r;
+        return *test::required(fill(loops, fill_rule::non_zero, space));
     };
     workspace space;
     contours of_1000, of_2048;

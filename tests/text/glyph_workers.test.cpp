@@ -3,6 +3,7 @@
 #include "support/counted_output.hpp"
 #include "support/counting_memory.hpp"
 #include "support/executors.hpp"
+#include "support/failing_memory.hpp"
 #include "support/mesh_laws.hpp"
 #include "support/required.hpp"
 #include "support/toy_font.hpp"
@@ -173,30 +174,18 @@ TEST_CASE("a source that cannot be made makes no workers, and the others end", "
 
 TEST_CASE("workers' memory that fails at any request gives a clear error and leaves both usable", "[text][workers]")
 {
-    const bool once = GENERATE(true, false);
     test::toy_font font;
     text_mesher mesher{font};
     full_mesh expected;
     REQUIRE(mesher.build("oEix", into(expected.vertices, expected.indices)));
-    std::size_t failures = 0;
-    for (std::size_t n = 2; n < 300; ++n) {  // the first request is for the workers themselves
-        test::counting_memory counted{.fail_at = n, .fail_once = once};
-        test::scrambled_workers several{3};
-        auto team = test::required(workers_of(several, another_font, counted.source()));
-        full_mesh m = {{{}, {}}, {7}};
-        auto made = mesher.build("oEix", into(m.vertices, m.indices), {}, *team);
-        if (!made) {
-            ++failures;
-            CHECK(made.error() == error::out_of_memory);
-            CHECK(m.vertices.size() == 2);
-            CHECK(m.indices.size() == 1);
-        }
-        counted.fail_at = 0;
-        REQUIRE(mesher.build("oEix", into(m.vertices, m.indices), {}, *team));
-        CHECK(test::same_bits(m, expected));
-        if (counted.requests < n) break;
-    }
-    CHECK(failures > 5);
+    test::scrambled_workers several{3};
+    const auto make = [&](memory source) {
+        return [&, team = test::required(workers_of(several, another_font, source))](full_mesh& m) mutable {
+            return mesher.build("oEix", into(m.vertices, m.indices), {}, *team);
+        };
+    };
+    const std::size_t first_of_builders = 2;  // the first request is for the workers themselves
+    CHECK(test::failures_of(make, expected, GENERATE(true, false), first_of_builders) > 5);
 }
 
 TEST_CASE("the same text built by the same workers again allocates nothing", "[text][workers]")
@@ -292,8 +281,7 @@ TEST_CASE("trim() gives back the workers' scratch memory, plans stay, and the ne
         CHECK(memory.bytes_held == trimmed);
         REQUIRE(plan->write(into(kept.vertices, kept.indices)));
         CHECK(test::same_bits(kept, first));
-        auto other = test::required(mesher.plan("Eo xi", {}, *team));
-        REQUIRE(other->write(into(again.vertices, again.indices)));
+        REQUIRE(test::required(mesher.plan("Eo xi", {}, *team))->write(into(again.vertices, again.indices)));
         CHECK(test::same_bits(again, first));
     }
     CHECK(memory.bytes_held == 0);

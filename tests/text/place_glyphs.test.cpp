@@ -2,7 +2,7 @@
 #include "support/catch.hpp"
 #include "support/executors.hpp"
 #include "support/required.hpp"
-#include "support/toy_font.hpp"
+#include "support/toy_runs.hpp"
 
 #include <typemesh/extrude/flat.hpp>
 #include <typemesh/typemesh.hpp>
@@ -77,8 +77,7 @@ TEST_CASE("what stands too far away is refused, each glyph for itself", "[text]"
 {
     test::toy_font font;
     text_mesher mesher{font};
-    glyph_run run;
-    for (const double x : {0.0, 0x1p81, -0x1p81, 600.0}) REQUIRE(run.glyphs.push_back({1, 0, {x, 0.0}}));
+    const glyph_run run = test::row_of(1, {0.0, 0x1p81, -0x1p81, 600.0});
     const auto plan = test::required(mesher.plan(run));
     CHECK(plan->glyphs().size() == 2);
     CHECK(plan->report().refused == 2);
@@ -110,8 +109,7 @@ TEST_CASE("what an extruder narrows is counted glyph by glyph, whichever way the
     CHECK(cache.statistics().hits == 5);
 
     test::scrambled_workers pool;
-    auto team = workers_of(pool, [](std::size_t) noexcept { return result<test::toy_font>{test::toy_font{}}; });
-    REQUIRE(team);
+    auto team = test::toy_team(pool);
     const text_options options;
     check(mesher.plan(narrow, options, *team));
 

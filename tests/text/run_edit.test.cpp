@@ -3,7 +3,7 @@
 #include "support/executors.hpp"
 #include "support/mesh_laws.hpp"
 #include "support/required.hpp"
-#include "support/toy_font.hpp"
+#include "support/toy_runs.hpp"
 #include "support/written_mesh.hpp"
 
 #include <typemesh/extrude/bevelled.hpp>
@@ -56,8 +56,7 @@ TEMPLATE_TEST_CASE("a run that is changed on the way is meshed as one that was c
     CHECK(test::same_bits(test::written<full_mesh>(*plan), test::written<full_mesh>(*expected)));
 
     test::scrambled_workers several{3};
-    auto team = workers_of(several, [](std::size_t) noexcept { return result<test::toy_font>{test::toy_font{}}; });
-    REQUIRE(team);
+    auto team = test::toy_team(several);
     text_mesher third{font, TestType{}};
     const auto shared = test::required(third.plan(text, how, *team, scatter));
     CHECK(test::same_bits(test::written<full_mesh>(*shared), test::written<full_mesh>(*expected)));

@@ -4,7 +4,7 @@
 #include "support/executors.hpp"
 #include "support/required.hpp"
 #include "support/style_laws.hpp"
-#include "support/toy_font.hpp"
+#include "support/toy_runs.hpp"
 
 #include <typemesh/typemesh.hpp>
 
@@ -45,8 +45,7 @@ TEMPLATE_TEST_CASE("styles only sort: every glyph's mesh, every range and every 
     how.texture = texture_mapping::box;
     auto mesher = text_mesher{font}.with(how), other = text_mesher{font}.with(how);
     test::scrambled_workers several{3};
-    auto pool = workers_of(several, [](std::size_t) noexcept -> result<test::toy_font> { return test::toy_font{}; });
-    REQUIRE(pool);
+    auto pool = test::toy_team(several);
     const auto texture_over = GENERATE(texture_box::text, texture_box::line);
     const glyph_run run = crowded_run();
     for (std::uint32_t seed = 1; seed <= 4; ++seed)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "support/catch.hpp"
 #include "support/counting_memory.hpp"
+#include "support/failing_memory.hpp"
 #include "support/mesh_laws.hpp"
 #include "support/required.hpp"
 #include "support/toy_font.hpp"
@@ -402,30 +403,14 @@ TEST_CASE("after warm-up a text of the same size allocates nothing", "[text]")
 
 TEST_CASE("memory that fails at any request gives a clear error and leaves the mesher usable", "[text]")
 {
-    const bool once = GENERATE(true, false);
     test::toy_font font;
-    text_mesher reference_mesher{font};
-    const auto expected = build(reference_mesher, "oEi");
-    std::size_t failures = 0;
-    for (std::size_t n = 1; n < 200; ++n) {
-        test::counting_memory counted{.fail_at = n, .fail_once = once};
-        text_mesher mesher{font, counted.source()};
-        full_mesh m = {{{}, {}}, {7}};
-        auto made = mesher.build("oEi", into(m.vertices, m.indices));
-        if (!made) {
-            ++failures;
-            CHECK(made.error() == error::out_of_memory);
-            CHECK(m.vertices.size() == 2);  // nothing of the caller's was touched
-            CHECK(m.indices.size() == 1);
-        } else
-            CHECK(made->complete());
-        counted.fail_at = 0;
-        made = mesher.build("oEi", into(m.vertices, m.indices));
-        REQUIRE(made);
-        CHECK(m.indices == expected.indices);
-        if (counted.requests < n) break;
-    }
-    CHECK(failures > 5);
+    text_mesher mesher{font};
+    const auto make = [&](memory source) {
+        return [poor = text_mesher{font, source}](full_mesh& m) mutable {
+            return poor.build("oEi", into(m.vertices, m.indices));
+        };
+    };
+    CHECK(test::failures_of(make, build(mesher, "oEi"), GENERATE(true, false)) > 5);
 }
 
 TEST_CASE("text comes as UTF-8 and UTF-16, clusters in its own units", "[text]")
