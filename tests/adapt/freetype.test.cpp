@@ -2,6 +2,7 @@
 #include "adapt/opened_font.hpp"
 #include "support/catch.hpp"
 #include "support/font_file.hpp"
+#include "support/laid_out.hpp"
 #include "support/required.hpp"
 #include "support/type1_mm_font.hpp"
 
@@ -22,6 +23,7 @@ namespace {
 using test::dejavu;
 using test::inter;
 using test::microhei;
+using test::shaped;
 
 const char* const liberation = "truetype/liberation/LiberationSans-Regular.ttf";
 const char* const comic = "opentype/comic-neue/ComicNeue-Regular.otf";
@@ -29,19 +31,7 @@ const char* const type1 = "X11/Type1/AharoniCLM-Book.pfa";  // with culmus of De
 
 freetype_font opened_face(const char* name, const font_options& options = {})
 {
-    auto font = freetype_font::open(font_file(name).c_str(), options);
-    INFO(font.error().message());
-    REQUIRE(font);
-    return std::move(*font);
-}
-
-glyph_run shaped(freetype_font& font, text_view text, const shape_options& how = {})
-{
-    glyph_run run;
-    const error e = layout(font, text, how, {}, run).error();
-    INFO(e.message());
-    REQUIRE(!e);
-    return run;
+    return std::move(*test::required(freetype_font::open(font_file(name).c_str(), options)));
 }
 
 error refusal(freetype_font& font, text_view text, direction d = direction::automatic)
@@ -157,8 +147,7 @@ TEST_CASE("letters of a FreeType face are spaced beside their kerning", "[adapt]
 {
     freetype_font font = opened_face(liberation);
     const glyph_run plain = shaped(font, "AVA");
-    glyph_run run;
-    REQUIRE(layout(font, "AVA", {.letter_spacing = 0.125}, {}, run));
+    const glyph_run run = test::shaped(font, "AVA", {.letter_spacing = 0.125});
     for (std::size_t i = 0; i < 3; ++i)
         CHECK(run.glyphs[i].origin.x == plain.glyphs[i].origin.x + 256.0 * static_cast<double>(i));
     CHECK(run.lines[0].advance == plain.lines[0].advance + 512.0);

@@ -2,6 +2,7 @@
 #include "adapt/opened_font.hpp"
 #include "support/catch.hpp"
 #include "support/font_file.hpp"
+#include "support/laid_out.hpp"
 #include "support/required.hpp"
 
 #include <typemesh/adapt/harfbuzz.hpp>
@@ -29,11 +30,7 @@ const char* const lohit = "truetype/lohit-devanagari/Lohit-Devanagari.ttf";
 
 glyph_run shaped(harfbuzz_font& font, text_view text, const shape_options& how = {})
 {
-    glyph_run run;
-    const error e = layout(font, text, how, {.align = alignment::left}, run).error();
-    INFO(e.message());
-    REQUIRE(!e);
-    return run;
+    return test::shaped(font, text, how, {.align = alignment::left});
 }
 
 error refusal(harfbuzz_font& font, text_view text, const shape_options& how = {})

@@ -5,6 +5,7 @@
 #include "adapt/opened_font.hpp"
 #include "support/catch.hpp"
 #include "support/font_file.hpp"
+#include "support/laid_out.hpp"
 #include "support/required.hpp"
 
 #include <typemesh/adapt/harfbuzz.hpp>
@@ -32,14 +33,9 @@ const char* const mplus = "opentype/mplus/Mplus1-Regular.otf";  // with a BASE t
 
 glyph_run set(harfbuzz_font& font, text_view text, direction flow, const column_options& columns = {})
 {
-    glyph_run run;
-    shape_options how;
-    how.direction = flow;
+    shape_options how{.direction = flow};
     how.columns = columns;
-    const error e = layout(font, text, how, {}, run).error();
-    INFO(e.message());
-    REQUIRE_FALSE(e);
-    return run;
+    return test::shaped(font, text, how);
 }
 
 affine map_of(const glyph_run& run, const placed_glyph& g)
@@ -202,9 +198,7 @@ TEST_CASE("a gap between combined digits reaches layout(), fallbacks and paragra
     CHECK(squeeze * 2 * digit[0].advance + 0.06 * em == Approx(em));
     CHECK(distance(run) == Approx(squeeze * digit[0].advance + 0.06 * em));
     paragraph words{font};
-    glyph_run laid;
-    REQUIRE(words.set("88", how));
-    REQUIRE(words.lay_out({}, laid));
+    const glyph_run laid = test::laid_out(words, "88", how);
     CHECK(distance(laid) == Approx(distance(run)));
     harfbuzz_font other = opened(dejavu);
     font_cascade both{other, font};

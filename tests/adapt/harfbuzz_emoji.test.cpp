@@ -6,6 +6,7 @@
 
 #include "support/catch.hpp"
 #include "support/font_file.hpp"
+#include "support/laid_out.hpp"
 #include "support/required.hpp"
 
 #include <cstdint>
@@ -35,8 +36,7 @@ template <class Font>
 void check(Font& font, const emoji_text& t)
 {
     for (const direction way : {direction::automatic, direction::top_to_bottom}) {
-        glyph_run run;
-        REQUIRE(layout(font, t.text, {.direction = way}, {}, run));
+        glyph_run run = test::shaped(font, t.text, {.direction = way});
         CHECK(run.missing == 0);
         CHECK(run.parted == t.parted);
         CHECK(run.first_parted == t.first);
@@ -73,9 +73,7 @@ TEST_CASE("an emoji that a line has dropped is not reported", "[harfbuzz][emoji]
 {
     auto font = test::required(harfbuzz_font::open(font_file("truetype/ancient-scripts/Symbola_hint.ttf").c_str()));
     paragraph words{*font};
-    glyph_run run;
-    REQUIRE(words.set("one two \U0001F44D\U0001F3FD"));
-    REQUIRE(words.lay_out({.width = 4.0, .max_lines = 1}, run));
+    glyph_run run = test::laid_out(words, "one two \U0001F44D\U0001F3FD", {}, {.width = 4.0, .max_lines = 1});
     CHECK(run.parted == 0);
     REQUIRE(words.lay_out({.width = 4.0}, run));
     CHECK(run.parted == 1);

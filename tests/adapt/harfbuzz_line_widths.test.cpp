@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "support/catch.hpp"
 #include "support/font_file.hpp"
+#include "support/laid_out.hpp"
 #include "support/required.hpp"
 
 #include <typemesh/adapt/harfbuzz.hpp>
@@ -150,9 +151,7 @@ TEST_CASE("the marks of a letter may be any number: all are drawn, with the lett
     for (const char16_t* letter : {u"x", u"\u05D0"}) {
         const std::u16string text = u"x" + std::u16string{letter} + std::u16string(100000, u'\u0316') + letter;
         paragraph words{*font};
-        glyph_run run;
-        REQUIRE(words.set(text));
-        REQUIRE(words.lay_out({.width = 3.0}, run));
+        glyph_run run = test::laid_out(words, text, {}, {.width = 3.0});
         CHECK(run.glyphs.size() == text.size());
         CHECK(run.missing == 0);
         for (const auto& glyphs : {&run}) {

@@ -6,6 +6,7 @@
 
 #include "support/catch.hpp"
 #include "support/font_file.hpp"
+#include "support/laid_out.hpp"
 #include "support/required.hpp"
 
 #include <cstdint>
@@ -104,9 +105,7 @@ TEST_CASE("a triangle of a ligature leads to the letter that it belongs to", "[h
     check_all(plain, width);
 
     paragraph words{*font};
-    REQUIRE(words.set(word));
-    glyph_run page;
-    REQUIRE(words.lay_out({.width = 50.0}, page));
+    const glyph_run page = test::laid_out(words, word, {}, {.width = 50.0});
     auto styled = test::required(mesher.plan(page, how));
     each_middle(*styled, [&](const mesh_hit& hit, vec3 at) {
         const picked_character letter = character_at(*styled, hit, at, words.laid());
@@ -126,9 +125,7 @@ TEST_CASE("a triangle leads to its letter where text is read to the left", "[har
     constexpr std::string_view alef_lam = "لا";  // a ligature: lam on the right, alef on the left
     text_mesher mesher{*font};
     paragraph words{*font};
-    glyph_run page;
-    REQUIRE(words.set(alef_lam));
-    REQUIRE(words.lay_out({}, page));
+    const glyph_run page = test::laid_out(words, alef_lam);
     auto plan = test::required(mesher.plan(page));
     REQUIRE(plan->glyphs().size() == 1);
     for (const bool of_paragraph : {true, false}) {

@@ -4,6 +4,7 @@
 
 #include "support/catch.hpp"
 #include "support/font_file.hpp"
+#include "support/laid_out.hpp"
 #include "support/mesh_laws.hpp"
 #include "support/required.hpp"
 
@@ -81,9 +82,7 @@ TEST_CASE("a recoloured letter is built once, and styles part the mesh", "[adapt
     const style_span spans[] = {{0, 3, {.style = style_id{4}}},
                                 {4, 7, {.decorations = both, .style = style_id{2}}},
                                 {8, 9, {.size = 1.5, .decorations = both, .style = style_id{9}}}};
-    REQUIRE(words.set("ooo ooo o", {.styles = spans}));
-    glyph_run run;
-    REQUIRE(words.lay_out({}, run));
+    const glyph_run run = test::laid_out(words, "ooo ooo o", {.styles = spans});
     const bool merge = GENERATE(false, true);
     auto plan = test::required(mesher.plan(run, {.merge = merge}));
     CHECK(plan->glyphs().size() == 7 + 4);
@@ -112,9 +111,7 @@ TEST_CASE("decorated text is closed, and its bars are as wide as its letters' ad
     paragraph words{font};
     text_mesher mesher{font};
     const style_span spans[] = {{2, 8, {.slant = 0.2, .decorations = decoration::underline}}};
-    REQUIRE(words.set("gypsy quay", {.styles = spans}));
-    glyph_run run;
-    REQUIRE(words.lay_out({}, run));
+    const glyph_run run = test::laid_out(words, "gypsy quay", {.styles = spans});
     auto plan = test::required(mesher.plan(run, {}));
     std::vector<test::full_vertex> vertices;
     std::vector<std::uint32_t> indices;
@@ -153,9 +150,7 @@ TEST_CASE("carets stand within ligatures where the font says, and lead back to t
 {
     harfbuzz_font font = styled_font("opentype/fonts-hosny-amiri/Amiri-Regular.ttf");
     paragraph words{font};
-    glyph_run run;
-    REQUIRE(words.set("ffi"));
-    REQUIRE(words.lay_out({}, run));
+    glyph_run run = test::laid_out(words, "ffi");
     REQUIRE(run.glyphs.size() == 1);
     CHECK(std::fabs(words.laid().caret_at(1).at.x - 0.269) < 1e-3);
     CHECK(std::fabs(words.laid().caret_at(2).at.x - 0.537) < 1e-3);
@@ -186,9 +181,7 @@ TEST_CASE("a span names its face, with that face's metrics and carets", "[adapt]
     font_cascade fonts{sans, naskh};
     paragraph words{fonts};
     const style_span spans[] = {{2, 5, {.face = 1, .decorations = decoration::underline}}};
-    REQUIRE(words.set("a ffi", {.styles = spans}));
-    glyph_run run;
-    REQUIRE(words.lay_out({}, run));
+    const glyph_run run = test::laid_out(words, "a ffi", {.styles = spans});
     REQUIRE(run.glyphs.size() == 4);
     CHECK(run.glyph_styles[run.glyphs[2].glyph_style].face == 1);
     const double unit = sans.units_per_em() / naskh.units_per_em();
@@ -207,9 +200,7 @@ TEST_CASE("superscripts are of the size and at the height that the font names", 
     harfbuzz_font font = styled_font("truetype/liberation/LiberationSans-Regular.ttf");
     paragraph words{font};
     const style_span spans[] = {{4, 5, {.position = script_position::superscript}}};
-    REQUIRE(words.set("E=mc2", {.styles = spans}));
-    glyph_run run;
-    REQUIRE(words.lay_out({}, run));
+    const glyph_run run = test::laid_out(words, "E=mc2", {.styles = spans});
     REQUIRE(run.glyphs.size() == 5);
     CHECK(std::fabs(run.glyphs[4].origin.y - 977.0) < 1e-9);
     CHECK(std::fabs(run.glyph_styles[run.glyphs[4].glyph_style].map.yy - 1331.0 / 2048) < 1e-12);

@@ -2,6 +2,7 @@
 #include "support/catch.hpp"
 #include "support/counting_memory.hpp"
 #include "support/failing_memory.hpp"
+#include "support/laid_out.hpp"
 #include "support/mesh_laws.hpp"
 #include "support/required.hpp"
 #include "support/toy_font.hpp"
@@ -525,9 +526,7 @@ TEST_CASE("plain text with styles is the mesh of a paragraph with them", "[text]
     const shape_options how{.letter_spacing = 0.1, .styles = spans};
     const layout_options lines{.align = alignment::right, .anchor = vertical_anchor::top};
     paragraph words{font};
-    glyph_run run;
-    REQUIRE(words.set("oEix\nEo", how));
-    REQUIRE(words.lay_out(lines, run));
+    const glyph_run run = test::laid_out(words, "oEix\nEo", how, lines);
     text_mesher mesher{font}, other{font};
     const auto plain = test::required(mesher.plan("oEix\nEo", {.shape = how, .layout = lines}));
     const auto page = test::required(other.plan(run));
