@@ -18,7 +18,7 @@ static_assert(fallback_provider<fontconfig_fallback<harfbuzz_font>, harfbuzz_fon
 TEST_CASE("an installed font with all of a grapheme is found, and is the same the next time",
           "[adapt][fontconfig][fallback]")
 {
-    const auto fonts = test::required(fontconfig_fonts::open());
+    auto fonts = test::required(fontconfig_fonts::open());
     fontconfig_fallback<harfbuzz_font> installed{*fonts};
     const std::u16string graphemes[] = {u"a", u"\u05D0", u"\u0628\u064E", u"\u0915\u093F", u"\u4E00\uFE00", u"\u0E01"};
     for (const std::u16string& g : graphemes) {
@@ -70,7 +70,7 @@ struct moody_font {
 
 }  // namespace
 
-TEST_CASE("a font that memory lacked for is opened the next time, one that is broken is not asked again",
+TEST_CASE("a font that lacked memory is opened the next time, and a broken one is not tried again",
           "[adapt][fontconfig][fallback]")
 {
     auto fonts = test::required(fontconfig_fonts::open());

@@ -168,7 +168,7 @@ TEST_CASE("ligatures are there by default and go when switched off", "[adapt][ha
     CHECK(refusal(font, "office", how) == error::bad_feature);
 }
 
-TEST_CASE("spaced letters have no ligatures unless they are asked for by name", "[adapt][harfbuzz]")
+TEST_CASE("spaced letters have no ligatures unless a feature names them", "[adapt][harfbuzz]")
 {
     harfbuzz_font font = opened(dejavu);
     glyph_run run;
@@ -262,7 +262,7 @@ TEST_CASE("a mixed line keeps joins, reports what is invalid or missing, and obe
     CHECK(refusal(font, u"a\u05D0", with(direction::automatic, "Lat")) == error::bad_option);
 }
 
-TEST_CASE("a direction that is asked for is the line's, letters keep their own", "[adapt][harfbuzz]")
+TEST_CASE("a requested direction is the line's, and letters keep their own", "[adapt][harfbuzz]")
 {
     harfbuzz_font font = opened(dejavu);
     using order = std::vector<cluster_id>;

@@ -287,7 +287,7 @@ TEST_CASE("every column holds the glyphs of its text, at any height, as long as 
     }
 }
 
-TEST_CASE("a mesh of a column is that of the line, turned", "[adapt][harfbuzz][columns]")
+TEST_CASE("a mesh of a column is the line's mesh, turned", "[adapt][harfbuzz][columns]")
 {
     harfbuzz_font font = opened(dejavu);
     text_mesher mesher{font};

@@ -2,8 +2,8 @@
 //
 // Styled paragraphs with real fonts, and the meshes of them.
 
+#include "adapt/opened_font.hpp"
 #include "support/catch.hpp"
-#include "support/font_file.hpp"
 #include "support/laid_out.hpp"
 #include "support/mesh_laws.hpp"
 #include "support/required.hpp"
@@ -25,11 +25,6 @@ namespace {
 
 const std::u16string coloured_office = u"AVATAR, To office flows. Wave ffi";
 const std::u16string bismi = u"\u0628\u0633\u0645 \u0627\u0644\u0644\u0647 \u0633\u0644\u0627\u0645 ab\u064B";
-
-harfbuzz_font styled_font(const char* name)
-{
-    return std::move(*test::required(harfbuzz_font::open(font_file(name).c_str())));
-}
 
 struct styled_vertex {
     vec3 position;
@@ -53,7 +48,7 @@ TEST_CASE("kerning, ligatures and joined letters survive a change of colour", "[
     for (const sample& s : {sample{"truetype/dejavu/DejaVuSans.ttf", coloured_office},
                             sample{"opentype/fonts-hosny-amiri/Amiri-Regular.ttf", bismi},
                             sample{"truetype/awami/AwamiNastaliq-Regular.ttf", bismi}}) {
-        harfbuzz_font font = styled_font(s.font);
+        harfbuzz_font font = test::opened(s.font);
         paragraph words{font};
         glyph_run plain, coloured;
         REQUIRE(words.set(s.text));
@@ -75,7 +70,7 @@ TEST_CASE("kerning, ligatures and joined letters survive a change of colour", "[
 
 TEST_CASE("a recoloured letter is built once, and styles part the mesh", "[adapt][harfbuzz][styles]")
 {
-    harfbuzz_font font = styled_font("truetype/dejavu/DejaVuSans.ttf");
+    harfbuzz_font font = test::opened("truetype/dejavu/DejaVuSans.ttf");
     paragraph words{font};
     text_mesher mesher{font};
     const decoration both = decoration::underline | decoration::overline;
@@ -107,7 +102,7 @@ TEST_CASE("a recoloured letter is built once, and styles part the mesh", "[adapt
 
 TEST_CASE("decorated text is closed, and its bars are as wide as its letters' advances", "[adapt][harfbuzz][styles]")
 {
-    harfbuzz_font font = styled_font("truetype/liberation/LiberationSans-Regular.ttf");
+    harfbuzz_font font = test::opened("truetype/liberation/LiberationSans-Regular.ttf");
     paragraph words{font};
     text_mesher mesher{font};
     const style_span spans[] = {{2, 8, {.slant = 0.2, .decorations = decoration::underline}}};
@@ -148,7 +143,7 @@ TEST_CASE("decorated text is closed, and its bars are as wide as its letters' ad
 TEST_CASE("carets stand within ligatures where the font says, and lead back to their places",
           "[adapt][harfbuzz][styles][carets]")
 {
-    harfbuzz_font font = styled_font("opentype/fonts-hosny-amiri/Amiri-Regular.ttf");
+    harfbuzz_font font = test::opened("opentype/fonts-hosny-amiri/Amiri-Regular.ttf");
     paragraph words{font};
     glyph_run run = test::laid_out(words, "ffi");
     REQUIRE(run.glyphs.size() == 1);
@@ -176,8 +171,8 @@ TEST_CASE("carets stand within ligatures where the font says, and lead back to t
 
 TEST_CASE("a span names its face, with that face's metrics and carets", "[adapt][harfbuzz][styles]")
 {
-    harfbuzz_font sans = styled_font("truetype/liberation/LiberationSans-Regular.ttf");
-    harfbuzz_font naskh = styled_font("opentype/fonts-hosny-amiri/Amiri-Regular.ttf");
+    harfbuzz_font sans = test::opened("truetype/liberation/LiberationSans-Regular.ttf");
+    harfbuzz_font naskh = test::opened("opentype/fonts-hosny-amiri/Amiri-Regular.ttf");
     font_cascade fonts{sans, naskh};
     paragraph words{fonts};
     const style_span spans[] = {{2, 5, {.face = 1, .decorations = decoration::underline}}};
@@ -197,7 +192,7 @@ TEST_CASE("a span names its face, with that face's metrics and carets", "[adapt]
 
 TEST_CASE("superscripts are of the size and at the height that the font names", "[adapt][harfbuzz][styles]")
 {
-    harfbuzz_font font = styled_font("truetype/liberation/LiberationSans-Regular.ttf");
+    harfbuzz_font font = test::opened("truetype/liberation/LiberationSans-Regular.ttf");
     paragraph words{font};
     const style_span spans[] = {{4, 5, {.position = script_position::superscript}}};
     const glyph_run run = test::laid_out(words, "E=mc2", {.styles = spans});

@@ -48,7 +48,7 @@ inspect::manifoldness checked_faces(const Plan& plan)
 
 }  // namespace
 
-TEST_CASE("thinner letters with outward bevels are merged where they meet in the end", "[text]")
+TEST_CASE("thinner letters are merged where their outward bevels meet", "[text]")
 {
     recorded_outlines stems{attacked_units};
     REQUIRE(stems.add([](auto& pen) { draw_rectangle(pen, {0, 0}, {400, 800}); }));

@@ -282,7 +282,7 @@ TEST_CASE("the grid goes by the place, and near the origin it is the font's", "[
     CHECK(same(cells_at({0, -900}, touching::join), 8.0));
 }
 
-TEST_CASE("a cache tells parted, joined and kept letters apart, and those of different grids", "[text]")
+TEST_CASE("a cache distinguishes parted, joined and kept letters, and letters on different grids", "[text]")
 {
     const recorded_outlines font = touching_font();
     glyph_cache<> cache;

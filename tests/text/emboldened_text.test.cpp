@@ -152,7 +152,7 @@ TEST_CASE("bevels of rings have one width in a text, and their bounds are exact"
     CHECK(narrower.plan("oi")->report().narrowed == 0);
 }
 
-TEST_CASE("a glyph that thinning leaves nothing of is left out and named, from a cache as well", "[text]")
+TEST_CASE("a glyph that vanishes by thinning is left out and named, from a cache as well", "[text]")
 {
     test::toy_font font;
     glyph_cache<> cache;

@@ -95,7 +95,7 @@ TEST_CASE("a face of the same units draws what it draws alone, to the bit", "[te
     CHECK(test::same_bits(test::written<full_mesh>(*found), test::written<full_mesh>(*expected)));
 }
 
-TEST_CASE("a glyph style's map is that of transformed_outlines, to the bit, also when glyphs are merged",
+TEST_CASE("a glyph style's map does what transformed_outlines does, to the bit, also when glyphs are merged",
           "[text][glyph_styles]")
 {
     test::toy_font font;
@@ -164,7 +164,7 @@ TEST_CASE("a letter in several styles is built once, in several shapes once a sh
     CHECK(test::same_bits(found, expected));
 }
 
-TEST_CASE("faces, maps and the units of the first face are told apart in a cache", "[text][glyph_styles]")
+TEST_CASE("a cache distinguishes faces, maps and the units of the first face", "[text][glyph_styles]")
 {
     test::toy_font font;
     const auto drawings = icons(1000.0), coarse = icons(250.0);
@@ -202,7 +202,7 @@ TEST_CASE("workers with faces of their own make the same mesh", "[text][glyph_st
     CHECK(test::same_bits(test::written<full_mesh>(*test::required(mesher.plan(run, {}, *pool))), expected));
 }
 
-TEST_CASE("looks, faces and units that there are not are refused, each by name", "[text][glyph_styles]")
+TEST_CASE("glyph styles, faces and units that do not exist are refused, each by name", "[text][glyph_styles]")
 {
     test::toy_font font;
     text_mesher mesher{font};

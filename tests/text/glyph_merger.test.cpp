@@ -63,26 +63,14 @@ std::vector<T> list(std::span<const T> s)
 }
 
 /// Refuses what has more than a number of points.
-struct few_points {
-    std::size_t most;
-    flat faces = {};
+struct few_points : flat {
+    std::size_t most = 0;
 
     option_bits cache_key() const noexcept { return {static_cast<std::uint32_t>(most)}; }
     result<part_sizes> plan(const region& r) const noexcept
     {
         if (r.points().size() > most) return error::refused_by_user;
-        return faces.plan(r);
-    }
-    height_range heights() const noexcept { return faces.heights(); }
-    template <attribute Wants, class Put>
-    void vertices(part p, const solid& s, const placement& at, Put&& put) const noexcept
-    {
-        faces.vertices<Wants>(p, s, at, put);
-    }
-    template <class Put>
-    void triangles(part p, const solid& s, const first_vertices& first, Put&& put) const noexcept
-    {
-        faces.triangles(p, s, first, put);
+        return flat::plan(r);
     }
 };
 
@@ -95,7 +83,7 @@ TEST_CASE("A group that a policy refuses is left out as a glyph is, and the text
     const glyph_run apart = run_of({{ring, 0, {0, 0}}, {ring, 0, {9000, 0}}});
     const std::size_t points = static_cast<std::size_t>(test::required(measured.plan(apart, {}))->contour_points()) / 2;
 
-    auto mesher = text_mesher{font}.with(few_points{points});
+    auto mesher = text_mesher{font}.with(few_points{{}, points});
     const glyph_run run = run_of({{ring, 0, {0, 0}}, {ring, 0, {150, 0}}, {ring, 0, {9000, 0}}});
     auto unmerged = test::required(mesher.plan(run, {}));
     CHECK(unmerged->glyphs().size() == 3);
@@ -106,7 +94,7 @@ TEST_CASE("A group that a policy refuses is left out as a glyph is, and the text
     CHECK(plan->report().refused != 0);
 }
 
-TEST_CASE("glyphs that overlap become one solid whose volume is that of their union", "[text][merge]")
+TEST_CASE("glyphs that overlap become one solid with the volume of their union", "[text][merge]")
 {
     test::toy_font font;
     text_mesher mesher{font};

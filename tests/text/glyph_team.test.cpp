@@ -7,7 +7,7 @@
 
 using namespace typemesh;
 
-TEST_CASE("of several errors that of the lowest glyph is returned", "[text][workers]")
+TEST_CASE("of several errors the lowest glyph's is returned", "[text][workers]")
 {
     test::scrambled_workers several{3};
     auto workers = test::toy_team(several);

@@ -24,17 +24,8 @@ namespace {
 result<test::toy_font> another_font(std::size_t) noexcept { return test::toy_font{}; }
 
 /// Refuses every shape, with the number of its points.
-struct counting_refusal {
+struct counting_refusal : flat {
     result<part_sizes> plan(const region& r) const noexcept { return error{error::bad_option, r.points().size()}; }
-    height_range heights() const noexcept { return {}; }
-    template <attribute Wants, class Put>
-    void vertices(part, const solid&, const placement&, Put&&) const noexcept
-    {
-    }
-    template <class Put>
-    void triangles(part, const solid&, const first_vertices&, Put&&) const noexcept
-    {
-    }
 };
 
 struct own_lock {
@@ -141,7 +132,7 @@ TEST_CASE("every sink over memory is written in subranges as it is in one piece"
     CHECK(untouched == std::vector<std::uint32_t>(size.indices(), 77u));
 }
 
-TEST_CASE("of several workers' errors that of the lowest glyph is returned", "[text][workers]")
+TEST_CASE("several workers return the error of the lowest glyph", "[text][workers]")
 {
     test::toy_font font;
     auto mesher = text_mesher{font}.with(counting_refusal{});

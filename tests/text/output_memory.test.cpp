@@ -35,7 +35,7 @@ void write_between_guards(const Plan& plan, bool at_end)
 
 }  // namespace
 
-TEMPLATE_TEST_CASE("writing stays within its arrays: the pages before and behind them cannot be touched",
+TEMPLATE_TEST_CASE("writing stays within its arrays: the pages before and after them are never touched",
                    "[text][memory]", extruded<>, bevelled)
 {
     test::toy_font font;

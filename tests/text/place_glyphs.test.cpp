@@ -17,28 +17,14 @@ using namespace typemesh;
 namespace {
 
 /// Says of letters with many points that they are narrowed and have lost two caps: of 'o', 'E' and 'x', but not of 'i'.
-struct narrowing {
-    flat as;
-
+struct narrowing : flat {
     [[nodiscard]] result<solid_plan> plan(const region& r) const noexcept
     {
-        const auto sizes = as.plan(r);
+        const auto sizes = flat::plan(r);
         if (!sizes) return sizes.error();
         const bool is_large = r.points().size() > 4;
         return solid_plan{.sizes = *sizes, .narrowed = is_large, .lost_caps = is_large ? 2u : 0u};
     }
-    [[nodiscard]] height_range heights() const noexcept { return as.heights(); }
-    template <attribute Wants, class Put>
-    void vertices(part p, const solid& s, const placement& at, Put&& put) const noexcept
-    {
-        as.vertices<Wants>(p, s, at, put);
-    }
-    template <class Put>
-    void triangles(part p, const solid& s, const first_vertices& first, Put&& put) const noexcept
-    {
-        as.triangles(p, s, first, put);
-    }
-    [[nodiscard]] option_bits cache_key() const noexcept { return as.cache_key(); }
 };
 static_assert(extruder<narrowing>);
 
@@ -73,7 +59,7 @@ TEST_CASE("a glyph keeps its line and its place whatever its style, beside lines
     }
 }
 
-TEST_CASE("what stands too far away is refused, each glyph for itself", "[text]")
+TEST_CASE("glyphs that stand too far away are refused, and the others are drawn", "[text]")
 {
     test::toy_font font;
     text_mesher mesher{font};

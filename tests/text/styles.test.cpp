@@ -37,8 +37,9 @@ glyph_run crowded_run()
 
 }  // namespace
 
-TEMPLATE_TEST_CASE("styles only sort: every glyph's mesh, every range and every way of writing is that of one style",
-                   "[text][styles]", flat, extruded<curve_normals>, extruded<shared_normals>)
+TEMPLATE_TEST_CASE(
+    "styles only sort: each glyph's mesh, each range and each way of writing is as in a text of one style",
+    "[text][styles]", flat, extruded<curve_normals>, extruded<shared_normals>)
 {
     test::toy_font font;
     TestType how;

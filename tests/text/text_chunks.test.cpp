@@ -135,8 +135,8 @@ recorded_outlines cog(int teeth)
 
 }  // namespace
 
-TEMPLATE_TEST_CASE("chunks draw what the text in one piece draws, none larger than asked for", "[text][chunks]", flat,
-                   extruded<curve_normals>, extruded<creased_normals>, extruded<averaged_normals>,
+TEMPLATE_TEST_CASE("chunks draw what the text in one piece draws, and none is larger than allowed", "[text][chunks]",
+                   flat, extruded<curve_normals>, extruded<creased_normals>, extruded<averaged_normals>,
                    extruded<shared_normals>)
 {
     test::toy_font font;

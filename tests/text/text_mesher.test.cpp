@@ -200,7 +200,7 @@ TEST_CASE("a size is how large an em is", "[text]")
     CHECK(plan->bounds().high.z == 0.0f);
 }
 
-TEST_CASE("positions come in the unit that was asked for", "[text]")
+TEST_CASE("positions come in the unit of the options", "[text]")
 {
     test::toy_font font;
     text_mesher mesher{font};
@@ -280,7 +280,7 @@ TEST_CASE("a glyph that cannot be built is left out, counted and named, and the 
     CHECK(alone.indices == m.indices);
 }
 
-TEST_CASE("a missing glyph is reported, and drawn only if asked", "[text]")
+TEST_CASE("a missing glyph is reported, and drawn only on request", "[text]")
 {
     test::toy_font font;
     text_mesher mesher{font};

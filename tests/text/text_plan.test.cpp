@@ -84,7 +84,7 @@ TEMPLATE_TEST_CASE("each vertex is written once, in ascending order, and nothing
     CHECK(log.numbers == indices);
 }
 
-TEST_CASE("a plan writes the same mesh as often as it is asked", "[text]")
+TEST_CASE("a plan writes the same mesh every time", "[text]")
 {
     test::toy_font font;
     text_mesher mesher{font};
@@ -94,7 +94,7 @@ TEST_CASE("a plan writes the same mesh as often as it is asked", "[text]")
     CHECK(a.indices == b.indices);
 }
 
-TEST_CASE("neighbouring glyphs lie in one piece of each part, and so do those of a cluster", "[text]")
+TEST_CASE("neighbouring glyphs lie in one piece of each part, and so do the glyphs of a cluster", "[text]")
 {
     test::toy_font font;
     text_mesher mesher{font};
@@ -258,7 +258,7 @@ TEST_CASE("the step between positions grows with the distance from the origin", 
     CHECK(em == pixels);
 }
 
-TEST_CASE("triangles higher than two steps are never flipped by rounding, and all is told of those that are", "[text]")
+TEST_CASE("triangles higher than two steps are never flipped by rounding, and all flipped ones are counted", "[text]")
 {
     test::toy_font font;
     const auto frame = GENERATE(right_handed_y_up, left_handed_z_up);
