@@ -171,6 +171,7 @@ TEST_CASE("workers' memory that fails at any request gives a clear error and lea
     REQUIRE(mesher.build("oEix", into(expected.vertices, expected.indices)));
     test::scrambled_workers several{3};
     const auto make = [&](memory source) {
+        several = test::scrambled_workers{3};  // the same order each time
         return [&, team = test::required(workers_of(several, another_font, source))](full_mesh& m) mutable {
             return mesher.build("oEix", into(m.vertices, m.indices), {}, *team);
         };
