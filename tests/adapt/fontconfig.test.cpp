@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #ifdef TYPEMESH_TEST_WITH_FONTCONFIG
 #include "support/catch.hpp"
+#include "support/required.hpp"
 
 #include <typemesh/adapt/fontconfig.hpp>
 #include <typemesh/adapt/harfbuzz.hpp>
@@ -24,8 +25,7 @@ std::string file_of(const installed_font& font)
 
 TEST_CASE("an installed font is found by its family and style", "[adapt][fontconfig]")
 {
-    auto fonts = fontconfig_fonts::open();
-    REQUIRE(fonts);
+    auto fonts = test::required(fontconfig_fonts::open());
     installed_font found;
     CHECK(std::string_view{found.path()}.empty());
     REQUIRE(fonts->find("DejaVu Sans", found));
@@ -47,8 +47,7 @@ TEST_CASE("an installed font is found by its family and style", "[adapt][fontcon
 TEST_CASE("where aliases are asked for, what the system binds to a family stands in for it, and nothing else",
           "[adapt][fontconfig]")
 {
-    auto fonts = fontconfig_fonts::open();
-    REQUIRE(fonts);
+    auto fonts = test::required(fontconfig_fonts::open());
     installed_font found;
     CHECK(std::string_view{found.family()}.empty());
     CHECK(fonts->find("Arial", found) == error::no_such_family);
@@ -69,8 +68,7 @@ TEST_CASE("where aliases are asked for, what the system binds to a family stands
 
 TEST_CASE("no font stands in for one that is not installed", "[adapt][fontconfig]")
 {
-    auto fonts = fontconfig_fonts::open();
-    REQUIRE(fonts);
+    auto fonts = test::required(fontconfig_fonts::open());
     installed_font found;
     CHECK(fonts->find("No Family Of This Name", found) == error::no_such_family);
     CHECK(fonts->find("", found) == error::bad_option);

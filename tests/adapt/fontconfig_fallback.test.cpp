@@ -2,6 +2,7 @@
 #ifdef TYPEMESH_TEST_WITH_FONTCONFIG
 #include "support/catch.hpp"
 #include "support/font_file.hpp"
+#include "support/required.hpp"
 
 #include <typemesh/adapt/fontconfig_fallback.hpp>
 #include <typemesh/adapt/harfbuzz.hpp>
@@ -17,22 +18,18 @@ static_assert(fallback_provider<fontconfig_fallback<harfbuzz_font>, harfbuzz_fon
 TEST_CASE("an installed font with all of a grapheme is found, and is the same the next time",
           "[adapt][fontconfig][fallback]")
 {
-    auto fonts = fontconfig_fonts::open();
-    REQUIRE(fonts);
+    auto fonts = test::required(fontconfig_fonts::open());
     fontconfig_fallback<harfbuzz_font> installed{*fonts};
     const std::u16string graphemes[] = {u"a", u"\u05D0", u"\u0628\u064E", u"\u0915\u093F", u"\u4E00\uFE00", u"\u0E01"};
     for (const std::u16string& g : graphemes) {
         const text_range whole{0, static_cast<std::uint32_t>(g.size())};
-        const auto found = installed.font_for(g, whole, 0, {});
-        REQUIRE(found);
+        const auto found = test::required(installed.font_for(g, whole, 0, {}));
         REQUIRE(*found != nullptr);
         for (const char16_t c : g) {
             hb_codepoint_t id = 0;
             CHECK((is_default_ignorable(c) || hb_font_get_nominal_glyph((*found)->handle(), c, &id) != 0));
         }
-        const auto again = installed.font_for(g, whole, 0, {});
-        REQUIRE(again);
-        CHECK(*again == *found);
+        CHECK(*test::required(installed.font_for(g, whole, 0, {})) == *found);
     }
     for (const std::u16string_view nobody : {u"\uFFFE", u"a\uFFFE"}) {
         const auto none = installed.font_for(nobody, {0, static_cast<std::uint32_t>(nobody.size())}, 0, {});
@@ -44,13 +41,10 @@ TEST_CASE("an installed font with all of a grapheme is found, and is the same th
 
 TEST_CASE("the font that is found resembles the one that is named", "[adapt][fontconfig][fallback]")
 {
-    auto fonts = fontconfig_fonts::open();
-    REQUIRE(fonts);
+    auto fonts = test::required(fontconfig_fonts::open());
     fontconfig_fallback<harfbuzz_font> plain{*fonts, "DejaVu Sans"}, bold{*fonts, "DejaVu Sans:bold"};
-    auto sans = harfbuzz_font::open(font_file("truetype/dejavu/DejaVuSans.ttf").c_str());
-    auto heavy = harfbuzz_font::open(font_file("truetype/dejavu/DejaVuSans-Bold.ttf").c_str());
-    REQUIRE(sans);
-    REQUIRE(heavy);
+    auto sans = test::required(harfbuzz_font::open(font_file("truetype/dejavu/DejaVuSans.ttf").c_str()));
+    auto heavy = test::required(harfbuzz_font::open(font_file("truetype/dejavu/DejaVuSans-Bold.ttf").c_str()));
     const auto found = plain.font_for("a", {0, 1}, 0, {}), found_bold = bold.font_for("a", {0, 1}, 0, {});
     REQUIRE((found && *found != nullptr));
     REQUIRE((found_bold && *found_bold != nullptr));
@@ -76,28 +70,23 @@ struct moody_font {
 
 }  // namespace
 
-TEST_CASE("a font that memory lacked for is opened the next time, one that is broken is not asked again",
+TEST_CASE("a font that lacked memory is opened the next time, and a broken one is not tried again",
           "[adapt][fontconfig][fallback]")
 {
-    auto fonts = fontconfig_fonts::open();
-    REQUIRE(fonts);
+    auto fonts = test::required(fontconfig_fonts::open());
     fontconfig_fallback<moody_font> poor{*fonts}, broken{*fonts};
     moody_font::answer = error::out_of_memory;
     CHECK(poor.font_for("a", {0, 1}, 0, {}).error() == error::out_of_memory);
     CHECK(moody_font::asked == 1);
     const std::string first = moody_font::last;
     moody_font::answer = {};
-    const auto found = poor.font_for("a", {0, 1}, 0, {});
-    REQUIRE(found);
-    CHECK(*found != nullptr);
+    CHECK(*test::required(poor.font_for("a", {0, 1}, 0, {})) != nullptr);
     CHECK(moody_font::asked == 2);
     CHECK(moody_font::last == first);
 
     moody_font::answer = error::unreadable_file;
     for (int k = 0; k < 2; ++k) {
-        const auto none = broken.font_for("a", {0, 1}, 0, {});
-        REQUIRE(none);
-        CHECK(*none == nullptr);
+        CHECK(*test::required(broken.font_for("a", {0, 1}, 0, {})) == nullptr);
     }
     const int before = moody_font::asked;
     CHECK(*broken.font_for("b", {0, 1}, 0, {}) == nullptr);
@@ -106,15 +95,12 @@ TEST_CASE("a font that memory lacked for is opened the next time, one that is br
 
 TEST_CASE("a list of fonts sets any script that is installed", "[adapt][fontconfig][fallback]")
 {
-    auto fonts = fontconfig_fonts::open();
-    auto latin = harfbuzz_font::open(font_file("opentype/comic-neue/ComicNeue-Regular.otf").c_str());
-    REQUIRE(fonts);
-    REQUIRE(latin);
+    auto fonts = test::required(fontconfig_fonts::open());
+    auto latin = test::required(harfbuzz_font::open(font_file("opentype/comic-neue/ComicNeue-Regular.otf").c_str()));
     fontconfig_fallback<harfbuzz_font> installed{*fonts, "Comic Neue"};
     font_list list{*latin, installed};
     text_mesher mesher{list};
-    auto plan = mesher.plan(u"plain");
-    REQUIRE(plan);
+    auto plan = test::required(mesher.plan(u"plain"));
     CHECK(list.face_count() == 1);
     plan = mesher.plan(u"tea \u05D0\u05D1 \u0628\u0628 \u4E00 \u0915\u093F \uFFFE");
     REQUIRE(plan);

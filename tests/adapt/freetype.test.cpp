@@ -2,6 +2,8 @@
 #include "adapt/opened_font.hpp"
 #include "support/catch.hpp"
 #include "support/font_file.hpp"
+#include "support/laid_out.hpp"
+#include "support/required.hpp"
 #include "support/type1_mm_font.hpp"
 
 #include <typemesh/adapt/freetype.hpp>
@@ -21,6 +23,7 @@ namespace {
 using test::dejavu;
 using test::inter;
 using test::microhei;
+using test::shaped;
 
 const char* const liberation = "truetype/liberation/LiberationSans-Regular.ttf";
 const char* const comic = "opentype/comic-neue/ComicNeue-Regular.otf";
@@ -28,19 +31,7 @@ const char* const type1 = "X11/Type1/AharoniCLM-Book.pfa";  // with culmus of De
 
 freetype_font opened_face(const char* name, const font_options& options = {})
 {
-    auto font = freetype_font::open(font_file(name).c_str(), options);
-    INFO(font.error().message());
-    REQUIRE(font);
-    return std::move(*font);
-}
-
-glyph_run shaped(freetype_font& font, text_view text, const shape_options& how = {})
-{
-    glyph_run run;
-    const error e = layout(font, text, how, {}, run).error();
-    INFO(e.message());
-    REQUIRE(!e);
-    return run;
+    return std::move(*test::required(freetype_font::open(font_file(name).c_str(), options)));
 }
 
 error refusal(freetype_font& font, text_view text, direction d = direction::automatic)
@@ -156,8 +147,7 @@ TEST_CASE("letters of a FreeType face are spaced beside their kerning", "[adapt]
 {
     freetype_font font = opened_face(liberation);
     const glyph_run plain = shaped(font, "AVA");
-    glyph_run run;
-    REQUIRE(layout(font, "AVA", {.letter_spacing = 0.125}, {}, run));
+    const glyph_run run = test::shaped(font, "AVA", {.letter_spacing = 0.125});
     for (std::size_t i = 0; i < 3; ++i)
         CHECK(run.glyphs[i].origin.x == plain.glyphs[i].origin.x + 256.0 * static_cast<double>(i));
     CHECK(run.lines[0].advance == plain.lines[0].advance + 512.0);
@@ -229,12 +219,10 @@ TEST_CASE("varied outlines keep 1/64 unit", "[adapt][freetype]")
 TEST_CASE("a font opens alike from its path, its bytes and the caller's library", "[adapt][freetype]")
 {
     const auto bytes = bytes_of(font_file(comic));
-    auto lent = freetype_font::open(bytes);
-    REQUIRE(lent);
+    auto lent = test::required(freetype_font::open(bytes));
     freetype_font read = opened_face(comic);
     const callers_face other{font_file(dejavu)};
-    auto shared = freetype_font::open(font_file(comic).c_str(), {}, other.library);
-    REQUIRE(shared);
+    auto shared = test::required(freetype_font::open(font_file(comic).c_str(), {}, other.library));
     for (glyph_id id = 0; id < read.glyph_count(); id += 7) {
         CHECK(points_of(*lent, id) == points_of(read, id));
         CHECK(points_of(*shared, id) == points_of(read, id));
@@ -250,8 +238,7 @@ TEST_CASE("the caller's FT_Face keeps its size and transform, and has no part in
     const FT_Size size = callers.face->size;
     freetype_font own = opened_face(dejavu);
     {
-        auto wrapped = freetype_font::wrap(callers.face);
-        REQUIRE(wrapped);
+        auto wrapped = test::required(freetype_font::wrap(callers.face));
         CHECK(callers.face->size == size);
         CHECK(points_of(*wrapped, 36) == points_of(own, 36));
         CHECK(callers.face->size == size);
@@ -311,8 +298,7 @@ TEST_CASE("FreeType: a Type 1 Multiple Master font is opened with the font's own
     for (const auto& f : fonts) {
         INFO(f.vector);
         const auto bytes = test::type1_mm_font(f.vector);
-        auto own = freetype_font::open(bytes);
-        REQUIRE(own);
+        auto own = test::required(freetype_font::open(bytes));
         double expected = 0.0;
         for (int i = 0; i < 4; ++i) expected += f.shares[i] * widths[i];
         CHECK(width_of(*own) == Catch::Approx(expected).margin(1.0));
@@ -320,18 +306,14 @@ TEST_CASE("FreeType: a Type 1 Multiple Master font is opened with the font's own
         // One axis set: the other stays at its design default, which is what the shares come closest to.
         const double wide = f.shares[2] + f.shares[3];
         const variation bold[] = {{"wght", 800.0f}};
-        auto set = freetype_font::open(bytes, {0, bold});
-        REQUIRE(set);
+        auto set = test::required(freetype_font::open(bytes, {0, bold}));
         CHECK(width_of(*set) == Catch::Approx((1.0 - wide) * widths[1] + wide * widths[3]).margin(1.0));
 
         // Fonts that draw differently are told apart by a cache, alike as their axes may stand.
         const variation same_axes[] = {{"wght", static_cast<float>(200.0 + 600.0 * (f.shares[1] + f.shares[3]))},
                                        {"wdth", static_cast<float>(50.0 + 100.0 * wide)}};
-        auto alike = freetype_font::open(bytes, {0, same_axes});
-        REQUIRE(alike);
+        auto alike = test::required(freetype_font::open(bytes, {0, same_axes}));
         if (std::abs(width_of(*alike) - width_of(*own)) > 1.5) CHECK(alike->variation_key() != own->variation_key());
-        auto again = freetype_font::open(bytes);
-        REQUIRE(again);
-        CHECK(again->variation_key() == own->variation_key());
+        CHECK(test::required(freetype_font::open(bytes))->variation_key() == own->variation_key());
     }
 }

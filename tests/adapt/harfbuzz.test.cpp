@@ -2,6 +2,8 @@
 #include "adapt/opened_font.hpp"
 #include "support/catch.hpp"
 #include "support/font_file.hpp"
+#include "support/laid_out.hpp"
+#include "support/required.hpp"
 
 #include <typemesh/adapt/harfbuzz.hpp>
 #include <typemesh/layout/layout.hpp>
@@ -28,11 +30,7 @@ const char* const lohit = "truetype/lohit-devanagari/Lohit-Devanagari.ttf";
 
 glyph_run shaped(harfbuzz_font& font, text_view text, const shape_options& how = {})
 {
-    glyph_run run;
-    const error e = layout(font, text, how, {.align = alignment::left}, run).error();
-    INFO(e.message());
-    REQUIRE(!e);
-    return run;
+    return test::shaped(font, text, how, {.align = alignment::left});
 }
 
 error refusal(harfbuzz_font& font, text_view text, const shape_options& how = {})
@@ -170,7 +168,7 @@ TEST_CASE("ligatures are there by default and go when switched off", "[adapt][ha
     CHECK(refusal(font, "office", how) == error::bad_feature);
 }
 
-TEST_CASE("spaced letters have no ligatures unless they are asked for by name", "[adapt][harfbuzz]")
+TEST_CASE("spaced letters have no ligatures unless a feature names them", "[adapt][harfbuzz]")
 {
     harfbuzz_font font = opened(dejavu);
     glyph_run run;
@@ -264,7 +262,7 @@ TEST_CASE("a mixed line keeps joins, reports what is invalid or missing, and obe
     CHECK(refusal(font, u"a\u05D0", with(direction::automatic, "Lat")) == error::bad_option);
 }
 
-TEST_CASE("a direction that is asked for is the line's, letters keep their own", "[adapt][harfbuzz]")
+TEST_CASE("a requested direction is the line's, and letters keep their own", "[adapt][harfbuzz]")
 {
     harfbuzz_font font = opened(dejavu);
     using order = std::vector<cluster_id>;
@@ -387,8 +385,7 @@ TEST_CASE("variations change outlines and advances, and are kept inside their ra
 TEST_CASE("a font opens alike from its path and from its bytes", "[adapt][harfbuzz]")
 {
     const auto bytes = bytes_of(font_file(amiri));
-    auto lent = harfbuzz_font::open(bytes);
-    REQUIRE(lent);
+    auto lent = test::required(harfbuzz_font::open(bytes));
     harfbuzz_font read = opened(amiri);
     CHECK(same_run(shaped(*lent, u8"مرحبا بالعالم!"), shaped(read, u8"مرحبا بالعالم!")));
     for (glyph_id id = 0; id < read.glyph_count(); id += 97) CHECK(points_of(*lent, id) == points_of(read, id));
@@ -401,8 +398,7 @@ TEST_CASE("the caller's hb_font_t is right at any scale, also with y down, and i
     for (const auto& [x, y] : {std::pair{2048, 2048}, {2048 * 64, -2048 * 64}, {1 << 20, 1 << 20}, {-2048, 4096}}) {
         INFO(x << " x " << y);
         hb_font_set_scale(callers, x, y);
-        auto wrapped = harfbuzz_font::wrap(callers);
-        REQUIRE(wrapped);
+        auto wrapped = test::required(harfbuzz_font::wrap(callers));
         CHECK(wrapped->units_per_em() == 2048.0);
         CHECK(std::fabs(wrapped->metrics(direction::automatic).ascender - 1901.0) < 1.0);
         CHECK(same_run(shaped(*wrapped, u"AVq\u0301"), shaped(own, u"AVq\u0301"), 2.0));
@@ -435,8 +431,7 @@ TEST_CASE("a font moves with all it holds", "[adapt][harfbuzz]")
     CHECK(third.units_per_em() == 2048.0);
     CHECK(same_run(shaped(third, "Hello"), before));
     CHECK(!points_of(third, before.glyphs[0].id).empty());
-    auto shared = harfbuzz_font::wrap(third.handle());
-    REQUIRE(shared);
+    auto shared = test::required(harfbuzz_font::wrap(third.handle()));
     CHECK(same_run(shaped(*shared, "Hello"), before));
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "support/catch.hpp"
 #include "support/font_file.hpp"
+#include "support/required.hpp"
 
 #include <typemesh/adapt/harfbuzz.hpp>
 #include <typemesh/paragraph/paragraph.hpp>
@@ -26,8 +27,7 @@ struct three_fonts {
 
     static result<harfbuzz_font> open(const char* file)
     {
-        auto font = harfbuzz_font::open(font_file(file).c_str());
-        REQUIRE(font);
+        auto font = test::required(harfbuzz_font::open(font_file(file).c_str()));
         return font;
     }
     /// Whether one of them has all characters of a text.
@@ -75,8 +75,7 @@ TEST_CASE("three fonts set a line of Latin, Arabic and Han", "[adapt][harfbuzz][
     three_fonts f;
     font_cascade fonts{*f.latin, *f.arabic, *f.han};
     text_mesher mesher{fonts};
-    const auto plan = mesher.plan(u"ab \u0628\u0628 \u4E00");
-    REQUIRE(plan);
+    const auto plan = test::required(mesher.plan(u"ab \u0628\u0628 \u4E00"));
     CHECK(plan->report().complete());
     const glyph_run& run = plan->run();
     REQUIRE(run.glyphs.size() == 7);

@@ -5,6 +5,8 @@
 #include "adapt/opened_font.hpp"
 #include "support/catch.hpp"
 #include "support/font_file.hpp"
+#include "support/laid_out.hpp"
+#include "support/required.hpp"
 
 #include <typemesh/adapt/harfbuzz.hpp>
 #include <typemesh/layout/face_metrics.hpp>
@@ -31,14 +33,9 @@ const char* const mplus = "opentype/mplus/Mplus1-Regular.otf";  // with a BASE t
 
 glyph_run set(harfbuzz_font& font, text_view text, direction flow, const column_options& columns = {})
 {
-    glyph_run run;
-    shape_options how;
-    how.direction = flow;
+    shape_options how{.direction = flow};
     how.columns = columns;
-    const error e = layout(font, text, how, {}, run).error();
-    INFO(e.message());
-    REQUIRE_FALSE(e);
-    return run;
+    return test::shaped(font, text, how);
 }
 
 affine map_of(const glyph_run& run, const placed_glyph& g)
@@ -201,9 +198,7 @@ TEST_CASE("a gap between combined digits reaches layout(), fallbacks and paragra
     CHECK(squeeze * 2 * digit[0].advance + 0.06 * em == Approx(em));
     CHECK(distance(run) == Approx(squeeze * digit[0].advance + 0.06 * em));
     paragraph words{font};
-    glyph_run laid;
-    REQUIRE(words.set("88", how));
-    REQUIRE(words.lay_out({}, laid));
+    const glyph_run laid = test::laid_out(words, "88", how);
     CHECK(distance(laid) == Approx(distance(run)));
     harfbuzz_font other = opened(dejavu);
     font_cascade both{other, font};
@@ -292,16 +287,12 @@ TEST_CASE("every column holds the glyphs of its text, at any height, as long as 
     }
 }
 
-TEST_CASE("a mesh of a column is that of the line, turned", "[adapt][harfbuzz][columns]")
+TEST_CASE("a mesh of a column is the line's mesh, turned", "[adapt][harfbuzz][columns]")
 {
     harfbuzz_font font = opened(dejavu);
     text_mesher mesher{font};
     text_options how{.unit = output_unit::font_units};
-    const auto bounds_of = [&] {
-        const auto plan = mesher.plan("AVg", how);
-        REQUIRE(plan);
-        return plan->bounds();
-    };
+    const auto bounds_of = [&] { return test::required(mesher.plan("AVg", how))->bounds(); };
     const auto a = bounds_of();
     how.shape.direction = direction::top_to_bottom;
     const auto b = bounds_of();
@@ -320,8 +311,7 @@ TEST_CASE("letters on their side do not reach from one column to the next", "[ad
         text_mesher mesher{font};
         text_options how{.unit = output_unit::font_units};
         how.shape.direction = direction::top_to_bottom;
-        const auto plan = mesher.plan("jgpyQ|\xC3\x85", how);
-        REQUIRE(plan);
+        const auto plan = test::required(mesher.plan("jgpyQ|\xC3\x85", how));
         const line_metrics reach = line_reach_of(font, direction::top_to_bottom);
         CHECK(plan->bounds().low.x >= reach.descender);
         CHECK(plan->bounds().high.x <= reach.ascender);

@@ -6,6 +6,8 @@
 
 #include "support/catch.hpp"
 #include "support/font_file.hpp"
+#include "support/laid_out.hpp"
+#include "support/required.hpp"
 
 #include <cstdint>
 #include <string>
@@ -34,14 +36,12 @@ template <class Font>
 void check(Font& font, const emoji_text& t)
 {
     for (const direction way : {direction::automatic, direction::top_to_bottom}) {
-        glyph_run run;
-        REQUIRE(layout(font, t.text, {.direction = way}, {}, run));
+        glyph_run run = test::shaped(font, t.text, {.direction = way});
         CHECK(run.missing == 0);
         CHECK(run.parted == t.parted);
         CHECK(run.first_parted == t.first);
         text_mesher mesher{font};
-        auto plan = mesher.plan(run, {.tolerance = quality::low});
-        REQUIRE(plan);
+        auto plan = test::required(mesher.plan(run, {.tolerance = quality::low}));
         CHECK(plan->report().missing == t.parted);
         CHECK(plan->report().parted == t.parted);
         CHECK(plan->report().first_missing == t.first);
@@ -59,10 +59,8 @@ void check(Font& font, const emoji_text& t)
 
 TEST_CASE("an emoji that has fallen apart is reported as missing, by a layout and by a paragraph", "[harfbuzz][emoji]")
 {
-    auto symbola = harfbuzz_font::open(font_file("truetype/ancient-scripts/Symbola_hint.ttf").c_str());
-    auto latin = harfbuzz_font::open(font_file("truetype/dejavu/DejaVuSans.ttf").c_str());
-    REQUIRE(symbola);
-    REQUIRE(latin);
+    auto symbola = test::required(harfbuzz_font::open(font_file("truetype/ancient-scripts/Symbola_hint.ttf").c_str()));
+    auto latin = test::required(harfbuzz_font::open(font_file("truetype/dejavu/DejaVuSans.ttf").c_str()));
     const emoji_text& t = texts[GENERATE(range(0u, 6u))];
     if (t.text[0] != u'\u05D0') check(*symbola, t);  // it has no Hebrew
     font_cascade both{*latin, *symbola};
@@ -73,12 +71,9 @@ TEST_CASE("an emoji that has fallen apart is reported as missing, by a layout an
 
 TEST_CASE("an emoji that a line has dropped is not reported", "[harfbuzz][emoji]")
 {
-    auto font = harfbuzz_font::open(font_file("truetype/ancient-scripts/Symbola_hint.ttf").c_str());
-    REQUIRE(font);
+    auto font = test::required(harfbuzz_font::open(font_file("truetype/ancient-scripts/Symbola_hint.ttf").c_str()));
     paragraph words{*font};
-    glyph_run run;
-    REQUIRE(words.set("one two \U0001F44D\U0001F3FD"));
-    REQUIRE(words.lay_out({.width = 4.0, .max_lines = 1}, run));
+    glyph_run run = test::laid_out(words, "one two \U0001F44D\U0001F3FD", {}, {.width = 4.0, .max_lines = 1});
     CHECK(run.parted == 0);
     REQUIRE(words.lay_out({.width = 4.0}, run));
     CHECK(run.parted == 1);

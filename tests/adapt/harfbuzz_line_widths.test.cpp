@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "support/catch.hpp"
 #include "support/font_file.hpp"
+#include "support/laid_out.hpp"
+#include "support/required.hpp"
 
 #include <typemesh/adapt/harfbuzz.hpp>
 #include <typemesh/layout/layout.hpp>
@@ -107,8 +109,7 @@ TEST_CASE("no line of a random text is wider than its room, unless it is a singl
 {
     const char* wanted = std::getenv("TYPEMESH_LINE_WIDTHS");
     const int rounds = wanted != nullptr ? std::atoi(wanted) : 1500;
-    auto font = harfbuzz_font::open(font_file("truetype/dejavu/DejaVuSans.ttf").c_str());
-    REQUIRE(font);
+    auto font = test::required(harfbuzz_font::open(font_file("truetype/dejavu/DejaVuSans.ttf").c_str()));
     paragraph first{*font};
     paragraph<harfbuzz_font, unicode_analyser, total_fit> total{*font};
     std::mt19937 random{29};
@@ -123,8 +124,7 @@ TEST_CASE("no line of a random text is wider than its room, unless it is a singl
 TEST_CASE("white space at a line's end hangs beyond every edge, whatever is not drawn beside it",
           "[adapt][harfbuzz][paragraph]")
 {
-    auto font = harfbuzz_font::open(font_file("truetype/dejavu/DejaVuSans.ttf").c_str());
-    REQUIRE(font);
+    auto font = test::required(harfbuzz_font::open(font_file("truetype/dejavu/DejaVuSans.ttf").c_str()));
     paragraph words{*font}, plain{*font};
     glyph_run run, bare;
     for (const char16_t* word : {u"abc", u"\u05D0\u05D1\u05D2", u"\u0628\u0628"})
@@ -147,14 +147,11 @@ TEST_CASE("white space at a line's end hangs beyond every edge, whatever is not 
 
 TEST_CASE("the marks of a letter may be any number: all are drawn, with the letter", "[adapt][harfbuzz][paragraph]")
 {
-    auto font = harfbuzz_font::open(font_file("truetype/dejavu/DejaVuSans.ttf").c_str());
-    REQUIRE(font);
+    auto font = test::required(harfbuzz_font::open(font_file("truetype/dejavu/DejaVuSans.ttf").c_str()));
     for (const char16_t* letter : {u"x", u"\u05D0"}) {
         const std::u16string text = u"x" + std::u16string{letter} + std::u16string(100000, u'\u0316') + letter;
         paragraph words{*font};
-        glyph_run run;
-        REQUIRE(words.set(text));
-        REQUIRE(words.lay_out({.width = 3.0}, run));
+        glyph_run run = test::laid_out(words, text, {}, {.width = 3.0});
         CHECK(run.glyphs.size() == text.size());
         CHECK(run.missing == 0);
         for (const auto& glyphs : {&run}) {

@@ -4,6 +4,7 @@
 
 #include "support/catch.hpp"
 #include "support/font_file.hpp"
+#include "support/required.hpp"
 
 #include <typemesh/adapt/harfbuzz.hpp>
 #include <typemesh/layout/layout.hpp>
@@ -85,8 +86,7 @@ TEST_CASE("every line holds the glyphs of its text shaped afresh, at any width a
     const sample s = GENERATE(from_range(std::begin(samples), std::end(samples)));
     const wrap_mode wrap = GENERATE(wrap_mode::none, wrap_mode::word, wrap_mode::word_or_grapheme, wrap_mode::grapheme);
     INFO(s.font);
-    auto font = harfbuzz_font::open(font_file(s.font).c_str());
-    REQUIRE(font);
+    auto font = test::required(harfbuzz_font::open(font_file(s.font).c_str()));
     paragraph words{*font};
     glyph_run run;
     REQUIRE(words.set(s.text));
@@ -124,8 +124,7 @@ TEST_CASE("every line holds the glyphs of its text shaped afresh, at any width a
 
 TEST_CASE("lines of both directions are drawn as UAX #9 orders them", "[adapt][harfbuzz][paragraph]")
 {
-    auto font = harfbuzz_font::open(font_file("truetype/dejavu/DejaVuSans.ttf").c_str());
-    REQUIRE(font);
+    auto font = test::required(harfbuzz_font::open(font_file("truetype/dejavu/DejaVuSans.ttf").c_str()));
     paragraph words{*font};
     glyph_run run;
     const auto clusters = [&](std::u16string_view text, direction d) {
@@ -149,8 +148,7 @@ TEST_CASE("lines of both directions are drawn as UAX #9 orders them", "[adapt][h
 TEST_CASE("a line is drawn in the same order whether it is laid out alone or as a paragraph",
           "[adapt][harfbuzz][paragraph]")
 {
-    auto font = harfbuzz_font::open(font_file("truetype/dejavu/DejaVuSans.ttf").c_str());
-    REQUIRE(font);
+    auto font = test::required(harfbuzz_font::open(font_file("truetype/dejavu/DejaVuSans.ttf").c_str()));
     paragraph words{*font};
     const auto clusters = [](const glyph_run& run) {
         std::vector<cluster_id> all;
@@ -176,8 +174,7 @@ TEST_CASE("a paragraph's first line can be no wider than its text, nor a word th
 {
     const sample s = GENERATE(from_range(std::begin(samples), std::end(samples)));
     INFO(s.font);
-    auto font = harfbuzz_font::open(font_file(s.font).c_str());
-    REQUIRE(font);
+    auto font = test::required(harfbuzz_font::open(font_file(s.font).c_str()));
     paragraph words{*font};
     glyph_run run;
     REQUIRE(words.set(s.text));
@@ -229,8 +226,7 @@ TEST_CASE("words with strokes are drawn as their text with U+0640, shaped afresh
         u"\u0628\u0650\u0633\u0652\u0645\u0650 \u0627\u0644\u0644\u0647 \u0627\u0644\u0631\u062D\u0645\u0646 "
         u"\u0627\u0644\u0631\u062D\u064A\u0645 \u0627\u0644\u0633\u0644\u0627\u0645 \u0639\u0644\u064A\u0643\u0645 "
         u"\u0648\u0631\u062D\u0645\u0629 \u0627\u0644\u0644\u0647 \u0648\u0628\u0631\u0643\u0627\u062A\u0647";
-    auto font = harfbuzz_font::open(font_file(name).c_str());
-    REQUIRE(font);
+    auto font = test::required(harfbuzz_font::open(font_file(name).c_str()));
     paragraph words{*font};
     glyph_run run;
     REQUIRE(words.set(text));
@@ -330,9 +326,7 @@ TEST_CASE("whatever text is laid out in whatever way, all of it is drawn once, a
     std::vector<harfbuzz_font> fonts;
     for (const char* name : {"truetype/dejavu/DejaVuSans.ttf", "opentype/fonts-hosny-amiri/Amiri-Regular.ttf",
                              "truetype/lohit-devanagari/Lohit-Devanagari.ttf"}) {
-        auto font = harfbuzz_font::open(font_file(name).c_str());
-        REQUIRE(font);
-        fonts.push_back(std::move(*font));
+        fonts.push_back(std::move(*test::required(harfbuzz_font::open(font_file(name).c_str()))));
     }
     std::mt19937 random{14};
     std::uint8_t deepest = 0;

@@ -6,6 +6,8 @@
 
 #include "support/catch.hpp"
 #include "support/font_file.hpp"
+#include "support/laid_out.hpp"
+#include "support/required.hpp"
 
 #include <cstdint>
 #include <map>
@@ -88,13 +90,11 @@ TEST_CASE("a triangle of a ligature leads to the letter that it belongs to", "[h
     const double size = GENERATE(1.0, 37.0);
     INFO(file << (merge ? " merged " : " ") << size);
     if (!has_font(file)) return;
-    auto font = harfbuzz_font::open(font_file(file).c_str());
-    REQUIRE(font);
+    auto font = test::required(harfbuzz_font::open(font_file(file).c_str()));
     const text_options how{.size = size, .frame = right_handed_z_up, .merge = merge};
 
     text_mesher mesher{*font};
-    auto plan = mesher.plan(word, how);
-    REQUIRE(plan);
+    auto plan = test::required(mesher.plan(word, how));
     REQUIRE(plan->run().glyphs.size() == 4);  // the ffi is one
     const double width = plan->run().lines[0].advance / plan->run().units_per_em;
     std::map<std::string, box> plain, laid;
@@ -105,11 +105,8 @@ TEST_CASE("a triangle of a ligature leads to the letter that it belongs to", "[h
     check_all(plain, width);
 
     paragraph words{*font};
-    REQUIRE(words.set(word));
-    glyph_run page;
-    REQUIRE(words.lay_out({.width = 50.0}, page));
-    auto styled = mesher.plan(page, how);
-    REQUIRE(styled);
+    const glyph_run page = test::laid_out(words, word, {}, {.width = 50.0});
+    auto styled = test::required(mesher.plan(page, how));
     each_middle(*styled, [&](const mesh_hit& hit, vec3 at) {
         const picked_character letter = character_at(*styled, hit, at, words.laid());
         check(letter, static_cast<double>(at.x) / size, laid);
@@ -124,16 +121,12 @@ TEST_CASE("a triangle of a ligature leads to the letter that it belongs to", "[h
 
 TEST_CASE("a triangle leads to its letter where text is read to the left", "[harfbuzz][picking]")
 {
-    auto font = harfbuzz_font::open(font_file("truetype/dejavu/DejaVuSans.ttf").c_str());
-    REQUIRE(font);
+    auto font = test::required(harfbuzz_font::open(font_file("truetype/dejavu/DejaVuSans.ttf").c_str()));
     constexpr std::string_view alef_lam = "لا";  // a ligature: lam on the right, alef on the left
     text_mesher mesher{*font};
     paragraph words{*font};
-    glyph_run page;
-    REQUIRE(words.set(alef_lam));
-    REQUIRE(words.lay_out({}, page));
-    auto plan = mesher.plan(page);
-    REQUIRE(plan);
+    const glyph_run page = test::laid_out(words, alef_lam);
+    auto plan = test::required(mesher.plan(page));
     REQUIRE(plan->glyphs().size() == 1);
     for (const bool of_paragraph : {true, false}) {
         if (!of_paragraph) plan = mesher.plan(alef_lam);
@@ -152,12 +145,10 @@ TEST_CASE("a triangle leads to its letter where text is read to the left", "[har
 
 TEST_CASE("marks belong to their letter, and a bar to none", "[harfbuzz][picking]")
 {
-    auto font = harfbuzz_font::open(font_file("truetype/dejavu/DejaVuSans.ttf").c_str());
-    REQUIRE(font);
+    auto font = test::required(harfbuzz_font::open(font_file("truetype/dejavu/DejaVuSans.ttf").c_str()));
     constexpr std::string_view text = "xe\xCC\x81\xCC\xA3y";
     text_mesher mesher{*font};
-    auto plan = mesher.plan(text);
-    REQUIRE(plan);
+    auto plan = test::required(mesher.plan(text));
     each_middle(*plan, [&](const mesh_hit& hit, vec3 at) {
         const picked_character letter = character_at(*plan, hit, at, text, *font);
         CHECK(letter.text.first == hit.cluster);

@@ -2,9 +2,11 @@
 //
 // Styled paragraphs with real fonts, and the meshes of them.
 
+#include "adapt/opened_font.hpp"
 #include "support/catch.hpp"
-#include "support/font_file.hpp"
+#include "support/laid_out.hpp"
 #include "support/mesh_laws.hpp"
+#include "support/required.hpp"
 
 #include <typemesh/adapt/harfbuzz.hpp>
 #include <typemesh/paragraph/paragraph.hpp>
@@ -23,13 +25,6 @@ namespace {
 
 const std::u16string coloured_office = u"AVATAR, To office flows. Wave ffi";
 const std::u16string bismi = u"\u0628\u0633\u0645 \u0627\u0644\u0644\u0647 \u0633\u0644\u0627\u0645 ab\u064B";
-
-harfbuzz_font styled_font(const char* name)
-{
-    auto font = harfbuzz_font::open(font_file(name).c_str());
-    REQUIRE(font);
-    return std::move(*font);
-}
 
 struct styled_vertex {
     vec3 position;
@@ -53,7 +48,7 @@ TEST_CASE("kerning, ligatures and joined letters survive a change of colour", "[
     for (const sample& s : {sample{"truetype/dejavu/DejaVuSans.ttf", coloured_office},
                             sample{"opentype/fonts-hosny-amiri/Amiri-Regular.ttf", bismi},
                             sample{"truetype/awami/AwamiNastaliq-Regular.ttf", bismi}}) {
-        harfbuzz_font font = styled_font(s.font);
+        harfbuzz_font font = test::opened(s.font);
         paragraph words{font};
         glyph_run plain, coloured;
         REQUIRE(words.set(s.text));
@@ -75,19 +70,16 @@ TEST_CASE("kerning, ligatures and joined letters survive a change of colour", "[
 
 TEST_CASE("a recoloured letter is built once, and styles part the mesh", "[adapt][harfbuzz][styles]")
 {
-    harfbuzz_font font = styled_font("truetype/dejavu/DejaVuSans.ttf");
+    harfbuzz_font font = test::opened("truetype/dejavu/DejaVuSans.ttf");
     paragraph words{font};
     text_mesher mesher{font};
     const decoration both = decoration::underline | decoration::overline;
     const style_span spans[] = {{0, 3, {.style = style_id{4}}},
                                 {4, 7, {.decorations = both, .style = style_id{2}}},
                                 {8, 9, {.size = 1.5, .decorations = both, .style = style_id{9}}}};
-    REQUIRE(words.set("ooo ooo o", {.styles = spans}));
-    glyph_run run;
-    REQUIRE(words.lay_out({}, run));
+    const glyph_run run = test::laid_out(words, "ooo ooo o", {.styles = spans});
     const bool merge = GENERATE(false, true);
-    auto plan = mesher.plan(run, {.merge = merge});
-    REQUIRE(plan);
+    auto plan = test::required(mesher.plan(run, {.merge = merge}));
     CHECK(plan->glyphs().size() == 7 + 4);
     if (!merge) CHECK(plan->meshes().size() == 2 + 2);  // the o of either size; bars of two sizes, twice each
     std::vector<styled_vertex> vertices;
@@ -110,15 +102,12 @@ TEST_CASE("a recoloured letter is built once, and styles part the mesh", "[adapt
 
 TEST_CASE("decorated text is closed, and its bars are as wide as its letters' advances", "[adapt][harfbuzz][styles]")
 {
-    harfbuzz_font font = styled_font("truetype/liberation/LiberationSans-Regular.ttf");
+    harfbuzz_font font = test::opened("truetype/liberation/LiberationSans-Regular.ttf");
     paragraph words{font};
     text_mesher mesher{font};
     const style_span spans[] = {{2, 8, {.slant = 0.2, .decorations = decoration::underline}}};
-    REQUIRE(words.set("gypsy quay", {.styles = spans}));
-    glyph_run run;
-    REQUIRE(words.lay_out({}, run));
-    auto plan = mesher.plan(run, {});
-    REQUIRE(plan);
+    const glyph_run run = test::laid_out(words, "gypsy quay", {.styles = spans});
+    auto plan = test::required(mesher.plan(run, {}));
     std::vector<test::full_vertex> vertices;
     std::vector<std::uint32_t> indices;
     REQUIRE(plan->write(into(vertices, indices)));
@@ -154,11 +143,9 @@ TEST_CASE("decorated text is closed, and its bars are as wide as its letters' ad
 TEST_CASE("carets stand within ligatures where the font says, and lead back to their places",
           "[adapt][harfbuzz][styles][carets]")
 {
-    harfbuzz_font font = styled_font("opentype/fonts-hosny-amiri/Amiri-Regular.ttf");
+    harfbuzz_font font = test::opened("opentype/fonts-hosny-amiri/Amiri-Regular.ttf");
     paragraph words{font};
-    glyph_run run;
-    REQUIRE(words.set("ffi"));
-    REQUIRE(words.lay_out({}, run));
+    glyph_run run = test::laid_out(words, "ffi");
     REQUIRE(run.glyphs.size() == 1);
     CHECK(std::fabs(words.laid().caret_at(1).at.x - 0.269) < 1e-3);
     CHECK(std::fabs(words.laid().caret_at(2).at.x - 0.537) < 1e-3);
@@ -184,14 +171,12 @@ TEST_CASE("carets stand within ligatures where the font says, and lead back to t
 
 TEST_CASE("a span names its face, with that face's metrics and carets", "[adapt][harfbuzz][styles]")
 {
-    harfbuzz_font sans = styled_font("truetype/liberation/LiberationSans-Regular.ttf");
-    harfbuzz_font naskh = styled_font("opentype/fonts-hosny-amiri/Amiri-Regular.ttf");
+    harfbuzz_font sans = test::opened("truetype/liberation/LiberationSans-Regular.ttf");
+    harfbuzz_font naskh = test::opened("opentype/fonts-hosny-amiri/Amiri-Regular.ttf");
     font_cascade fonts{sans, naskh};
     paragraph words{fonts};
     const style_span spans[] = {{2, 5, {.face = 1, .decorations = decoration::underline}}};
-    REQUIRE(words.set("a ffi", {.styles = spans}));
-    glyph_run run;
-    REQUIRE(words.lay_out({}, run));
+    const glyph_run run = test::laid_out(words, "a ffi", {.styles = spans});
     REQUIRE(run.glyphs.size() == 4);
     CHECK(run.glyph_styles[run.glyphs[2].glyph_style].face == 1);
     const double unit = sans.units_per_em() / naskh.units_per_em();
@@ -207,12 +192,10 @@ TEST_CASE("a span names its face, with that face's metrics and carets", "[adapt]
 
 TEST_CASE("superscripts are of the size and at the height that the font names", "[adapt][harfbuzz][styles]")
 {
-    harfbuzz_font font = styled_font("truetype/liberation/LiberationSans-Regular.ttf");
+    harfbuzz_font font = test::opened("truetype/liberation/LiberationSans-Regular.ttf");
     paragraph words{font};
     const style_span spans[] = {{4, 5, {.position = script_position::superscript}}};
-    REQUIRE(words.set("E=mc2", {.styles = spans}));
-    glyph_run run;
-    REQUIRE(words.lay_out({}, run));
+    const glyph_run run = test::laid_out(words, "E=mc2", {.styles = spans});
     REQUIRE(run.glyphs.size() == 5);
     CHECK(std::fabs(run.glyphs[4].origin.y - 977.0) < 1e-9);
     CHECK(std::fabs(run.glyph_styles[run.glyphs[4].glyph_style].map.yy - 1331.0 / 2048) < 1e-12);

@@ -383,7 +383,7 @@ TEST_CASE("lines have the glyphs of SkParagraph's, within 1/64 pixel of their pl
     });
 }
 
-TEST_CASE("each difference from SkParagraph that has a name is one", "[adapt][skparagraph]")
+TEST_CASE("each named difference from SkParagraph is a difference", "[adapt][skparagraph]")
 {
     for (const difference& d : differences) {
         if (!can_be_compared(text_called(d.text))) continue;

@@ -17,6 +17,7 @@
 #include "support/bevel_oracle.hpp"
 #include "support/bevel_surface.hpp"
 #include "support/catch.hpp"
+#include "support/required.hpp"
 #include "support/shape_file.hpp"
 #include "support/solid_in_cells.hpp"
 
@@ -50,9 +51,7 @@ public:
     void raise(const bevelled& how)
     {
         how_ = how;
-        const auto plan = test::write_in_cells(how, region_, caps_, em_, data_, mesh_);
-        REQUIRE(plan);
-        CHECK_FALSE(plan->narrowed);
+        CHECK_FALSE(test::required(test::write_in_cells(how, region_, caps_, em_, data_, mesh_))->narrowed);
     }
 
     /// The loops that the sweep moves, in its order: for an outward bevel, the loops of the surroundings.
@@ -61,9 +60,7 @@ public:
         if (!how_.outward) return loops_of(region_);
         const double reach = farthest_way(region_, width(), double(how_.mitre_limit));
         REQUIRE_FALSE(surround(region_, reach, around_.loops()));
-        const auto filled = around_.fill({}, monotone{});
-        REQUIRE(filled);
-        return loops_of(*filled);
+        return loops_of(*test::required(around_.fill({}, monotone{})));
     }
     /// The surroundings with each loop as in the letter, even if two of them touch.
     [[nodiscard]] loops own_loops()

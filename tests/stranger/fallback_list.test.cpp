@@ -3,6 +3,7 @@
 #include "monospace_shaper.hpp"
 #include "support/catch.hpp"
 #include "support/executors.hpp"
+#include "support/required.hpp"
 #include "svg_paths.hpp"
 
 #include <typemesh/inspect/mesh_measure.hpp>
@@ -37,8 +38,7 @@ TEST_CASE("a stranger's fallback from font to font is laid out and drawn like on
 {
     two_fonts fonts;
     auto mesher = text_mesher{fonts.both}.with(flat{});
-    const auto plan = mesher.plan("AaB\nbA");
-    REQUIRE(plan);
+    const auto plan = test::required(mesher.plan("AaB\nbA"));
     REQUIRE(plan->glyphs().size() == 5);
     CHECK(plan->run().glyph_styles.size() == 2);
     CHECK(plan->run().glyphs[2].origin.x == Catch::Approx(90.0 + 50.0));  // after A and a, in the first font's units
@@ -57,8 +57,7 @@ TEST_CASE("workers with a fallback of their own number their glyph styles alike"
     for (int i = 0; i < 600; ++i) text += i % 7 == 6 ? "\n" : i % 11 < 5 ? "A" : i % 3 == 0 ? "b" : "a";
     two_fonts fonts;
     text_mesher mesher{fonts.both};
-    const auto expected = mesher.plan(text);
-    REQUIRE(expected);
+    const auto expected = test::required(mesher.plan(text));
     std::vector<two_fonts> own(4);
     test::scrambled_workers several{4};
     auto pool = workers_of(several, [&](std::size_t w) noexcept -> result<stranger::fallback_list<drawn_type>> {
@@ -67,8 +66,7 @@ TEST_CASE("workers with a fallback of their own number their glyph styles alike"
     REQUIRE(pool);
     text_mesher other{fonts.both};
     for (int round = 0; round < 5; ++round) {
-        const auto plan = other.plan(text, {}, *pool);
-        REQUIRE(plan);
+        const auto plan = test::required(other.plan(text, {}, *pool));
         const glyph_run &a = expected->run(), &b = plan->run();
         REQUIRE(b.glyphs.size() == a.glyphs.size());
         CHECK(b.glyph_styles.size() == a.glyph_styles.size());

@@ -8,7 +8,7 @@
 
 #include "support/catch.hpp"
 #include "support/executors.hpp"
-#include "support/toy_font.hpp"
+#include "support/toy_runs.hpp"
 
 using namespace typemesh;
 
@@ -46,8 +46,7 @@ TEST_CASE("an error at a sink's end is returned by every function that writes", 
     CHECK(mesher.build("oE", sink, options).error() == error::not_written);
 
     test::scrambled_workers workers;
-    auto team = workers_of(workers, [](std::size_t) noexcept { return result<test::toy_font>{test::toy_font{}}; });
-    REQUIRE(team);
+    auto team = test::toy_team(workers);
     CHECK(mesher.build("oE", sink, options, *team).error() == error::not_written);
 
     const auto plan = mesher.plan("oE");

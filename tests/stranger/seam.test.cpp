@@ -13,9 +13,7 @@
 
 #include "flared.hpp"
 #include "support/catch.hpp"
-#include "support/executors.hpp"
-#include "support/lit_mesh.hpp"
-#include "support/toy_font.hpp"
+#include "support/text_laws.hpp"
 #include "tapering_twist.hpp"
 
 using namespace typemesh;
@@ -33,8 +31,6 @@ struct own_lock {
     void unlock() noexcept { --held; }
 };
 
-constexpr const char* word = "oExi Eo";  // x has contours that cross
-
 }  // namespace
 
 TEST_CASE("a stranger's extruder of five parts makes closed solids of exact size, volume and bounds", "[stranger]")
@@ -42,8 +38,7 @@ TEST_CASE("a stranger's extruder of five parts makes closed solids of exact size
     test::toy_font font;
     const stranger::flared how;
     auto mesher = text_mesher{font}.with(how);
-    const auto alone = mesher.plan("i");
-    REQUIRE(alone);
+    const auto alone = test::required(mesher.plan("i"));
     CHECK(alone->parts().size() == 5);
     const std::uint32_t vertices[] = {4, 4, 16, 16, 16}, triangles[] = {2, 2, 8, 8, 8};
     for (const part p : alone->parts()) {
@@ -62,14 +57,11 @@ TEST_CASE("a stranger's extruder of five parts makes closed solids of exact size
     turned.winding = -1;
     for (const frame& f : {right_handed_y_up, left_handed_y_up, right_handed_z_up, left_handed_z_up, turned}) {
         const text_options options{.frame = f};
-        const auto plan = mesher.plan(word, options);
-        REQUIRE(plan);
-        (void)lawful(*plan, f);
+        (void)lawful(*test::required(mesher.plan(test::crossed_word, options)), f);
     }
     // Its own box is fitted.
     const text_options fitted{.unit = output_unit::unit_box};
-    const auto fits = mesher.plan(word, fitted);
-    REQUIRE(fits);
+    const auto fits = test::required(mesher.plan(test::crossed_word, fitted));
     (void)lawful(*fits);
     CHECK(fits->bounds().low.x == -1.0f);
     CHECK(fits->bounds().high.x == 1.0f);
@@ -77,98 +69,21 @@ TEST_CASE("a stranger's extruder of five parts makes closed solids of exact size
 
 TEST_CASE("a stranger's five parts are the same through caches, teams and constrained Delaunay", "[stranger]")
 {
-    test::toy_font font;
-    auto mesher = text_mesher{font}.with(stranger::flared{});
-    const auto plan = mesher.plan(word);
-    REQUIRE(plan);
-    const mesh expected = lawful(*plan);
-
-    glyph_cache<own_lock> cache;
-    auto cached = text_mesher{font}.with(stranger::flared{}).with(cached_in{cache, 1});
-    for (int i = 0; i < 2; ++i) {
-        const auto again = cached.plan(word);
-        REQUIRE(again);
-        CHECK(lawful(*again) == expected);
-    }
-    CHECK(cache.statistics().hits >= 5);
-    auto other = text_mesher{font}.with(stranger::flared{.rim = 0.1f}).with(cached_in{cache, 1});
-    const auto deeper = other.plan(word);
-    REQUIRE(deeper);
-    CHECK_FALSE(lawful(*deeper) == expected);
-
-    test::scrambled_workers pool;
-    auto team = workers_of(pool, [](std::size_t) noexcept { return result<test::toy_font>{test::toy_font{}}; });
-    REQUIRE(team);
-    const text_options options;
-    for (int i = 0; i < 2; ++i) {
-        const auto shared = mesher.plan(word, options, *team);
-        REQUIRE(shared);
-        mesh m;
-        REQUIRE(shared->write(into(m.vertices, m.indices), pool));
-        CHECK(m == expected);
-    }
-    auto delaunay = text_mesher{font}.with(stranger::flared{}).with(constrained_delaunay{});
-    const auto cut = delaunay.plan(word);
-    REQUIRE(cut);
-    CHECK(lawful(*cut).vertices.size() == expected.vertices.size());
+    test::check_everywhere<glyph_cache<own_lock>>(
+        [](auto& font, const stranger::flared& how) { return text_mesher{font}.with(how); }, stranger::flared{},
+        stranger::flared{.rim = 0.1f});
 }
 
 TEST_CASE("a stranger's five parts are merged, cut into chunks, instanced and written in part", "[stranger]")
 {
     test::toy_font font;
     auto mesher = text_mesher{font}.with(stranger::flared{});
-    glyph_run run;
-    for (const double x : {0.0, 300.0, 1500.0}) REQUIRE(run.glyphs.push_back({1, 0, {x, 0.0}}));  // two rings that meet
-    run.units_per_em = 1000.0;
-    const text_options merging{.merge = true};
-    const auto joined = mesher.plan(run, merging);
-    REQUIRE(joined);
+    const glyph_run run = test::row_of(1, {0.0, 300.0, 1500.0});  // two rings that meet
+    const auto joined = test::required(mesher.plan(run, {.merge = true}));
     CHECK(joined->glyphs().size() == 2);
     (void)lawful(*joined);
     CHECK(joined->owner(0, stranger::flared::front_slope, 0) == shared_glyph);
-
-    const auto plan = mesher.plan(word);
-    REQUIRE(plan);
-    mesh whole = lawful(*plan);
-    text_chunks chunks;
-    for (const std::uint32_t most : {65'535u, 200u, 30u}) {  // all glyphs, one, pieces
-        REQUIRE(chunks.cut(*plan, most));
-        std::vector<vertex> vertices;
-        std::vector<std::uint16_t> indices;
-        REQUIRE(chunks.write(*plan, into(vertices, indices)));
-        mesh all{vertices, {}};
-        for (const text_chunk& c : chunks.view()) {
-            CHECK(c.size().vertices <= most);
-            const mesh_range r = c.range();
-            for (std::uint32_t i = 0; i < r.index_count; ++i)
-                all.indices.push_back(r.first_vertex + indices[r.first_index + i]);
-            std::uint32_t next = r.first_vertex;
-            for (const part p : plan->parts())
-                for (std::uint32_t i = 0; i < c.range(p).vertex_count; ++i) REQUIRE(vertices[next++].of == p);
-        }
-        CHECK(all.indices.size() == whole.indices.size());
-        CHECK(inspect::check_closedness(all.view()).is_closed());
-        CHECK(inspect::measure(all.view()).volume == Approx(inspect::measure(whole.view()).volume));
-    }
-
-    mesh once;
-    REQUIRE(plan->write_meshes(into(once.vertices, once.indices)));
-    CHECK(once.vertices.size() == plan->meshes_size().vertices);
-    CHECK(inspect::check_closedness(once.view()).is_closed());
-    for (std::size_t m = 0; m < plan->meshes().size(); ++m)
-        for (const part p : plan->parts())
-            for (std::uint32_t i = 0; i < plan->mesh_part(m, p).vertex_count; ++i)
-                REQUIRE(once.vertices[plan->mesh_part(m, p).first_vertex + i].of == p);
-
-    mesh some = whole;
-    for (const part p : plan->parts()) {
-        const mesh_range r = plan->range(1, p);
-        for (std::uint32_t i = 0; i < r.vertex_count; ++i) some.vertices[r.first_vertex + i] = {};
-        for (std::uint32_t i = 0; i < r.index_count; ++i) some.indices[r.first_index + i] = 0;
-    }
-    CHECK_FALSE(some == whole);
-    REQUIRE(plan->write(glyph_span{1, 2}, into(std::span{some.vertices}, std::span{some.indices})));
-    CHECK(some == whole);
+    test::check_pieces(*test::required(mesher.plan(test::crossed_word)), {65'535, 200, 30});  // all glyphs, one, pieces
 }
 
 TEST_CASE("letters that twist and taper stay within their stated bounds", "[stranger]")
@@ -179,8 +94,7 @@ TEST_CASE("letters that twist and taper stay within their stated bounds", "[stra
             auto mesher = text_mesher{font}.with(stranger::tapering_twist{.turn = turn, .taper = taper});
             for (const output_unit unit : {output_unit::em, output_unit::unit_box}) {
                 const text_options options{.unit = unit};
-                const auto plan = mesher.plan(word, options);
-                REQUIRE(plan);
+                const auto plan = test::required(mesher.plan(test::crossed_word, options));
                 const mesh m = written(*plan);
                 bounds3 seen{m.vertices[0].place, m.vertices[0].place};
                 for (const vertex& v : m.vertices) seen.add(v.place);

@@ -24,6 +24,7 @@
 #include "ply_sink.hpp"
 #include "strangers.hpp"
 #include "support/catch.hpp"
+#include "support/required.hpp"
 #include "svg_paths.hpp"
 #include "tapering_twist.hpp"
 #if defined(TYPEMESH_TEST_WITH_GLU)
@@ -78,9 +79,7 @@ ply_mesh written(Mesher mesher)
     REQUIRE(file != nullptr);
     stranger::ply_sink sink{file};
     const text_options options;
-    const auto report = mesher.build(word, sink, options);
-    REQUIRE(report);
-    CHECK(report->complete());
+    CHECK(test::required(mesher.build(word, sink, options))->complete());
     std::vector<std::byte> bytes(static_cast<std::size_t>(std::ftell(file)));
     std::rewind(file);
     REQUIRE(std::fread(bytes.data(), 1, bytes.size(), file) == bytes.size());
@@ -134,8 +133,7 @@ TEST_CASE("a stranger's packed vertex contains a closed mesh with right normals"
         std::vector<stranger::fixed_point_vertex> vertices;
         std::vector<std::uint16_t> indices;
         const text_options options{.size = size};
-        const auto plan = mesher.plan(word, options);
-        REQUIRE(plan);
+        const auto plan = test::required(mesher.plan(word, options));
         REQUIRE(plan->write(into(vertices, indices)));
         const inspect::mesh_view mesh{vertices, indices, &stranger::fixed_point_vertex::place};
         CHECK(inspect::check_closedness(mesh).is_closed());
@@ -159,11 +157,8 @@ TEST_CASE("strangers' triangulators cover a region once", "[stranger]")
     outline drawn;
     const auto covers = [&](const auto& how, glyph_id id) {
         REQUIRE(record(font.paths, id, drawn));
-        const auto g = grid::fitting(100.0, drawn.bounds);
-        REQUIRE(g);
-        REQUIRE(caps.flatten(drawn, stranger::equal_steps{}, 0.1, *g));
-        const auto r = caps.fill({drawn.rule}, how);
-        REQUIRE(r);
+        REQUIRE(caps.flatten(drawn, stranger::equal_steps{}, 0.1, *test::required(grid::fitting(100.0, drawn.bounds))));
+        const auto r = test::required(caps.fill({drawn.rule}, how));
         CHECK(std::string{inspect::check_cap(*r, caps.triangles().view()).broken()} == "");
     };
     for (const glyph_id id : {0u, 1u, 2u, 3u}) {
@@ -180,8 +175,7 @@ TEST_CASE("a stranger's shaper reports missing characters, and its drawings unkn
     std::vector<stranger::fixed_point_vertex> vertices;
     std::vector<std::uint32_t> indices;
     text_mesher mesher{font.both};
-    const auto report = mesher.build("OL\nOx", into(vertices, indices));
-    REQUIRE(report);
+    const auto report = test::required(mesher.build("OL\nOx", into(vertices, indices)));
     CHECK(report->missing == 1);
     CHECK(report->first_missing == 4);
     outline drawn;

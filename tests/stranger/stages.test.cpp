@@ -8,6 +8,7 @@
 
 #include "strangers.hpp"
 #include "support/catch.hpp"
+#include "support/required.hpp"
 
 using namespace typemesh;
 using Catch::Approx;
@@ -26,12 +27,9 @@ struct meshed {
     explicit meshed(glyph_id id)
     {
         REQUIRE(record(font, id, drawn));
-        const auto g = grid::fitting(font.units_per_em(), drawn.bounds);
-        REQUIRE(g);
+        const auto g = test::required(grid::fitting(font.units_per_em(), drawn.bounds));
         REQUIRE(discretise(drawn, stranger::thirds{}, 0.1, *g, loops));
-        const auto r = fill(loops, drawn.rule, space);
-        REQUIRE(r);
-        filled = *r;
+        filled = *test::required(fill(loops, drawn.rule, space));
         REQUIRE_FALSE(stranger::patient{}(filled, space, cap));
     }
 

@@ -11,6 +11,7 @@
 
 #include "strangers.hpp"
 #include "support/catch.hpp"
+#include "support/required.hpp"
 
 using namespace typemesh;
 using Catch::Approx;
@@ -21,8 +22,7 @@ TEST_CASE("a text in a stranger's font is meshed with the library's policies", "
     text_mesher mesher{font};
     std::vector<stranger::vertex> vertices;
     std::vector<std::uint32_t> indices;
-    const auto report = mesher.build("[o ~\n[?", into(vertices, indices));
-    REQUIRE(report);
+    const auto report = test::required(mesher.build("[o ~\n[?", into(vertices, indices)));
     CHECK(report->glyphs == 6);
     CHECK(report->blank == 1);
     CHECK(report->missing == 1);
@@ -36,9 +36,7 @@ TEST_CASE("each of a stranger's policies works by itself, and all together", "[s
     stranger::stamps font;
     stranger::volume sink;
     const auto volume = [&](auto mesher) {
-        const auto report = mesher.build("[o~", sink);
-        REQUIRE(report);
-        CHECK(report->complete());
+        CHECK(test::required(mesher.build("[o~", sink))->complete());
         return sink.value();
     };
     const double own = volume(text_mesher{font}.with(stranger::thirds{}));
@@ -55,8 +53,7 @@ TEST_CASE("each of a stranger's policies works by itself, and all together", "[s
                       .with(stranger::patient{})
                       .with(stranger::fence{})
                       .with(stranger::stage_counter{});
-    const auto plan = mesher.plan("[o~");
-    REQUIRE(plan);
+    const auto plan = test::required(mesher.plan("[o~"));
     CHECK(plan->size() == mesh_size{2 * (4 + 16 + 8), 2 * (4 + 16 + 8)});
     REQUIRE(plan->write(sink));
     CHECK(sink.count == 56);

@@ -19,7 +19,8 @@
 
 #include "support/catch.hpp"
 #include "support/lit_mesh.hpp"
-#include "support/toy_font.hpp"
+#include "support/required.hpp"
+#include "support/toy_runs.hpp"
 
 using namespace typemesh;
 
@@ -38,14 +39,6 @@ void draw_rectangle(auto& pen, point low, point high)
     draw_polygon(pen, {low, {high.x, low.y}, high, {low.x, high.y}});
 }
 
-glyph_run glyph_row(std::initializer_list<double> places)
-{
-    glyph_run run;
-    run.units_per_em = attacked_units;
-    for (const double x : places) REQUIRE(run.glyphs.push_back({0, 0, {x, 0.0}}));
-    return run;
-}
-
 template <class Plan>
 inspect::manifoldness checked_faces(const Plan& plan)
 {
@@ -55,15 +48,14 @@ inspect::manifoldness checked_faces(const Plan& plan)
 
 }  // namespace
 
-TEST_CASE("thinner letters with outward bevels are merged where they meet in the end", "[text]")
+TEST_CASE("thinner letters are merged where their outward bevels meet", "[text]")
 {
     recorded_outlines stems{attacked_units};
     REQUIRE(stems.add([](auto& pen) { draw_rectangle(pen, {0, 0}, {400, 800}); }));
-    const glyph_run run = glyph_row({0.0, 420.0});
+    const glyph_run run = test::row_of(0, {0.0, 420.0});
     const auto glyphs_of = [&](float by, float width) {
         text_mesher mesher{stems, embolden{.by = by}, bevelled{.width = width, .outward = true}};
-        const auto plan = mesher.plan(run, {.merge = true});
-        REQUIRE(plan);
+        const auto plan = test::required(mesher.plan(run, {.merge = true}));
         CHECK(inspect::check_closedness(test::written(*plan).view()).is_closed());
         return plan->glyphs().size();
     };
@@ -78,10 +70,8 @@ TEST_CASE("a ring without room for its letter is as high as the ring alone", "[t
     REQUIRE(stem.add([](auto& pen) { draw_rectangle(pen, {0, 0}, {80, 800}); }));
     text_mesher mesher{
         stem, outlined<extruded<>, extruded<>>{.width = 0.05f, .ring = {.depth = 0.1f}, .letter = {.depth = 0.5f}}};
-    const glyph_run run = glyph_row({0.0});
-    const auto plan = mesher.plan(run);
-    REQUIRE(plan);
-    CHECK(plan->bounds().low.z == -0.1f);
+    const glyph_run run = test::row_of(0, {0.0});
+    CHECK(test::required(mesher.plan(run))->bounds().low.z == -0.1f);
 }
 
 TEST_CASE("a letter that would grow into its ring is refused like a ring that would grow into its letter", "[text]")
@@ -106,7 +96,7 @@ TEST_CASE("the bridge that joins a ring's corners leaves room for the letter", "
             draw_polygon(pen,
                          {{-300, -h - rise}, {0, -h}, {300, -h - rise}, {300, h + rise}, {0, h}, {-300, h + rise}});
         }));
-        const glyph_run run = glyph_row({0.0});
+        const glyph_run run = test::row_of(0, {0.0});
         std::uint64_t moved = 0;
         for (int k = -8; k <= 8; ++k) {
             const auto width = static_cast<float>(0.02 + k * 0.5 / (512.0 * attacked_units));
@@ -114,8 +104,7 @@ TEST_CASE("the bridge that joins a ring's corners leaves room for the letter", "
                 waist, outlined<extruded<>, extruded<>>{
                            .width = width, .mitre_limit = 0.0f, .ring = {.depth = 0.2f}, .letter = {.depth = 0.1f}}};
             for (const touching way : {touching::part, touching::join}) {
-                const auto plan = mesher.plan(run, {.unit = output_unit::font_units, .corners = way});
-                REQUIRE(plan);
+                const auto plan = test::required(mesher.plan(run, {.unit = output_unit::font_units, .corners = way}));
                 moved += plan->report().corners_moved;
                 const auto found = checked_faces(plan);
                 CHECK(found.crowded_edges == 0);
@@ -140,7 +129,7 @@ TEST_CASE("outward bevels that nearly close a hole leave no walls back to back",
             draw_polygon(pen, corners);
         };
         REQUIRE(ring.add([&](auto& pen) { circle(pen, 1.3 * radius, 1), circle(pen, radius, -1); }));
-        const glyph_run run = glyph_row({0.0});
+        const glyph_run run = test::row_of(0, {0.0});
         for (int k = 1; k <= 12; ++k) {
             const double apothem = radius * std::cos(3.141592653589793 / 29);
             const bevelled solid{.width = static_cast<float>((apothem - k / 512.0) / attacked_units), .outward = true};
@@ -182,7 +171,7 @@ TEST_CASE("outward bevels on both sides that nearly close a hole have walls all 
          {{0, 0}, {0.98f, 0.5f}, {0.98f, 0.8f}, {1, 1}},
          {{50705, 21605}, {44063, -33110}, {-6642, -54714}, {-50705, -21605}, {-44063, 33110}, {6675, 54982}}},
     };
-    const glyph_run run = glyph_row({0.0});
+    const glyph_run run = test::row_of(0, {0.0});
     for (const near_closed& f : found)
         for (int k = -4; k <= 4; ++k)
             for (const touching way : {touching::part, touching::join}) {
@@ -204,15 +193,11 @@ TEST_CASE("outward bevels on both sides that nearly close a hole have walls all 
 TEST_CASE("a solid chosen at run time names the owners of merged letters and the option to blame", "[text]")
 {
     test::toy_font font;
-    glyph_run run;
-    for (const double x : {0.0, 300.0}) REQUIRE(run.glyphs.push_back({1, 0, {x, 0.0}}));  // two rings that meet
-    run.units_per_em = attacked_units;
+    const glyph_run run = test::row_of(1, {0.0, 300.0});  // two rings that meet
     text_mesher alone{font, extruded<>{}};
     text_mesher<one_of<flat, extruded<>, bevelled>> chosen{font, extruded<>{}};
-    const auto a = alone.plan(run, {.merge = true});
-    const auto b = chosen.plan(run, {.merge = true});
-    REQUIRE(a);
-    REQUIRE(b);
+    const auto a = test::required(alone.plan(run, {.merge = true}));
+    const auto b = test::required(chosen.plan(run, {.merge = true}));
     std::size_t owned = 0;
     for (const part p : a->parts())
         for (std::uint32_t t = 0; t < a->range(0, p).index_count / 3; ++t) {
@@ -236,8 +221,7 @@ TEST_CASE("glyphs that fit onto a coarser grid alone do not make it too fine for
     run.units_per_em = 1024.0;
     REQUIRE((run.glyphs.push_back({0, 0, {}}) && run.glyphs.push_back({1, 1, {}})));
     text_mesher mesher{font, embolden{.by = 8.0f / 1024.0f, .mitre_limit = 0.0f}};
-    const auto plan = mesher.plan(run, {.unit = output_unit::font_units, .corners = touching::part});
-    REQUIRE(plan);
+    const auto plan = test::required(mesher.plan(run, {.unit = output_unit::font_units, .corners = touching::part}));
     CHECK(plan->glyphs().size() == 2);
     for (const drawn_glyph& g : plan->glyphs())
         CHECK(g.built->cells() * 1024.0 <= cells_told_apart(g.built->ink().high.x / 1024.0, true));
@@ -303,13 +287,12 @@ TEST_CASE("bevels that fit leave a letter its cap, however few joins its corners
             REQUIRE(letter.add([&](auto& pen) {
                 draw_polygon(pen, {{0, 0}, {400, 0}, {400, stem}, {stem, stem}, {stem, 700}, {0, 700}});
             }));
-            const glyph_run run = glyph_row({0.0});
+            const glyph_run run = test::row_of(0, {0.0});
             for (const double tolerance : {quality::low, quality::normal, quality::high}) {
                 if (2.0 * tolerance * attacked_units >= stem) continue;  // no circle of the tolerance has room
                 text_mesher mesher{letter,
                                    bevelled{.width = 0.1f, .mode = bevel_mode::fit, .mitre_limit = mitre_limit}};
-                const auto plan = mesher.plan(run, {.tolerance = tolerance});
-                REQUIRE(plan);
+                const auto plan = test::required(mesher.plan(run, {.tolerance = tolerance}));
                 CHECK(plan->report().lost_caps == 0);
                 CHECK(plan->range(part::front).index_count != 0);
             }

@@ -16,120 +16,42 @@
 #include <vector>
 
 #include "support/catch.hpp"
-#include "support/counting_memory.hpp"
-#include "support/executors.hpp"
-#include "support/lit_mesh.hpp"
-#include "support/toy_font.hpp"
+#include "support/failing_memory.hpp"
+#include "support/text_laws.hpp"
 
 using namespace typemesh;
 
 namespace {
 
-constexpr const char* bevelled_word = "oExi Eo";  // x has contours that cross
-
 const bevelled rounding{.width = 0.02f, .bevel_depth = 0.03f, .profile = round_profile(4)};
 
-/// A lawful mesh with five parts.
 template <class Plan>
 test::lit_mesh checked_mesh(const Plan& plan, const frame& f = right_handed_y_up)
 {
-    REQUIRE(plan.parts().size() == 5);
-    for (const part p : plan.parts()) CHECK(plan.range(p).vertex_count != 0);
-    return test::lawful(plan, f);
+    return test::lawful_parts(plan, 5, f);
 }
 
 }  // namespace
 
 TEST_CASE("bevelled letters come out of caches, teams and constrained Delaunay as they are built alone", "[text]")
 {
-    test::toy_font font;
-    auto mesher = text_mesher{font}.with(rounding);
-    const auto plan = mesher.plan(bevelled_word);
-    REQUIRE(plan);
-    CHECK(plan->report().refused == 0);
-    const test::lit_mesh expected = checked_mesh(*plan);
-
-    glyph_cache<> cache;
-    auto cached = text_mesher{font}.with(rounding).with(cached_in{cache, 1});
-    for (int i = 0; i < 2; ++i) {
-        const auto again = cached.plan(bevelled_word);
-        REQUIRE(again);
-        CHECK(checked_mesh(*again) == expected);
-    }
-    CHECK(cache.statistics().hits >= 5);
     bevelled wider = rounding;
     wider.width = 0.03f;
-    auto other = text_mesher{font}.with(wider).with(cached_in{cache, 1});
-    const auto wide = other.plan(bevelled_word);
-    REQUIRE(wide);
-    CHECK_FALSE(checked_mesh(*wide) == expected);
-
-    test::scrambled_workers pool;
-    auto team = workers_of(pool, [](std::size_t) noexcept { return result<test::toy_font>{test::toy_font{}}; });
-    REQUIRE(team);
-    const text_options options;
-    for (int i = 0; i < 2; ++i) {
-        const auto shared = mesher.plan(bevelled_word, options, *team);
-        REQUIRE(shared);
-        test::lit_mesh m;
-        REQUIRE(shared->write(into(m.vertices, m.indices), pool));
-        CHECK(m == expected);
-    }
-
-    auto delaunay = text_mesher{font}.with(rounding).with(constrained_delaunay{});
-    const auto cut = delaunay.plan(bevelled_word);
-    REQUIRE(cut);
-    const test::lit_mesh finer = checked_mesh(*cut);
-    CHECK(inspect::measure(finer.view()).volume ==
-          Catch::Approx(inspect::measure(expected.view()).volume).epsilon(1e-5));
+    test::check_everywhere([](auto& font, const bevelled& how) { return text_mesher{font}.with(how); }, rounding,
+                           wider);
 }
 
 TEST_CASE("bevelled letters are merged, cut into chunks, instanced and written in part", "[text]")
 {
     test::toy_font font;
     auto mesher = text_mesher{font}.with(rounding);
-    glyph_run run;
-    for (const double x : {0.0, 300.0, 1500.0}) REQUIRE(run.glyphs.push_back({1, 0, {x, 0.0}}));  // two rings that meet
-    run.units_per_em = 1000.0;
-    const text_options merging{.merge = true};
-    const auto joined = mesher.plan(run, merging);
-    REQUIRE(joined);
+    const glyph_run run = test::row_of(1, {0.0, 300.0, 1500.0});  // two rings that meet
+    const auto joined = test::required(mesher.plan(run, {.merge = true}));
     CHECK(joined->glyphs().size() == 2);
     (void)checked_mesh(*joined);
-
-    const auto plan = mesher.plan(bevelled_word);
-    REQUIRE(plan);
-    const test::lit_mesh whole = checked_mesh(*plan);
-    text_chunks chunks;
-    for (const std::uint32_t most : {65'535u, 600u, 60u}) {  // of all glyphs, of one, of pieces
-        REQUIRE(chunks.cut(*plan, most));
-        std::vector<test::lit_vertex> vertices;
-        std::vector<std::uint16_t> indices;
-        REQUIRE(chunks.write(*plan, into(vertices, indices)));
-        test::lit_mesh all{vertices, {}};
-        for (const text_chunk& c : chunks.view()) {
-            CHECK(c.size().vertices <= most);
-            const mesh_range r = c.range();
-            for (std::uint32_t i = 0; i < r.index_count; ++i)
-                all.indices.push_back(r.first_vertex + indices[r.first_index + i]);
-        }
-        CHECK(all.indices.size() == whole.indices.size());
-        CHECK(inspect::check_closedness(all.view()).is_closed());
-    }
-
-    test::lit_mesh once;
-    REQUIRE(plan->write_meshes(into(once.vertices, once.indices)));
-    CHECK(once.vertices.size() == plan->meshes_size().vertices);
-    CHECK(inspect::check_closedness(once.view()).is_closed());
-
-    test::lit_mesh some = whole;
-    for (const part p : plan->parts()) {
-        const mesh_range r = plan->range(1, p);
-        for (std::uint32_t i = 0; i < r.vertex_count; ++i) some.vertices[r.first_vertex + i] = {};
-    }
-    CHECK_FALSE(some == whole);
-    REQUIRE(plan->write(glyph_span{1, 2}, into(std::span{some.vertices}, std::span{some.indices})));
-    CHECK(some == whole);
+    const auto plan = test::required(mesher.plan(test::crossed_word));
+    (void)checked_mesh(*plan);
+    test::check_pieces(*plan, {65'535, 600, 60});  // all glyphs, one, pieces
 }
 
 TEST_CASE("a bevel keeps its slope where depths are in output units", "[text]")
@@ -138,8 +60,7 @@ TEST_CASE("a bevel keeps its slope where depths are in output units", "[text]")
     const bevelled how{.depth = 20.0f, .width = 0.02f, .bevel_depth = 2.0f};
     auto mesher = text_mesher{font}.with(how);
     const text_options options{.unit = output_unit::pixels, .pixels_per_em = 100.0, .depth_in = depth_unit::output};
-    const auto plan = mesher.plan("i", options);
-    REQUIRE(plan);
+    const auto plan = test::required(mesher.plan("i", options));
     const test::lit_mesh m = checked_mesh(*plan);
     const mesh_range r = plan->range(part::front_bevel);
     for (std::uint32_t i = 0; i < r.vertex_count; ++i)
@@ -154,9 +75,7 @@ TEST_CASE("bevelled letters obey their laws in every frame, in mirrored glyph st
     frame godot = right_handed_y_up;
     godot.winding = -1;
     for (const frame& f : {right_handed_y_up, left_handed_y_up, right_handed_z_up, left_handed_z_up, godot}) {
-        const auto plan = mesher.plan(bevelled_word, {.frame = f});
-        REQUIRE(plan);
-        (void)checked_mesh(*plan, f);
+        (void)checked_mesh(*test::required(mesher.plan(test::crossed_word, {.frame = f})), f);
     }
     glyph_run run;
     run.units_per_em = 1000.0;
@@ -166,40 +85,22 @@ TEST_CASE("bevelled letters obey their laws in every frame, in mirrored glyph st
         for (const std::uint32_t glyph_style : {0u, 1u})
             REQUIRE(run.glyphs.push_back(
                 {.id = g, .origin = {2000.0 * g, 2000.0 * glyph_style}, .glyph_style = glyph_style}));
-    const auto plan = mesher.plan(run);
-    REQUIRE(plan);
+    const auto plan = test::required(mesher.plan(run));
     CHECK(plan->report().refused == 0);
     (void)checked_mesh(*plan);
 }
 
 TEST_CASE("a bevelled text reports memory that fails at any request, and can be built afterwards", "[text][memory]")
 {
-    const bool once = GENERATE(true, false);
     test::toy_font font;
-    auto reference = text_mesher{font}.with(rounding);
-    const auto plan = reference.plan(bevelled_word);
-    REQUIRE(plan);
-    const test::lit_mesh expected = test::written(*plan);
-    std::size_t failures = 0;
-    for (std::size_t n = 1; n < 1000; ++n) {
-        test::counting_memory counted{.fail_at = n, .fail_once = once};
-        auto mesher = text_mesher{font, counted.source()}.with(rounding);
-        test::lit_mesh m{{{}, {}}, {7}};
-        auto made = mesher.build(bevelled_word, into(m.vertices, m.indices));
-        if (!made) {
-            ++failures;
-            CHECK(made.error() == error::out_of_memory);
-            CHECK(m.vertices.size() == 2);  // nothing of the caller's was touched
-            CHECK(m.indices.size() == 1);
-        } else
-            CHECK(made->complete());
-        counted.fail_at = 0;
-        made = mesher.build(bevelled_word, into(m.vertices, m.indices));
-        REQUIRE(made);
-        CHECK(m == expected);
-        if (counted.requests < n) break;
-    }
-    CHECK(failures > 20);
+    auto mesher = text_mesher{font}.with(rounding);
+    const auto make = [&](memory source) {
+        return [poor = text_mesher{font, source}.with(rounding)](test::lit_mesh& m) mutable {
+            return poor.build(test::crossed_word, into(m.vertices, m.indices));
+        };
+    };
+    const test::lit_mesh expected = test::written(*test::required(mesher.plan(test::crossed_word)));
+    CHECK(test::failures_of(make, expected, GENERATE(true, false)) > 20);
 }
 
 TEST_CASE("bevels that fit a text are as narrow as its narrowest letter's, with caches, teams and merging", "[text]")
@@ -217,16 +118,14 @@ TEST_CASE("bevels that fit a text are as narrow as its narrowest letter's, with 
     };
 
     auto each = text_mesher{font}.with(fit);
-    const auto apart = each.plan("oE");
-    REQUIRE(apart);
+    const auto apart = test::required(each.plan("oE"));
     const auto own = widths_of(*apart, fit);
     CHECK(own[1] == Catch::Approx(0.045));  // "E" is 100 units thick, and so is "o", but for its chords
     CHECK(own[0] > own[1]);
     CHECK(apart->report().narrowed == 2);  // to less than half
 
     auto mesher = text_mesher{font}.with(fit_text);
-    const auto plan = mesher.plan("oE");
-    REQUIRE(plan);
+    const auto plan = test::required(mesher.plan("oE"));
     CHECK(plan->report().narrowed == 2);
     const auto same_width = widths_of(*plan, fit_text);
     CHECK(same(same_width[0], own[1]));
@@ -237,25 +136,18 @@ TEST_CASE("bevels that fit a text are as narrow as its narrowest letter's, with 
     bevelled nearly = fit_text;
     nearly.width = 0.08f;
     auto enough = text_mesher{font}.with(nearly);
-    const auto not_by_half = enough.plan("oE");
-    REQUIRE(not_by_half);
-    CHECK(not_by_half->report().narrowed == 0);
-    const auto other = mesher.plan("o");
-    REQUIRE(other);
-    CHECK(same(widths_of(*other, fit_text)[0], own[0]));
+    CHECK(test::required(enough.plan("oE"))->report().narrowed == 0);
+    CHECK(same(widths_of(*test::required(mesher.plan("o")), fit_text)[0], own[0]));
 
     bevelled at_once = clip;
     at_once.width = own[1];
     auto clipped = text_mesher{font}.with(at_once);
-    const auto by_hand = clipped.plan("oE");
-    REQUIRE(by_hand);
-    CHECK(checked_mesh(*by_hand) == expected);
+    CHECK(checked_mesh(*test::required(clipped.plan("oE"))) == expected);
 
     glyph_cache<> cache;
     auto cached = text_mesher{font}.with(fit_text).with(cached_in{cache, 1});
     for (int i = 0; i < 2; ++i) {
-        const auto again = cached.plan("oE");
-        REQUIRE(again);
+        const auto again = test::required(cached.plan("oE"));
         CHECK(checked_mesh(*again) == expected);
         CHECK(cache.statistics().entries == 4);
         CHECK(cache.statistics().pinned == 2);
@@ -263,20 +155,14 @@ TEST_CASE("bevels that fit a text are as narrow as its narrowest letter's, with 
     CHECK(cache.statistics().hits == 4);
 
     test::scrambled_workers pool;
-    auto team = workers_of(pool, [](std::size_t) noexcept { return result<test::toy_font>{test::toy_font{}}; });
-    REQUIRE(team);
+    auto team = test::toy_team(pool);
     const text_options options, merging{.merge = true};
     for (int i = 0; i < 2; ++i) {
-        const auto shared = mesher.plan("oE", options, *team);
-        REQUIRE(shared);
-        CHECK(checked_mesh(*shared) == expected);
+        CHECK(checked_mesh(*test::required(mesher.plan("oE", options, *team))) == expected);
     }
 
-    glyph_run run;
-    run.units_per_em = 1000.0;
-    for (const double x : {0.0, 300.0, 1500.0}) REQUIRE(run.glyphs.push_back({1, 0, {x, 0.0}}));  // two rings that meet
-    const auto joined = mesher.plan(run, merging);
-    REQUIRE(joined);
+    const glyph_run run = test::row_of(1, {0.0, 300.0, 1500.0});  // two rings that meet
+    const auto joined = test::required(mesher.plan(run, merging));
     const auto of_groups = widths_of(*joined, fit_text);
     REQUIRE(of_groups.size() == 2);
     CHECK(same(of_groups[0], of_groups[1]));
@@ -312,10 +198,8 @@ TEST_CASE("bevels that fit a text are its own, though another in the cache was a
     auto cached = text_mesher{font}.with(how).with(cached_in{cache, 1});
     for (const float width : {0.2f, 0.02f, 0.05f, 0.1f}) {
         alone.solid().width = cached.solid().width = width;
-        const auto plan = alone.plan(run);
-        const auto again = cached.plan(run);
-        REQUIRE((plan && again));
-        CHECK(checked_mesh(*again) == checked_mesh(*plan));
+        const auto plan = test::required(alone.plan(run));
+        CHECK(checked_mesh(*test::required(cached.plan(run))) == checked_mesh(*plan));
     }
 }
 
@@ -325,14 +209,8 @@ TEST_CASE("the bounds of a bevelled text are those of its vertices, in height as
     for (const float width : {0.02f, 0.3f}) {
         auto mesher = text_mesher{font}.with(bevelled{.width = width, .bevel_depth = 0.09f});
         for (const char* text : {"o", "i", "oExi"}) {
-            const auto plan = mesher.plan(text);
-            REQUIRE(plan);
-            test::lit_mesh m;
-            REQUIRE(plan->write(into(m.vertices, m.indices)));
-            bounds3 seen{m.vertices[0].place, m.vertices[0].place};
-            for (const test::lit_vertex& v : m.vertices) seen.add(v.place);
-            CHECK(plan->bounds().low == seen.low);
-            CHECK(plan->bounds().high == seen.high);
+            const auto plan = test::required(mesher.plan(text));
+            (void)test::lawful(*plan);
             CHECK((plan->bounds().high.z < 0.0f) == (width > 0.1f));
         }
     }
@@ -344,12 +222,8 @@ TEST_CASE("triangles of bevels that floats turn over are counted, far from the o
     auto mesher = text_mesher{font}.with(bevelled{.width = 0.02f, .profile = round_profile(16)});
     auto plain = text_mesher{font};
     const auto flipped_at = [](auto& made, double x) {
-        glyph_run run;
-        run.units_per_em = 1000.0;
-        REQUIRE(run.glyphs.push_back({1, 0, {x, 0.0}}));
-        const auto plan = made.plan(run);
-        REQUIRE(plan);
-        return flipped_triangles(*plan);
+        const glyph_run run = test::row_of(1, {x});
+        return flipped_triangles(*test::required(made.plan(run)));
     };
     CHECK(flipped_at(mesher, 0.0) == 0);
     const double far = 4e6;  // floats are 244 micro-em apart there, and a strip is about a milli-em wide
@@ -360,11 +234,8 @@ TEST_CASE("of merged letters with bevels every triangle is shared", "[text]")
 {
     test::toy_font font;
     auto mesher = text_mesher{font}.with(rounding);
-    glyph_run run;
-    run.units_per_em = 1000.0;
-    for (const double x : {0.0, 300.0}) REQUIRE(run.glyphs.push_back({1, 0, {x, 0.0}}));
-    const auto plan = mesher.plan(run, {.merge = true});
-    REQUIRE(plan);
+    const glyph_run run = test::row_of(1, {0.0, 300.0});
+    const auto plan = test::required(mesher.plan(run, {.merge = true}));
     for (const part p : plan->parts()) {
         const std::uint32_t triangles = plan->range(0, p).index_count / 3;
         for (const std::uint32_t t : {0u, triangles - 1}) CHECK(plan->owner(0, p, t) == shared_glyph);
@@ -375,26 +246,21 @@ TEST_CASE("letters that meet when outward bevels have grown are merged: one surf
           "[text]")
 {
     test::toy_font font;
-    glyph_run run;
-    run.units_per_em = 1000.0;
-    for (const double x : {0.0, 140.0, 800.0}) REQUIRE(run.glyphs.push_back({5, 0, {x, 0.0}}));  // bars, 100 wide
+    const glyph_run run = test::row_of(5, {0.0, 140.0, 800.0});  // bars, 100 wide
     const double depth = 0.2, height = 0.5;
     for (const bevel_sides sides : {bevel_sides::both, bevel_sides::front, bevel_sides::back}) {
         for (const float width : {0.01f, 0.03f}) {
             const bevelled how{.width = width, .bevel_depth = 0.05f, .sides = sides, .outward = true};
             const bool meet = width > 0.02f;
             auto mesher = text_mesher{font}.with(how);
-            const auto plan = mesher.plan(run, {.merge = true});
-            REQUIRE(plan);
+            const auto plan = test::required(mesher.plan(run, {.merge = true}));
             REQUIRE(plan->glyphs().size() == (meet ? 2u : 3u));
             const bevelled inward{.width = width, .bevel_depth = 0.05f, .sides = sides};
             auto carved = text_mesher{font}.with(inward);
-            const auto apart = carved.plan(run, {.merge = true});
-            REQUIRE(apart);
+            const auto apart = test::required(carved.plan(run, {.merge = true}));
             CHECK(apart->glyphs().size() == 3);
 
-            test::lit_mesh m;
-            REQUIRE(plan->write(into(m.vertices, m.indices)));
+            const test::lit_mesh m = test::written(*plan);
             CHECK(inspect::check_closedness(m.view()).is_closed());
             std::int64_t twice = 0;
             plan->each_seen_from_front(0, [&](grid_point a, grid_point b, grid_point c) noexcept {
@@ -419,14 +285,10 @@ TEST_CASE("bolder letters are merged where they have grown together, thinner one
 {
     test::toy_font font;
     const auto glyphs_at = [&](const auto& how, double second, embolden step = {.by = 0.0f}) {
-        glyph_run run;
-        run.units_per_em = 1000.0;
-        for (const double x : {0.0, second}) REQUIRE(run.glyphs.push_back({5, 0, {x, 0.0}}));  // bars, 100 wide
+        const glyph_run run = test::row_of(5, {0.0, second});  // bars, 100 wide
         text_mesher mesher{font, step, how};
-        const auto plan = mesher.plan(run, {.merge = true});
-        REQUIRE(plan);
-        test::lit_mesh m;
-        REQUIRE(plan->write(into(m.vertices, m.indices)));
+        const auto plan = test::required(mesher.plan(run, {.merge = true}));
+        const test::lit_mesh m = test::written(*plan);
         CHECK(inspect::check_closedness(m.view()).is_closed());
         std::int64_t twice = 0;
         for (std::size_t i = 0; i < plan->glyphs().size(); ++i)
@@ -449,8 +311,7 @@ TEST_CASE("bolder letters are merged where they have grown together, thinner one
 
     const bevelled fitting{.width = 0.2f, .mode = bevel_mode::fit_text};
     text_mesher mesher{font, little, fitting};
-    const auto plan = mesher.plan("Ei");
-    REQUIRE(plan);
+    const auto plan = test::required(mesher.plan("Ei"));
     REQUIRE(plan->glyphs().size() == 2);
     for (const drawn_glyph& g : plan->glyphs())
         CHECK(fitting.width_of(g.built->planned<bevelled>().form) == Catch::Approx(0.9 * 0.06f).margin(1e-4));

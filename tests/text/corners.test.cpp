@@ -7,6 +7,8 @@
 #include "support/counting_memory.hpp"
 #include "support/executors.hpp"
 #include "support/lit_mesh.hpp"
+#include "support/required.hpp"
+#include "support/toy_runs.hpp"
 
 #include <typemesh/extrude/bevelled.hpp>
 #include <typemesh/extrude/embolden.hpp>
@@ -140,8 +142,7 @@ TEST_CASE("without the option letters that touch themselves have edges with four
     const recorded_outlines font = touching_font();
     auto mesher = text_mesher{font};
     const glyph_run run = all_of(font);
-    const auto plan = mesher.plan(run);
-    REQUIRE(plan);
+    const auto plan = test::required(mesher.plan(run));
     CHECK(plan->report().corners_moved == 0);
     CHECK(faces_of(*plan).crowded_edges > 100);
     CHECK(faces_of(*plan).pinched_points > 200);
@@ -152,10 +153,8 @@ TEST_CASE("corners are parted and joined in plain letters, and counted", "[text]
     check_extruder(extruded<>{});
     const recorded_outlines font = touching_font();
     auto mesher = text_mesher{font};
-    glyph_run run;
-    run.units_per_em = 1000.0;
-    REQUIRE((run.glyphs.push_back({two_squares, 0, {}}) && run.glyphs.push_back({checkerboard, 1, {2000, 0}}) &&
-             run.glyphs.push_back({two_squares, 2, {4000, 0}})));
+    const glyph_run run =
+        test::run_of({{two_squares, 0, {}}, {checkerboard, 1, {2000, 0}}, {two_squares, 2, {4000, 0}}});
     for (const touching way : {touching::part, touching::join}) {
         const auto plan = mesher.plan(run, {.corners = way});
         check_manifold(plan);
@@ -178,16 +177,13 @@ TEST_CASE("steps of a bevel lean, so that those of a ring have two faces an edge
     // Within a ring of uneven width both sides of a step touch where it is as wide as twice the step's distance.
     recorded_outlines uneven{1000.0};
     REQUIRE(uneven.add([](auto& pen) { circle(pen, {400, 400}, 400, 1), circle(pen, {430, 400}, 300, -1); }));
-    glyph_run run;
-    run.units_per_em = 1000.0;
-    REQUIRE(run.glyphs.push_back({0, 0, {}}));
+    const glyph_run run = test::row_of(0, {0.0});
     std::size_t crowded = 0;
     for (int i = 0; i < 20; ++i) {
         const float t = 0.4325f + 0.0005f * static_cast<float>(i);
         auto mesher =
             text_mesher{uneven}.with(bevelled{.width = 0.08f, .profile = {{0, 0}, {t, 0.3f}, {t, 0.7f}, {1, 1}}});
-        const auto plan = mesher.plan(run);
-        REQUIRE(plan);
+        const auto plan = test::required(mesher.plan(run));
         crowded += faces_of(*plan).crowded_edges;
         for (const touching way : {touching::part, touching::join}) check_manifold(mesher.plan(run, {.corners = way}));
     }
@@ -200,9 +196,7 @@ TEST_CASE("corners are parted and joined in letters with outward bevels", "[text
     // Squares half of whose distance is the width would touch all along their sides.
     recorded_outlines pair{1000.0};
     REQUIRE(pair.add([](auto& pen) { square(pen, 0, 0, 300), square(pen, 340, 0, 300); }));
-    glyph_run run;
-    run.units_per_em = 1000.0;
-    REQUIRE(run.glyphs.push_back({0, 0, {}}));
+    const glyph_run run = test::row_of(0, {0.0});
     for (const float width : {0.02f, 0.01999f, 0.02001f}) {
         auto mesher = text_mesher{pair}.with(bevelled{.width = width, .outward = true, .mitre_limit = 0.0f});
         for (const touching way : {touching::part, touching::join}) check_manifold(mesher.plan(run, {.corners = way}));
@@ -263,9 +257,7 @@ TEST_CASE("letters that reach far beyond their pens have a grid for that, too", 
         for (int i = 0; i < 2000; ++i) square(pen, 700000 + 0.25 * i, 0.25 * i, 0.25);
         square(pen, 0, 0, 500);
     }));
-    glyph_run run;
-    run.units_per_em = 1000.0;
-    REQUIRE(run.glyphs.push_back({0, 0, {}}));
+    const glyph_run run = test::row_of(0, {0.0});
     auto mesher = text_mesher{font};
     for (const touching way : {touching::part, touching::join}) {
         const auto plan = mesher.plan(run, {.corners = way});
@@ -280,8 +272,7 @@ TEST_CASE("the grid goes by the place, and near the origin it is the font's", "[
     auto mesher = text_mesher{font};
     const auto cells_at = [&](point from, touching way) {
         const glyph_run run = all_of(font, 0.0, from);
-        const auto plan = mesher.plan(run, {.corners = way});
-        REQUIRE(plan);
+        const auto plan = test::required(mesher.plan(run, {.corners = way}));
         return plan->glyphs()[0].built->cells();
     };
     CHECK(same(cells_at({}, touching::part), 512.0));
@@ -291,7 +282,7 @@ TEST_CASE("the grid goes by the place, and near the origin it is the font's", "[
     CHECK(same(cells_at({0, -900}, touching::join), 8.0));
 }
 
-TEST_CASE("a cache tells parted, joined and kept letters apart, and those of different grids", "[text]")
+TEST_CASE("a cache distinguishes parted, joined and kept letters, and letters on different grids", "[text]")
 {
     const recorded_outlines font = touching_font();
     glyph_cache<> cache;
@@ -318,8 +309,7 @@ TEST_CASE("several workers part the same corners", "[text]")
         for (const bool merge : {false, true}) {
             const text_options options{.merge = merge, .corners = way};
             auto mesher = text_mesher{font};
-            const auto expected = mesher.plan(run, options);
-            REQUIRE(expected);
+            const auto expected = test::required(mesher.plan(run, options));
             const test::lit_mesh mesh = test::written(*expected);
             for (const std::size_t count : {std::size_t{1}, std::size_t{3}}) {
                 test::scrambled_workers pool{count};
@@ -328,8 +318,7 @@ TEST_CASE("several workers part the same corners", "[text]")
                 });
                 REQUIRE(workers);
                 auto team = text_mesher{font};
-                const auto made = team.plan(run, options, *workers);
-                REQUIRE(made);
+                const auto made = test::required(team.plan(run, options, *workers));
                 CHECK(test::written(*made) == mesh);
                 CHECK(made->report().corners_moved == expected->report().corners_moved);
             }

@@ -18,45 +18,11 @@
 
 #include "support/catch.hpp"
 #include "support/emboldened.hpp"
-#include "support/executors.hpp"
-#include "support/toy_font.hpp"
+#include "support/text_laws.hpp"
 
 using namespace typemesh;
 
 namespace {
-
-struct bold_corner {
-    vec3 place, normal;
-    vec4 tangent;
-    vec2 uv;
-    part of;
-
-    friend bool operator==(const bold_corner&, const bold_corner&) = default;
-};
-
-struct bold_mesh {
-    std::vector<bold_corner> vertices;
-    std::vector<std::uint32_t> indices;
-
-    friend bool operator==(const bold_mesh&, const bold_mesh&) = default;
-    [[nodiscard]] auto view() const { return inspect::mesh_view{vertices, indices, &bold_corner::place}; }
-};
-
-}  // namespace
-
-template <>
-struct typemesh::vertex_traits<bold_corner> {
-    static constexpr auto wants =
-        attribute::position | attribute::normal | attribute::tangent | attribute::uv | attribute::part;
-    bold_corner operator()(const surface_point<wants>& s) const noexcept
-    {
-        return {s.position, s.normal, s.tangent, s.uv, s.part};
-    }
-};
-
-namespace {
-
-constexpr const char* bold_word = "oExi Eo";  // x has contours that cross
 
 /// A step and a solid.
 struct bold_letters {
@@ -80,110 +46,16 @@ auto mesher_of(Font& font, const E& how)
 const bold_letters bold{{.by = 0.02f}, {.width = 0.01f}};
 const outlined<extruded<>, extruded<>> hollow{.width = 0.02f, .place = outline_place::outer, .letter = {.depth = 0.1f}};
 
-/// Closed, right side out, lit from outside, each part where the plan says, within its bounds.
-template <class Plan>
-bold_mesh checked_mesh(const Plan& plan, std::size_t parts)
+/// A text's mesh by these letters obeys the laws in caches, teams, chunks, instances and partial writes.
+void check_everywhere(const auto& how, const auto& other)
 {
-    bold_mesh m;
-    REQUIRE(plan.write(into(m.vertices, m.indices)));
-    CHECK(mesh_size{m.vertices.size(), m.indices.size() / 3} == plan.size());
-    CHECK(inspect::check_closedness(m.view()).is_closed());
-    CHECK(inspect::check_normals(m.view(), &bold_corner::normal).is_right());
-    for (const bold_corner& v : m.vertices) REQUIRE(plan.bounds().holds(v.place));
-    REQUIRE(plan.parts().size() == parts);
-    for (const part p : plan.parts()) {
-        const mesh_range r = plan.range(p);
-        CHECK(r.vertex_count != 0);
-        for (std::uint32_t i = 0; i < r.vertex_count; ++i) REQUIRE(m.vertices[r.first_vertex + i].of == p);
-    }
-    return m;
+    test::check_everywhere([](auto& font, const auto& letters) { return mesher_of(font, letters); }, how, other);
 }
-
-double volume_of(const bold_mesh& m) { return inspect::measure(m.view()).volume; }
-
-/// A text comes out of caches, teams and constrained Delaunay as it is built alone; `other` is the same extruder with
-/// other options.
-template <class E>
-void check_everywhere(const E& how, const E& other)
-{
-    constexpr std::size_t parts = part_count_of<E>;
-    test::toy_font font;
-    auto mesher = mesher_of(font, how);
-    const auto plan = mesher.plan(bold_word);
-    REQUIRE(plan);
-    CHECK(plan->report().complete());
-    CHECK(plan->report().narrowed == 0);
-    const bold_mesh expected = checked_mesh(*plan, parts);
-
-    glyph_cache<> cache;
-    auto cached = mesher_of(font, how).with(cached_in{cache, 1});
-    for (int i = 0; i < 2; ++i) {
-        const auto again = cached.plan(bold_word);
-        REQUIRE(again);
-        CHECK(checked_mesh(*again, parts) == expected);
-    }
-    CHECK(cache.statistics().hits >= 5);
-    auto unlike = mesher_of(font, other).with(cached_in{cache, 1});
-    const auto different = unlike.plan(bold_word);
-    REQUIRE(different);
-    CHECK_FALSE(checked_mesh(*different, parts) == expected);
-
-    test::scrambled_workers pool;
-    auto team = workers_of(pool, [](std::size_t) noexcept { return result<test::toy_font>{test::toy_font{}}; });
-    REQUIRE(team);
-    for (int i = 0; i < 2; ++i) {
-        const auto shared = mesher.plan(bold_word, {}, *team);
-        REQUIRE(shared);
-        bold_mesh m;
-        REQUIRE(shared->write(into(m.vertices, m.indices), pool));
-        CHECK(m == expected);
-    }
-
-    auto delaunay = mesher_of(font, how).with(constrained_delaunay{});
-    const auto cut = delaunay.plan(bold_word);
-    REQUIRE(cut);
-    CHECK(volume_of(checked_mesh(*cut, parts)) == Catch::Approx(volume_of(expected)).epsilon(1e-5));
-}
-
-/// And is cut into chunks, written glyph by glyph and as instances.
-template <class E>
-void check_pieces(const E& how)
+void check_pieces(const auto& how)
 {
     test::toy_font font;
     auto mesher = mesher_of(font, how);
-    const auto plan = mesher.plan(bold_word);
-    REQUIRE(plan);
-    const bold_mesh whole = checked_mesh(*plan, part_count_of<E>);
-    text_chunks chunks;
-    for (const std::uint32_t most : {65'535u, 900u, 60u}) {  // of all glyphs, of one, of pieces
-        REQUIRE(chunks.cut(*plan, most));
-        std::vector<bold_corner> vertices;
-        std::vector<std::uint16_t> indices;
-        REQUIRE(chunks.write(*plan, into(vertices, indices)));
-        bold_mesh all{vertices, {}};
-        for (const text_chunk& c : chunks.view()) {
-            CHECK(c.size().vertices <= most);
-            const mesh_range r = c.range();
-            for (std::uint32_t i = 0; i < r.index_count; ++i)
-                all.indices.push_back(r.first_vertex + indices[r.first_index + i]);
-        }
-        CHECK(all.indices.size() == whole.indices.size());
-        CHECK(inspect::check_closedness(all.view()).is_closed());
-    }
-
-    bold_mesh once;
-    REQUIRE(plan->write_meshes(into(once.vertices, once.indices)));
-    CHECK(once.vertices.size() == plan->meshes_size().vertices);
-    CHECK(inspect::check_closedness(once.view()).is_closed());
-
-    bold_mesh some = whole;
-    for (const part p : plan->parts()) {
-        const mesh_range r = plan->range(1, p);
-        for (std::uint32_t i = 0; i < r.vertex_count; ++i) some.vertices[r.first_vertex + i] = {};
-    }
-    CHECK_FALSE(some == whole);
-    REQUIRE(plan->write(glyph_span{1, 2}, into(std::span{some.vertices}, std::span{some.indices})));
-    CHECK(some == whole);
+    test::check_pieces(*test::required(mesher.plan(test::crossed_word)), {65'535, 900, 60});  // all glyphs, one, pieces
 }
 
 }  // namespace
@@ -211,37 +83,29 @@ TEST_CASE("hollow letters come out of caches, teams and constrained Delaunay as 
 TEST_CASE("bold and hollow letters that meet as they are drawn are merged first", "[text]")
 {
     test::toy_font font;
-    glyph_run run;
-    for (const double x : {0.0, 300.0, 1500.0}) REQUIRE(run.glyphs.push_back({1, 0, {x, 0.0}}));  // two rings that meet
-    run.units_per_em = 1000.0;
+    const glyph_run run = test::row_of(1, {0.0, 300.0, 1500.0});  // two rings that meet
     const text_options merging{.merge = true};
     auto bolder = mesher_of(font, bold);
-    const auto joined = bolder.plan(run, merging);
-    REQUIRE(joined);
+    const auto joined = test::required(bolder.plan(run, merging));
     CHECK(joined->glyphs().size() == 2);
-    const bold_mesh m = checked_mesh(*joined, 5);
-    const auto apart = bolder.plan(run);
-    REQUIRE(apart);
-    CHECK(volume_of(m) < volume_of(checked_mesh(*apart, 5)));
+    const test::lit_mesh m = test::lawful_parts(*joined, 5);
+    const auto apart = test::required(bolder.plan(run));
+    CHECK(test::volume_of(m) < test::volume_of(test::lawful_parts(*apart, 5)));
 
     auto hollower = text_mesher{font}.with(hollow);
-    const auto rings = hollower.plan(run, merging);
-    REQUIRE(rings);
+    const auto rings = test::required(hollower.plan(run, merging));
     CHECK(rings->glyphs().size() == 2);
-    (void)checked_mesh(*rings, 6);
+    (void)test::lawful_parts(*rings, 6);
 }
 
 TEST_CASE("rings that meet when they have grown are one ring round both letters", "[text]")
 {
     test::toy_font font;
     const auto plan_of = [&](auto how, double second) {
-        glyph_run run;
-        run.units_per_em = 1000.0;
-        for (const double x : {0.0, second}) REQUIRE(run.glyphs.push_back({5, 0, {x, 0.0}}));  // bars, 100 wide
+        const glyph_run run = test::row_of(5, {0.0, second});  // bars, 100 wide
         auto mesher = mesher_of(font, how);
-        auto plan = mesher.plan(run, {.merge = true});
-        REQUIRE(plan);
-        (void)checked_mesh(*plan, part_count_of<decltype(how)>);
+        auto plan = test::required(mesher.plan(run, {.merge = true}));
+        (void)test::lawful_parts(*plan, part_count_of<decltype(how)>);
         return std::pair{plan->glyphs().size(), flipped_triangles(*plan)};
     };
     using ring = outlined<extruded<>, extruded<>>;
@@ -276,11 +140,10 @@ TEST_CASE("bevels of rings have one width in a text, and their bounds are exact"
     using ring = outlined<bevelled>;
     auto mesher = text_mesher{font}.with(
         ring{.width = 0.03f, .ring = {.width = 0.1f, .bevel_depth = 0.05f, .mode = bevel_mode::fit_text}});
-    const auto plan = mesher.plan("oi");
-    REQUIRE(plan);
-    const bold_mesh m = checked_mesh(*plan, 5);
+    const auto plan = test::required(mesher.plan("oi"));
+    const test::lit_mesh m = test::lawful_parts(*plan, 5);
     bounds3 reached;
-    for (const bold_corner& v : m.vertices) reached.add(v.place);
+    for (const test::lit_vertex& v : m.vertices) reached.add(v.place);
     CHECK(reached.low == plan->bounds().low);
     CHECK(reached.high == plan->bounds().high);
     CHECK(plan->report().narrowed == 2);  // both rings are less than half as wide as the bevels that were to be on them
@@ -289,7 +152,7 @@ TEST_CASE("bevels of rings have one width in a text, and their bounds are exact"
     CHECK(narrower.plan("oi")->report().narrowed == 0);
 }
 
-TEST_CASE("a glyph that thinning leaves nothing of is left out and named, from a cache as well", "[text]")
+TEST_CASE("a glyph that vanishes by thinning is left out and named, from a cache as well", "[text]")
 {
     test::toy_font font;
     glyph_cache<> cache;
@@ -299,14 +162,12 @@ TEST_CASE("a glyph that thinning leaves nothing of is left out and named, from a
     run.units_per_em = 1000.0;
     auto thinner = text_mesher{font}.with(embolden{.by = -0.03f}).with(cached_in{cache, 1});
     for (int i = 0; i < 2; ++i) {
-        const auto plan = thinner.plan(run);
-        REQUIRE(plan);
+        const auto plan = test::required(thinner.plan(run));
         CHECK(plan->report().refused == 1);
         CHECK(plan->report().first_refusal == error::nothing_left);
         CHECK(plan->report().first_refusal.cluster == 1);
         CHECK_FALSE(plan->report().complete());
-        bold_mesh m;
-        REQUIRE(plan->write(into(m.vertices, m.indices)));
+        const test::lit_mesh m = test::written(*plan);
         CHECK(inspect::check_closedness(m.view()).is_closed());
     }
 }
@@ -316,10 +177,8 @@ TEST_CASE("letter spacing of twice the distance keeps bold letters as far apart 
     test::toy_font font;
     auto plain = text_mesher{font}.with(extruded<>{});
     auto bolder = text_mesher{font}.with(embolden{.by = 0.03f});
-    const auto thin = plain.plan("EEE");
-    const auto wide = bolder.plan("EEE", {.shape = {.letter_spacing = 2 * 0.03}});
-    REQUIRE(thin);
-    REQUIRE(wide);
+    const auto thin = test::required(plain.plan("EEE"));
+    const auto wide = test::required(bolder.plan("EEE", {.shape = {.letter_spacing = 2 * 0.03}}));
     const double ink = thin->bounds().high.x - thin->bounds().low.x,
                  grown = wide->bounds().high.x - wide->bounds().low.x;
     CHECK(grown == Catch::Approx(ink + 6 * 0.03).margin(1e-5));
@@ -333,15 +192,10 @@ TEMPLATE_TEST_CASE("a step before a solid makes what an extruder makes that move
         for (const bool merge : {false, true}) {
             text_mesher stepped{font, embolden{.by = by}, TestType{}};
             text_mesher nested{font, test::emboldened<TestType>{.by = by}};
-            const auto a = stepped.plan(bold_word, {.merge = merge});
-            const auto b = nested.plan(bold_word, {.merge = merge});
-            REQUIRE(a);
-            REQUIRE(b);
+            const auto a = test::required(stepped.plan(test::crossed_word, {.merge = merge}));
+            const auto b = test::required(nested.plan(test::crossed_word, {.merge = merge}));
             CHECK(a->glyphs().size() == b->glyphs().size());
-            bold_mesh m, n;
-            REQUIRE(a->write(into(m.vertices, m.indices)));
-            REQUIRE(b->write(into(n.vertices, n.indices)));
-            CHECK(m == n);
+            CHECK(test::written(*a) == test::written(*b));
         }
 }
 
@@ -349,18 +203,12 @@ TEST_CASE("a step is exchanged while the program runs, and refuses its options b
 {
     test::toy_font font;
     text_mesher mesher{font, extruded<>{}};
-    const auto written = [&] {
-        const auto plan = mesher.plan(bold_word);
-        REQUIRE(plan);
-        bold_mesh m;
-        REQUIRE(plan->write(into(m.vertices, m.indices)));
-        return m;
-    };
-    const bold_mesh plain = written();
+    const auto written = [&] { return test::written(*test::required(mesher.plan(test::crossed_word))); };
+    const test::lit_mesh plain = written();
     CHECK(mesher.policy<embolden>() == nullptr);
     mesher.use(embolden{.by = 0.02f});
     REQUIRE(mesher.policy<embolden>() != nullptr);
-    const bold_mesh bolder = written();
+    const test::lit_mesh bolder = written();
     CHECK_FALSE(bolder == plain);
     mesher.policy<embolden>()->by = 0.03f;
     CHECK_FALSE(written() == bolder);
@@ -373,15 +221,11 @@ TEST_CASE("a step is exchanged while the program runs, and refuses its options b
 TEST_CASE("merged bold letters tell whose outline each wall stands on", "[text]")
 {
     test::toy_font font;
-    glyph_run run;
-    for (const double x : {0.0, 300.0}) REQUIRE(run.glyphs.push_back({1, 0, {x, 0.0}}));
-    run.units_per_em = 1000.0;
+    const glyph_run run = test::row_of(1, {0.0, 300.0});
     text_mesher mesher{font, embolden{.by = 0.01f}, extruded<>{}};
-    const auto plan = mesher.plan(run, {.merge = true});
-    REQUIRE(plan);
+    const auto plan = test::required(mesher.plan(run, {.merge = true}));
     REQUIRE(plan->glyphs().size() == 1);
-    bold_mesh m;
-    REQUIRE(plan->write(into(m.vertices, m.indices)));
+    const test::lit_mesh m = test::written(*plan);
     const mesh_range side = plan->range(0, part::side);
     std::size_t owned[2] = {};
     for (std::uint32_t t = 0; t < side.index_count / 3; ++t) {

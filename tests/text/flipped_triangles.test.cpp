@@ -4,6 +4,7 @@
 #include <typemesh/typemesh.hpp>
 
 #include "support/catch.hpp"
+#include "support/required.hpp"
 #include "support/toy_font.hpp"
 
 #include <string>
@@ -29,20 +30,24 @@ struct collected {
     void end() noexcept {}
 };
 
+struct counts {
+    std::uint64_t flipped = 0, all = 0;
+    [[nodiscard]] double share() const { return static_cast<double>(flipped) / static_cast<double>(all); }
+};
+
 /// Front triangles of the mesh as written, in floats, that do not turn the way they should seen from the front.
-template <class Plan>
-std::uint64_t counted(const Plan& plan)
+template <class Plan, class To = collected>
+counts counted(const Plan& plan, To to = {})
 {
-    collected to;
     REQUIRE(plan.write(to));
-    std::uint64_t flipped = 0;
-    for (std::size_t i = 0; i + 2 < to.indices.size(); i += 3) {
+    counts found;
+    for (std::size_t i = 0; i + 2 < to.indices.size(); i += 3, ++found.all) {
         const vec3 a = to.places[to.indices[i]], b = to.places[to.indices[i + 1]], c = to.places[to.indices[i + 2]];
         const double area = (double(b.x) - double(a.x)) * (double(c.y) - double(a.y)) -
                             (double(b.y) - double(a.y)) * (double(c.x) - double(a.x));
-        flipped += area > 0.0 ? 0u : 1u;
+        found.flipped += area > 0.0 ? 0u : 1u;
     }
-    return flipped;
+    return found;
 }
 
 }  // namespace
@@ -57,11 +62,10 @@ TEST_CASE("flipped triangles are counted as the written floats have them, near t
         for (const double away : {0.0, 1e3, 1e5, 1e6}) {
             text_options options{.tolerance = 1.0 / 16000};
             options.shape.letter_spacing = away;
-            const auto plan = mesher.plan(text, options);
-            REQUIRE(plan);
+            const auto plan = test::required(mesher.plan(text, options));
             INFO(text << " spaced by " << away);
             const std::uint64_t flipped = flipped_triangles(*plan);
-            CHECK(flipped == counted(*plan));
+            CHECK(flipped == counted(*plan).flipped);
             if (away == 0.0 && std::string{text} != "oooooooooooooooooooooooooooooooooooooooo") CHECK(flipped == 0);
             most = (std::max)(most, flipped);
         }
@@ -75,9 +79,7 @@ TEST_CASE("no triangle is flipped because depths run the other way", "[text][fli
     text_mesher mesher = text_mesher{font}.with(flat{});
     text_options options;
     options.frame.toward = {0.0f, 0.0f, -1.0f};
-    const auto plan = mesher.plan("oE", options);
-    REQUIRE(plan);
-    CHECK(flipped_triangles(*plan) == 0);
+    CHECK(flipped_triangles(*test::required(mesher.plan("oE", options))) == 0);
 }
 
 namespace {
@@ -98,21 +100,6 @@ struct boxed : collected {
     void vertex(const surface_point<wants>& v) noexcept { places.push_back(box.decoded(box(v.position))); }
 };
 
-/// The share of front triangles that have been turned over or flattened.
-template <class To, class Plan>
-double share_flipped(const Plan& plan, To to)
-{
-    REQUIRE(plan.write(to));
-    std::size_t flipped = 0, all = 0;
-    for (std::size_t i = 0; i + 2 < to.indices.size(); i += 3, ++all) {
-        const vec3 a = to.places[to.indices[i]], b = to.places[to.indices[i + 1]], c = to.places[to.indices[i + 2]];
-        const double area = (double(b.x) - double(a.x)) * (double(c.y) - double(a.y)) -
-                            (double(b.y) - double(a.y)) * (double(c.x) - double(a.x));
-        flipped += area > 0.0 ? 0u : 1u;
-    }
-    return static_cast<double>(flipped) / static_cast<double>(all);
-}
-
 }  // namespace
 
 TEST_CASE("half positions turn no triangle over within an em of the origin, but half of them a long line away",
@@ -120,13 +107,10 @@ TEST_CASE("half positions turn no triangle over within an em of the origin, but 
 {
     test::toy_font font;
     text_mesher mesher = text_mesher{font}.with(flat{});
-    const auto near = mesher.plan("o");
-    REQUIRE(near);
-    CHECK(share_flipped(*near, halved{}) <= 0.0);
-    const auto far = mesher.plan(std::string(400, 'o'));
-    REQUIRE(far);
-    CHECK(share_flipped(*far, halved{}) > 0.5);
+    CHECK(counted(*test::required(mesher.plan("o")), halved{}).share() <= 0.0);
+    const auto far = test::required(mesher.plan(std::string(400, 'o')));
+    CHECK(counted(*far, halved{}).share() > 0.5);
     boxed packed;
     packed.box = position_box::around(far->bounds().low, far->bounds().high);
-    CHECK(share_flipped(*far, packed) < 0.5 * share_flipped(*far, halved{}));
+    CHECK(counted(*far, packed).share() < 0.5 * counted(*far, halved{}).share());
 }

@@ -2,6 +2,7 @@
 #include "support/catch.hpp"
 #include "support/executors.hpp"
 #include "support/mesh_laws.hpp"
+#include "support/required.hpp"
 #include "support/toy_covering_font.hpp"
 #include "support/written_mesh.hpp"
 
@@ -44,9 +45,7 @@ TEST_CASE("a cascade draws what its first font has as that font alone, and shape
     font_cascade fonts{first, second};
     text_mesher mesher{fonts};
     text_mesher plain{alone};
-    const auto found = mesher.plan("ab ba\na"), expected = plain.plan("ab ba\na");
-    REQUIRE(found);
-    REQUIRE(expected);
+    const auto found = test::required(mesher.plan("ab ba\na")), expected = test::required(plain.plan("ab ba\na"));
     CHECK(test::same_bits(test::written<full_mesh>(*found), test::written<full_mesh>(*expected)));
     CHECK(found->run().glyph_styles.empty());
     CHECK(first.items == alone.items);
@@ -64,8 +63,7 @@ TEST_CASE("glyphs of another font are as large as the first one's em", "[text][f
     toy_covering_font first{U"a"}, second{U"b", 250.0};
     font_cascade fonts{first, second};
     auto mesher = text_mesher{fonts}.with(flat{});
-    const auto plan = mesher.plan("ab");
-    REQUIRE(plan);
+    const auto plan = test::required(mesher.plan("ab"));
     REQUIRE(plan->run().glyphs.size() == 2);
     CHECK(plan->run().glyphs[1].origin == point{500.0, 0.0});
     CHECK(plan->run().lines[0].advance == 1000.0);
@@ -85,8 +83,7 @@ TEST_CASE("a cluster that no font has is reported once, and drawn on request as 
     toy_covering_font first{U"a"}, second{U"b"};
     font_cascade fonts{first, second};
     text_mesher mesher{fonts};
-    const auto plan = mesher.plan("ab!a?b");
-    REQUIRE(plan);
+    const auto plan = test::required(mesher.plan("ab!a?b"));
     CHECK(plan->report().missing == 2);
     CHECK(plan->report().first_missing == 2);
     CHECK(plan->glyphs().size() == 4);
@@ -112,15 +109,13 @@ TEST_CASE("glyphs of one number and two fonts are not taken for each other", "[t
     for (const placed_glyph& g : {placed_glyph{'a', 0, {0, 0}}, placed_glyph{'a', 1, {1000, 0}, false, 1}})
         REQUIRE(run.glyphs.push_back(g));
     for (int again = 0; again < 2; ++again) {
-        const auto plan = mesher.plan(run);
-        REQUIRE(plan);
+        const auto plan = test::required(mesher.plan(run));
         CHECK(plan->meshes().size() == 2);
         CHECK(plan->bounds().high.x == Catch::Approx(1.4f));
         CHECK(plan->bounds().high.y == Catch::Approx(0.4f));
     }
     // Letters of two fonts that meet are merged.
-    const auto merged = mesher.plan("ab", {.shape = {.letter_spacing = -0.45}, .merge = true});
-    REQUIRE(merged);
+    const auto merged = test::required(mesher.plan("ab", {.shape = {.letter_spacing = -0.45}, .merge = true}));
     CHECK(merged->glyphs().size() == 1);
 }
 
@@ -133,8 +128,7 @@ TEST_CASE("several workers, each with a cascade of its own, make the same mesh a
     const char* text =
         "ab c\n\xD7\x90"
         "b\ncc\n!a\n\xD7\x90\nb";
-    const auto expected = mesher.plan(text);
-    REQUIRE(expected);
+    const auto expected = test::required(mesher.plan(text));
 
     std::vector<toy_covering_font> own(6, first);
     for (std::size_t i = 1; i < own.size(); i += 2) own[i] = second;
@@ -144,8 +138,7 @@ TEST_CASE("several workers, each with a cascade of its own, make the same mesh a
     });
     REQUIRE(team);
     for (int round = 0; round < 3; ++round) {
-        const auto plan = other_mesher.plan(text, {}, *team);
-        REQUIRE(plan);
+        const auto plan = test::required(other_mesher.plan(text, {}, *team));
         CHECK(test::same_bits(test::written<full_mesh>(*plan), test::written<full_mesh>(*expected)));
         CHECK(plan->report().missing == 1);
         CHECK(plan->report().first_missing == expected->report().first_missing);

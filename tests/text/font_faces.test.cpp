@@ -2,6 +2,7 @@
 #include "support/catch.hpp"
 #include "support/executors.hpp"
 #include "support/mesh_laws.hpp"
+#include "support/required.hpp"
 #include "support/toy_font.hpp"
 #include "support/written_mesh.hpp"
 
@@ -50,9 +51,7 @@ TEST_CASE("the first of several faces shapes and draws as it does alone, to the 
     font_faces faces{font, drawings};
     text_mesher alone{font};
     text_mesher mesher{faces};
-    const auto expected = alone.plan("oEx\ni o"), found = mesher.plan("oEx\ni o");
-    REQUIRE(expected);
-    REQUIRE(found);
+    const auto expected = test::required(alone.plan("oEx\ni o")), found = test::required(mesher.plan("oEx\ni o"));
     CHECK(test::same_bits(test::written<full_mesh>(*found), test::written<full_mesh>(*expected)));
 }
 
@@ -67,8 +66,7 @@ TEST_CASE("a face is drawn as large as the first one's em, by its own fill rule,
                                                      {0, 1, {600, 0}, false, 1},     // the box
                                                      {1, 2, {2000, 0}, false, 1},    // the ring
                                                      {1, 3, {3500, 0}, false, 0}});  // o of the toy font
-    const auto plan = mesher.plan(run);
-    REQUIRE(plan);
+    const auto plan = test::required(mesher.plan(run));
     REQUIRE(plan->glyphs().size() == 4);
     CHECK(plan->report().complete());
     const full_mesh m = test::written<full_mesh>(*plan);
@@ -93,13 +91,11 @@ TEST_CASE("a face of the same units draws what it draws alone, to the bit", "[te
     text_mesher alone{drawings};
     const glyph_run run = run_of({{.face = 1}}, {{0, 0, {0, 0}}, {1, 1, {1100, 0}}, {0, 2, {2300, 5}}});
     const glyph_run plain = run_of({}, {{0, 0, {0, 0}}, {1, 1, {1100, 0}}, {0, 2, {2300, 5}}});
-    const auto found = mesher.plan(run), expected = alone.plan(plain);
-    REQUIRE(found);
-    REQUIRE(expected);
+    const auto found = test::required(mesher.plan(run)), expected = test::required(alone.plan(plain));
     CHECK(test::same_bits(test::written<full_mesh>(*found), test::written<full_mesh>(*expected)));
 }
 
-TEST_CASE("a glyph style's map is that of transformed_outlines, to the bit, also when glyphs are merged",
+TEST_CASE("a glyph style's map does what transformed_outlines does, to the bit, also when glyphs are merged",
           "[text][glyph_styles]")
 {
     test::toy_font font;
@@ -113,9 +109,8 @@ TEST_CASE("a glyph style's map is that of transformed_outlines, to the bit, also
     const std::initializer_list<placed_glyph> glyphs = {
         {1, 0, {0, 0}}, {2, 1, {300, 0}}, {3, 2, {700, 10}}, {1, 3, {3000, 0}}};
     const glyph_run run = run_of({{.map = map}}, glyphs), plain = run_of({}, glyphs);
-    const auto found = mesher.plan(run, {.merge = merge}), expected = alone.plan(plain, {.merge = merge});
-    REQUIRE(found);
-    REQUIRE(expected);
+    const auto found = test::required(mesher.plan(run, {.merge = merge}));
+    const auto expected = test::required(alone.plan(plain, {.merge = merge}));
     const full_mesh m = test::written<full_mesh>(*found);
     CHECK(test::same_bits(m, test::written<full_mesh>(*expected)));
     CHECK(m.vertices.size() != 0);
@@ -128,8 +123,7 @@ TEST_CASE("tolerance and depth stay those of the base em when a glyph style scal
     const float depth = mesher.plan("o")->bounds().low.z;
     const auto size_at = [&](double scale) {
         const glyph_run run = run_of({{.map = {.xx = scale, .yy = scale}}}, {{1, 0, {0, 0}}});
-        const auto plan = mesher.plan(run);
-        REQUIRE(plan);
+        const auto plan = test::required(mesher.plan(run));
         CHECK(plan->bounds().low.z == depth);
         return plan->size().vertices;
     };
@@ -151,8 +145,7 @@ TEST_CASE("a letter in several styles is built once, in several shapes once a sh
          {1, 3, {1800, 0}, false, 3},
          {1, 4, {2400, 0}, false, 4}});
     {
-        const auto plan = mesher.plan(run);
-        REQUIRE(plan);
+        const auto plan = test::required(mesher.plan(run));
         CHECK(plan->meshes().size() == 3);
         CHECK(cache.statistics().misses == 3);
         CHECK(cache.statistics().hits == 0);
@@ -171,7 +164,7 @@ TEST_CASE("a letter in several styles is built once, in several shapes once a sh
     CHECK(test::same_bits(found, expected));
 }
 
-TEST_CASE("faces, maps and the units of the first face are told apart in a cache", "[text][glyph_styles]")
+TEST_CASE("a cache distinguishes faces, maps and the units of the first face", "[text][glyph_styles]")
 {
     test::toy_font font;
     const auto drawings = icons(1000.0), coarse = icons(250.0);
@@ -184,8 +177,7 @@ TEST_CASE("faces, maps and the units of the first face are told apart in a cache
     const glyph_run icon = run_of({{.face = 1}}, {{1, 0, {0, 0}}});
     CHECK(mesher.plan(run)->meshes().size() == 2);
     CHECK(cache.statistics().entries == 2);
-    const auto plan = second.plan(icon);
-    REQUIRE(plan);
+    const auto plan = test::required(second.plan(icon));
     CHECK(cache.statistics().entries == 3);
     text_mesher uncached{other};
     CHECK(test::same_bits(test::written<full_mesh>(*plan), test::written<full_mesh>(*uncached.plan(icon))));
@@ -207,12 +199,10 @@ TEST_CASE("workers with faces of their own make the same mesh", "[text][glyph_st
     glyph_run run = run_of({{}, {.face = 1, .style = style_id{1}}, {.map = {.xy = 0.2}}}, {});
     for (std::uint32_t i = 0; i < 40; ++i) REQUIRE(run.glyphs.push_back({i % 2, i, {600.0 * i, 0}, false, i % 3}));
     const full_mesh expected = test::written<full_mesh>(*mesher.plan(run));
-    const auto plan = mesher.plan(run, {}, *pool);
-    REQUIRE(plan);
-    CHECK(test::same_bits(test::written<full_mesh>(*plan), expected));
+    CHECK(test::same_bits(test::written<full_mesh>(*test::required(mesher.plan(run, {}, *pool))), expected));
 }
 
-TEST_CASE("looks, faces and units that there are not are refused, each by name", "[text][glyph_styles]")
+TEST_CASE("glyph styles, faces and units that do not exist are refused, each by name", "[text][glyph_styles]")
 {
     test::toy_font font;
     text_mesher mesher{font};
@@ -246,8 +236,7 @@ TEST_CASE("a map that is no number leaves its glyphs out, and says so", "[text][
     text_mesher mesher{font};
     const glyph_run run = run_of({{}, {.map = {.xx = std::nan("")}}},
                                  {{1, 0, {0, 0}, false, 0}, {1, 1, {600, 0}, false, 1}, {2, 2, {1200, 0}, false, 1}});
-    const auto plan = mesher.plan(run);
-    REQUIRE(plan);
+    const auto plan = test::required(mesher.plan(run));
     CHECK(plan->glyphs().size() == 1);
     CHECK(plan->report().refused == 2);
     CHECK(plan->report().first_refusal == error::outline_not_finite);
@@ -259,8 +248,7 @@ TEST_CASE("a map that flattens a glyph leaves nothing of it", "[text][glyph_styl
     test::toy_font font;
     text_mesher mesher{font};
     const glyph_run run = run_of({{.map = {.xx = 0.0}}}, {{1, 0, {0, 0}}, {3, 1, {600, 0}}});
-    const auto plan = mesher.plan(run);
-    REQUIRE(plan);
+    const auto plan = test::required(mesher.plan(run));
     CHECK(plan->glyphs().empty());
     CHECK(plan->report().blank == 2);
 }

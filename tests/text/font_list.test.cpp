@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "support/catch.hpp"
 #include "support/counting_memory.hpp"
+#include "support/required.hpp"
 #include "support/toy_covering_font.hpp"
 
 #include <typemesh/text/font_list.hpp>
@@ -47,16 +48,14 @@ TEST_CASE("a list of fonts does what a cascade of them does", "[text][fallback]"
 {
     toy_covering_font first{U"a"}, second{U"b", 250.0}, third{U"c"};
     font_list fonts{first};
-    const auto face = fonts.add(second);
-    REQUIRE(face);
+    const auto face = test::required(fonts.add(second));
     CHECK(*face == 1);
     REQUIRE(fonts.add(third));
     CHECK(fonts.face_count() == 3);
     CHECK(&fonts.font(2) == &third);
     CHECK(fonts.units_per_em(1) == 250.0);
     text_mesher mesher{fonts};
-    const auto plan = mesher.plan("cab!");
-    REQUIRE(plan);
+    const auto plan = test::required(mesher.plan("cab!"));
     CHECK(plan->report().missing == 1);
     CHECK(plan->run().lines[0].advance == 2000.0);
     CHECK(plan->bounds().high.x == Catch::Approx(1.1f));
@@ -73,8 +72,7 @@ TEST_CASE("what no font of a list has a provider finds, once for all texts", "[t
     text_mesher mesher{fonts};
     text_options how;
     how.shape.language = "he";
-    auto plan = mesher.plan("aa", how);
-    REQUIRE(plan);
+    auto plan = test::required(mesher.plan("aa", how));
     CHECK(provider.asked == 0);
     plan = mesher.plan("a\xD7\x90", how);
     REQUIRE(plan);

@@ -3,7 +3,9 @@
 #include "support/counting_memory.hpp"
 #include "support/mesh_laws.hpp"
 #include "support/oracle.hpp"
+#include "support/required.hpp"
 #include "support/toy_font.hpp"
+#include "support/written_mesh.hpp"
 
 #include <typemesh/typemesh.hpp>
 
@@ -42,10 +44,8 @@ std::vector<std::uint32_t> indices_of(const full_mesh& m, const auto& plan, std:
 
 double volume_of(text_mesher<>& mesher, const glyph_run& run, bool merge)
 {
-    auto plan = mesher.plan(run, {.unit = output_unit::font_units, .merge = merge});
-    REQUIRE(plan);
-    full_mesh m;
-    REQUIRE(plan->write(into(m.vertices, m.indices)));
+    auto plan = test::required(mesher.plan(run, {.unit = output_unit::font_units, .merge = merge}));
+    const full_mesh m = test::written<full_mesh>(*plan);
     for (std::size_t g = 0; g < plan->glyphs().size(); ++g) {
         const auto own = indices_of(m, *plan, g);
         const auto c = test::examine(m.vertices, own);
@@ -63,26 +63,14 @@ std::vector<T> list(std::span<const T> s)
 }
 
 /// Refuses what has more than a number of points.
-struct few_points {
-    std::size_t most;
-    flat faces = {};
+struct few_points : flat {
+    std::size_t most = 0;
 
     option_bits cache_key() const noexcept { return {static_cast<std::uint32_t>(most)}; }
     result<part_sizes> plan(const region& r) const noexcept
     {
         if (r.points().size() > most) return error::refused_by_user;
-        return faces.plan(r);
-    }
-    height_range heights() const noexcept { return faces.heights(); }
-    template <attribute Wants, class Put>
-    void vertices(part p, const solid& s, const placement& at, Put&& put) const noexcept
-    {
-        faces.vertices<Wants>(p, s, at, put);
-    }
-    template <class Put>
-    void triangles(part p, const solid& s, const first_vertices& first, Put&& put) const noexcept
-    {
-        faces.triangles(p, s, first, put);
+        return flat::plan(r);
     }
 };
 
@@ -93,24 +81,20 @@ TEST_CASE("A group that a policy refuses is left out as a glyph is, and the text
     test::toy_font font;
     text_mesher measured{font};
     const glyph_run apart = run_of({{ring, 0, {0, 0}}, {ring, 0, {9000, 0}}});
-    auto plain = measured.plan(apart, {});
-    REQUIRE(plain);
-    const std::size_t points = static_cast<std::size_t>(plain->contour_points()) / 2;
+    const std::size_t points = static_cast<std::size_t>(test::required(measured.plan(apart, {}))->contour_points()) / 2;
 
-    auto mesher = text_mesher{font}.with(few_points{points});
+    auto mesher = text_mesher{font}.with(few_points{{}, points});
     const glyph_run run = run_of({{ring, 0, {0, 0}}, {ring, 0, {150, 0}}, {ring, 0, {9000, 0}}});
-    auto unmerged = mesher.plan(run, {});
-    REQUIRE(unmerged);
+    auto unmerged = test::required(mesher.plan(run, {}));
     CHECK(unmerged->glyphs().size() == 3);
-    auto plan = mesher.plan(run, {.merge = true});
-    REQUIRE(plan);
+    auto plan = test::required(mesher.plan(run, {.merge = true}));
     CHECK(plan->glyphs().size() == 1);
     CHECK(plan->glyphs()[0].glyph == 2);
     CHECK(plan->report().first_refusal == error::refused_by_user);
     CHECK(plan->report().refused != 0);
 }
 
-TEST_CASE("glyphs that overlap become one solid whose volume is that of their union", "[text][merge]")
+TEST_CASE("glyphs that overlap become one solid with the volume of their union", "[text][merge]")
 {
     test::toy_font font;
     text_mesher mesher{font};
@@ -135,8 +119,7 @@ TEST_CASE("merging lists every glyph that is drawn once, and groups are chains o
                                   {bars, 0, {3000, 0}},    // 6: alone
                                   {star, 0, {3100, 150}}}  // 7: inside the bays of 6 and over its stem
     );
-    auto plan = mesher.plan(run, {.merge = true});
-    REQUIRE(plan);
+    auto plan = test::required(mesher.plan(run, {.merge = true}));
     REQUIRE(plan->glyphs().size() == 3);
     using numbers = std::vector<std::uint32_t>;
     CHECK(list(plan->members(0)) == numbers{0, 3});
@@ -153,8 +136,7 @@ TEST_CASE("a glyph in another's hole, and one in its bay, stay alone while they 
     text_mesher mesher{font};
     const glyph_run run =
         run_of({{0, 0, {0, 0}}, {stick, 0, {100, 100}}, {bars, 0, {1000, 0}}, {stick, 0, {1100, 150}}});
-    auto plan = mesher.plan(run, {.merge = true, .draw_missing = true});
-    REQUIRE(plan);
+    auto plan = test::required(mesher.plan(run, {.merge = true, .draw_missing = true}));
     CHECK(plan->glyphs().size() == 3);  // the last i crosses the E's middle bar; the first stands in the box of .notdef
     CHECK(list(plan->members(2)) == std::vector<std::uint32_t>{2, 3});
 }
@@ -177,11 +159,9 @@ TEST_CASE("a triangle's owner has its corners on its outline, and what two share
     test::toy_font font;
     text_mesher mesher{font};
     const glyph_run run = run_of({{ring, 0, {0, 0}}, {ring, 0, {400, 30}}, {bars, 0, {700, 20}}});
-    auto plan = mesher.plan(run, {.unit = output_unit::font_units, .merge = true});
-    REQUIRE(plan);
+    auto plan = test::required(mesher.plan(run, {.unit = output_unit::font_units, .merge = true}));
     REQUIRE(plan->glyphs().size() == 1);
-    full_mesh m;
-    REQUIRE(plan->write(into(m.vertices, m.indices)));
+    const full_mesh m = test::written<full_mesh>(*plan);
 
     std::vector<std::vector<typemesh::point>> outlines;  // each glyph's own points, placed
     for (const placed_glyph& g : run.glyphs) {
@@ -225,8 +205,7 @@ TEST_CASE("merging far from the origin gives the same solid, moved", "[text][mer
     text_mesher mesher{font};
     const auto plan_at = [&](double far_off) {
         const glyph_run run = run_of({{ring, 0, {far_off, 0}}, {ring, 0, {far_off + 400, 30}}});
-        auto plan = mesher.plan(run, {.merge = true});
-        REQUIRE(plan);
+        auto plan = test::required(mesher.plan(run, {.merge = true}));
         REQUIRE(plan->glyphs().size() == 1);
         return plan->size();
     };
@@ -242,13 +221,11 @@ TEST_CASE("a group too wide for the fine grid is merged on a coarser one", "[tex
     // 1,050,000 units: 2^29 cells of 1/512
     for (int k = 0; k < 14'000; ++k) glyphs.push_back({stick, 0, {k * 75.0, 0}});
     const glyph_run run = run_of(glyphs);
-    auto plan = mesher.plan(run, {.merge = true});
-    REQUIRE(plan);
+    auto plan = test::required(mesher.plan(run, {.merge = true}));
     REQUIRE(plan->glyphs().size() == 1);
     CHECK(plan->glyphs()[0].built->cells() < 512.0);
     CHECK(plan->members(0).size() == glyphs.size());
-    full_mesh m;
-    REQUIRE(plan->write(into(m.vertices, m.indices)));
+    const full_mesh m = test::written<full_mesh>(*plan);
     CHECK(test::examine(m.vertices, m.indices).unmatched_edges == 0);
 }
 
@@ -269,8 +246,7 @@ TEST_CASE("merging reports that memory ran out at whichever request, and the mes
             CHECK(plan.error().code == error::out_of_memory);
             ++failures;
         }
-        auto again = mesher.plan(run, {.merge = true});
-        REQUIRE(again);
+        auto again = test::required(mesher.plan(run, {.merge = true}));
         CHECK(again->glyphs().size() == 2);
     }
     CHECK(failures > 10);
@@ -299,9 +275,7 @@ TEST_CASE("regions of fonts of different units per em are joined on the finer gr
             REQUIRE((loops.points.push_back(p) && loops.edges.push_back({})));
         static const curve line[1] = {};
         loops.curves = line;
-        auto r = fill(loops, fill_rule::non_zero, space);
-        REQUIRE(r);
-        return *r;
+        return *test::required(fill(loops, fill_rule::non_zero, space));
     };
     workspace space;
     contours of_1000, of_2048;
@@ -309,8 +283,7 @@ TEST_CASE("regions of fonts of different units per em are joined on the finer gr
     group.begin(grid{512.0});  // of 2048 units per em; a thousandth of an em is 2.048 of these
     REQUIRE(group.add(square_region(of_2048, space, 1024 * 512), 1.0, 0, 0));
     REQUIRE(group.add(square_region(of_1000, space, 500 * 512), 2.048, 1024 * 256, 1024 * 256));
-    const auto joined = group.join(space);
-    REQUIRE(joined);
+    const auto joined = test::required(group.join(space));
     CHECK(joined->points().size() == 8);
     CHECK(joined->outers() == 1);
     CHECK(joined->tolerance() == (std::max)(0.001 * 1024 * 512, 2.048 * (0.001 * 500 * 512)));
@@ -352,8 +325,7 @@ TEST_CASE("no triangle of merged glyphs is low where other diagonals avoid it", 
     text_mesher mesher = text_mesher{drawings}.with(flat{});
     for (glyph_id k = 0; k < 16; k += 2) {
         const glyph_run run = run_of({{k, 0, {0, 0}}, {k + 1, 0, {0, 0}}});
-        const auto plan = mesher.plan(run, {.merge = true});
-        REQUIRE(plan);
+        const auto plan = test::required(mesher.plan(run, {.merge = true}));
         REQUIRE(plan->glyphs().size() == 1);
         const built_glyph& merged = *plan->glyphs()[0].built;
         const solid& form = merged.form();

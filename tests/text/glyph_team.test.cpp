@@ -1,17 +1,16 @@
 // SPDX-License-Identifier: MIT
 #include "support/catch.hpp"
 #include "support/executors.hpp"
-#include "support/toy_font.hpp"
+#include "support/toy_runs.hpp"
 
 #include <typemesh/text/glyph_workers.hpp>
 
 using namespace typemesh;
 
-TEST_CASE("of several errors that of the lowest glyph is returned", "[text][workers]")
+TEST_CASE("of several errors the lowest glyph's is returned", "[text][workers]")
 {
     test::scrambled_workers several{3};
-    auto workers = workers_of(several, [](std::size_t) noexcept -> result<test::toy_font> { return test::toy_font{}; });
-    REQUIRE(workers);
+    auto workers = test::toy_team(several);
     glyph_team& team = workers->team();
     CHECK(team.members.size() == 3);
     const error e = team.each(100, [](std::size_t k, font_ref, glyph_builder&, glyph_store&) noexcept {
@@ -26,8 +25,7 @@ TEST_CASE("of several errors that of the lowest glyph is returned", "[text][work
 TEST_CASE("each plan has a number of its own, at a place that stays when the workers move", "[text][workers]")
 {
     one_worker alone;
-    auto made = workers_of(alone, [](std::size_t) noexcept -> result<test::toy_font> { return test::toy_font{}; });
-    REQUIRE(made);
+    auto made = test::toy_team(alone);
     const std::uint64_t* number = &made->team().plans;
     made->team().begin_plan();
     const std::uint64_t first = *number;

@@ -3,7 +3,9 @@
 #include "support/counted_output.hpp"
 #include "support/counting_memory.hpp"
 #include "support/executors.hpp"
+#include "support/failing_memory.hpp"
 #include "support/mesh_laws.hpp"
+#include "support/required.hpp"
 #include "support/toy_font.hpp"
 #include "support/written_mesh.hpp"
 
@@ -22,17 +24,8 @@ namespace {
 result<test::toy_font> another_font(std::size_t) noexcept { return test::toy_font{}; }
 
 /// Refuses every shape, with the number of its points.
-struct counting_refusal {
+struct counting_refusal : flat {
     result<part_sizes> plan(const region& r) const noexcept { return error{error::bad_option, r.points().size()}; }
-    height_range heights() const noexcept { return {}; }
-    template <attribute Wants, class Put>
-    void vertices(part, const solid&, const placement&, Put&&) const noexcept
-    {
-    }
-    template <class Put>
-    void triangles(part, const solid&, const first_vertices&, Put&&) const noexcept
-    {
-    }
 };
 
 struct own_lock {
@@ -57,16 +50,13 @@ TEMPLATE_TEST_CASE("several workers make and write the same mesh as one alone", 
     const text_options options{.reuse = GENERATE(true, false)};
     const std::size_t workers = GENERATE(1u, 2u, 3u, 8u);
     test::scrambled_workers several{workers};
-    auto team = workers_of(several, another_font);
-    REQUIRE(team);
+    auto team = test::required(workers_of(several, another_font));
 
-    auto expected = mesher.plan(text, options);
-    REQUIRE(expected);
+    auto expected = test::required(mesher.plan(text, options));
     full_mesh one, many;
     REQUIRE(expected->write(into(one.vertices, one.indices)));
     for (int round = 0; round < 3; ++round) {
-        auto plan = other_mesher.plan(text, options, *team);
-        REQUIRE(plan);
+        auto plan = test::required(other_mesher.plan(text, options, *team));
         CHECK(plan->size() == expected->size());
         CHECK(plan->bounds().low == expected->bounds().low);
         CHECK(plan->bounds().high == expected->bounds().high);
@@ -80,8 +70,7 @@ TEMPLATE_TEST_CASE("several workers make and write the same mesh as one alone", 
         CHECK(test::same_bits(one, many));
     }
     full_mesh built;
-    const auto made = other_mesher.build(text, into(built.vertices, built.indices), options, *team);
-    REQUIRE(made);
+    const auto made = test::required(other_mesher.build(text, into(built.vertices, built.indices), options, *team));
     CHECK(test::same_bits(one, built));
 }
 
@@ -92,10 +81,8 @@ TEST_CASE("shares of a text cover it, each ascending and each element once", "[t
     std::string text;
     const std::size_t length = GENERATE(0u, 1u, 40u, 2000u);
     for (std::size_t i = 0; i < length; ++i) text += "oEi x"[(i * 7 + i / 11) % 5];
-    auto plan = mesher.plan(text, {.tolerance = quality::low});
-    REQUIRE(plan);
-    full_mesh one;
-    REQUIRE(plan->write(into(one.vertices, one.indices)));
+    auto plan = test::required(mesher.plan(text, {.tolerance = quality::low}));
+    const full_mesh one = test::written<full_mesh>(*plan);
     for (const std::size_t workers : {1u, 2u, 3u, 8u, 100u}) {
         test::scrambled_workers several{workers};
         test::counted_output out;
@@ -111,11 +98,9 @@ TEST_CASE("every sink over memory is written in subranges as it is in one piece"
     text_mesher mesher{font};
     std::string text;
     for (int i = 0; i < 60; ++i) text += "oEi x\nEoo";
-    auto plan = mesher.plan(text);
-    REQUIRE(plan);
+    auto plan = test::required(mesher.plan(text));
     const auto size = plan->size();
-    full_mesh one;
-    REQUIRE(plan->write(into(one.vertices, one.indices)));
+    const full_mesh one = test::written<full_mesh>(*plan);
     test::scrambled_workers several{7};
 
     full_mesh array{std::vector<full_vertex>(size.vertices + 2), std::vector<std::uint32_t>(size.indices() + 2, 77u)};
@@ -147,7 +132,7 @@ TEST_CASE("every sink over memory is written in subranges as it is in one piece"
     CHECK(untouched == std::vector<std::uint32_t>(size.indices(), 77u));
 }
 
-TEST_CASE("of several workers' errors that of the lowest glyph is returned", "[text][workers]")
+TEST_CASE("several workers return the error of the lowest glyph", "[text][workers]")
 {
     test::toy_font font;
     auto mesher = text_mesher{font}.with(counting_refusal{});
@@ -156,8 +141,7 @@ TEST_CASE("of several workers' errors that of the lowest glyph is returned", "[t
     REQUIRE(expected.error() == error::bad_option);
     for (std::uint32_t seed = 1; seed < 20; ++seed) {
         test::scrambled_workers several{3, seed};
-        auto team = workers_of(several, another_font);
-        REQUIRE(team);
+        auto team = test::required(workers_of(several, another_font));
         const auto plan = mesher.plan(text, {}, *team);
         CHECK(plan.error() == error::bad_option);
         CHECK(plan.error().count == expected.error().count);
@@ -181,31 +165,19 @@ TEST_CASE("a source that cannot be made makes no workers, and the others end", "
 
 TEST_CASE("workers' memory that fails at any request gives a clear error and leaves both usable", "[text][workers]")
 {
-    const bool once = GENERATE(true, false);
     test::toy_font font;
     text_mesher mesher{font};
     full_mesh expected;
     REQUIRE(mesher.build("oEix", into(expected.vertices, expected.indices)));
-    std::size_t failures = 0;
-    for (std::size_t n = 2; n < 300; ++n) {  // the first request is for the workers themselves
-        test::counting_memory counted{.fail_at = n, .fail_once = once};
-        test::scrambled_workers several{3};
-        auto team = workers_of(several, another_font, counted.source());
-        REQUIRE(team);
-        full_mesh m = {{{}, {}}, {7}};
-        auto made = mesher.build("oEix", into(m.vertices, m.indices), {}, *team);
-        if (!made) {
-            ++failures;
-            CHECK(made.error() == error::out_of_memory);
-            CHECK(m.vertices.size() == 2);
-            CHECK(m.indices.size() == 1);
-        }
-        counted.fail_at = 0;
-        REQUIRE(mesher.build("oEix", into(m.vertices, m.indices), {}, *team));
-        CHECK(test::same_bits(m, expected));
-        if (counted.requests < n) break;
-    }
-    CHECK(failures > 5);
+    test::scrambled_workers several{3};
+    const auto make = [&](memory source) {
+        several = test::scrambled_workers{3};  // the same order each time
+        return [&, team = test::required(workers_of(several, another_font, source))](full_mesh& m) mutable {
+            return mesher.build("oEix", into(m.vertices, m.indices), {}, *team);
+        };
+    };
+    const std::size_t first_of_builders = 2;  // the first request is for the workers themselves
+    CHECK(test::failures_of(make, expected, GENERATE(true, false), first_of_builders) > 5);
 }
 
 TEST_CASE("the same text built by the same workers again allocates nothing", "[text][workers]")
@@ -215,8 +187,7 @@ TEST_CASE("the same text built by the same workers again allocates nothing", "[t
         test::toy_font font;
         text_mesher mesher{font, own.source()};
         test::scrambled_workers several{3};
-        auto team = workers_of(several, another_font, counted.source());
-        REQUIRE(team);
+        auto team = test::required(workers_of(several, another_font, counted.source()));
         full_mesh m;
         // Who gets which glyph changes with the seed: all have had all before counting.
         for (int i = 0; i < 60; ++i) REQUIRE(mesher.build("oEi o\nxoo", into(m.vertices, m.indices), {}, *team));
@@ -237,11 +208,9 @@ TEST_CASE("a plan outlives a move of its workers, and a cache holds what they ha
     REQUIRE(mesher.build("oEi", into(expected.vertices, expected.indices)));
 
     test::scrambled_workers several{3};
-    auto team = workers_of(several, another_font);
-    REQUIRE(team);
+    auto team = test::required(workers_of(several, another_font));
     {
-        auto plan = mesher.plan("oEi", {}, *team);
-        REQUIRE(plan);
+        auto plan = test::required(mesher.plan("oEi", {}, *team));
         auto moved = std::move(*team);
         REQUIRE(plan->write(into(m.vertices, m.indices), moved.pool()));
         CHECK(test::same_bits(m, expected));
@@ -251,8 +220,7 @@ TEST_CASE("a plan outlives a move of its workers, and a cache holds what they ha
     glyph_cache<own_lock> cache;
     auto cached = text_mesher{font}.with(cached_in{cache, 1});
     for (int round = 0; round < 3; ++round) {
-        auto plan = cached.plan("oEi", {}, *team);
-        REQUIRE(plan);
+        auto plan = test::required(cached.plan("oEi", {}, *team));
         CHECK(cache.statistics().misses == 3);
         CHECK(cache.statistics().pinned == 3);
         CHECK(cache.statistics().hits == 3u * static_cast<unsigned>(round));
@@ -291,13 +259,11 @@ TEST_CASE("trim() gives back the workers' scratch memory, plans stay, and the ne
     {
         const auto font_of = [](std::size_t) noexcept -> result<test::toy_font> { return test::toy_font{}; };
         test::scrambled_workers several{3};
-        auto team = workers_of(several, font_of, memory.source());
-        REQUIRE(team);
+        auto team = test::required(workers_of(several, font_of, memory.source()));
         test::toy_font font;
         text_mesher mesher{font};
         full_mesh first, kept, again;
-        auto plan = mesher.plan("Eo xi", {}, *team);
-        REQUIRE(plan);
+        auto plan = test::required(mesher.plan("Eo xi", {}, *team));
         REQUIRE(plan->write(into(first.vertices, first.indices)));
         const std::size_t held = memory.bytes_held;
         team->trim();
@@ -307,9 +273,7 @@ TEST_CASE("trim() gives back the workers' scratch memory, plans stay, and the ne
         CHECK(memory.bytes_held == trimmed);
         REQUIRE(plan->write(into(kept.vertices, kept.indices)));
         CHECK(test::same_bits(kept, first));
-        auto other = mesher.plan("Eo xi", {}, *team);
-        REQUIRE(other);
-        REQUIRE(other->write(into(again.vertices, again.indices)));
+        REQUIRE(test::required(mesher.plan("Eo xi", {}, *team))->write(into(again.vertices, again.indices)));
         CHECK(test::same_bits(again, first));
     }
     CHECK(memory.bytes_held == 0);

@@ -14,8 +14,9 @@
 
 #include "support/catch.hpp"
 #include "support/lit_mesh.hpp"
+#include "support/required.hpp"
 #include "support/toy_covering_font.hpp"
-#include "support/toy_font.hpp"
+#include "support/toy_runs.hpp"
 
 using namespace typemesh;
 
@@ -34,8 +35,7 @@ public:
     {
         REQUIRE(words_.set(text));
         REQUIRE(words_.lay_out({.width = width_}, page_));
-        const auto plan = mesher_.plan(page_);
-        REQUIRE(plan);
+        const auto plan = test::required(mesher_.plan(page_));
         lines_ = page_.lines.size();
         return test::written(*plan);
     }
@@ -82,13 +82,9 @@ TEST_CASE("two meshers are swapped with their fonts, policies and caches", "[tex
     glyph_cache<> cache;
     text_mesher letters{font, constrained_delaunay{}, cached_in{cache, 1}};
     text_mesher<> squares{drawings};
-    glyph_run run;
-    run.units_per_em = 1000.0;
-    REQUIRE(run.glyphs.push_back({0, 0, {}}));
+    const glyph_run run = test::row_of(0, {0.0});
     const auto mesh_of = [](text_mesher<>& mesher, const glyph_run& what) {
-        const auto plan = mesher.plan(what);
-        REQUIRE(plan);
-        return test::written(*plan);
+        return test::written(*test::required(mesher.plan(what)));
     };
     const test::lit_mesh letter = mesh_of(letters, run), square = mesh_of(squares, run);
     REQUIRE_FALSE(letter == square);

@@ -5,6 +5,7 @@
 #include "support/catch.hpp"
 #include "support/counting_memory.hpp"
 #include "support/mesh_laws.hpp"
+#include "support/required.hpp"
 #include "support/written_mesh.hpp"
 
 #include <typemesh/typemesh.hpp>
@@ -62,8 +63,7 @@ template <class Mesher>
 full_mesh build(Mesher& mesher, const glyph_run& run, const text_options& options, text_report* report = nullptr)
 {
     full_mesh m;
-    const auto made = mesher.build(run, into(m.vertices, m.indices), options);
-    REQUIRE(made);
+    const auto made = test::required(mesher.build(run, into(m.vertices, m.indices), options));
     if (report != nullptr) *report = *made;
     return m;
 }
@@ -167,10 +167,8 @@ TEST_CASE("trim() between planning and writing leaves the plan as it is", "[text
     const glyph_run run = run_of(with_star);
     text_mesher mesher{font};
     const full_mesh expected = build(mesher, run, {.merge = true});
-    auto plan = mesher.plan(run, {.merge = true});
-    REQUIRE(plan);
+    auto plan = test::required(mesher.plan(run, {.merge = true}));
     mesher.trim();
-    full_mesh m;
-    REQUIRE(plan->write(into(m.vertices, m.indices)));
+    const full_mesh m = test::written<full_mesh>(*plan);
     CHECK(test::same_bits(m, expected));
 }

@@ -5,6 +5,7 @@
 #include "support/catch.hpp"
 #include "support/counting_memory.hpp"
 #include "support/mesh_laws.hpp"
+#include "support/required.hpp"
 #include "support/written_mesh.hpp"
 
 #include <typemesh/typemesh.hpp>
@@ -71,16 +72,14 @@ TEST_CASE("a glyph with more points than allowed is refused alone, and the rest 
     text_mesher mesher{font, counted.source()};
     const text_options limited{.tolerance = 1.0 / 16'000, .max_points = 400};
     const glyph_run run = all_three();
-    const auto plan = mesher.plan(run, limited);
-    REQUIRE(plan);
+    const auto plan = test::required(mesher.plan(run, limited));
     CHECK(plan->glyphs().size() == 1);
     CHECK(plan->report().refused == 2);
     CHECK(plan->report().first_refusal == error::too_many_points);
     CHECK(plan->report().first_refusal.count == 400);
     CHECK(plan->report().first_refusal.glyph == 1);
     CHECK(counted.peak < 400 * 1024);
-    test::full_mesh m;
-    REQUIRE(plan->write(into(m.vertices, m.indices)));
+    const test::full_mesh m = test::written<full_mesh>(*plan);
     CHECK(m.indices.size() == 3 * 12);  // the square alone
 }
 
@@ -89,8 +88,7 @@ TEST_CASE("what is refused for its points is built where more are allowed", "[te
     boundless_font font;
     text_mesher mesher{font};
     const glyph_run run = all_three();
-    const auto plan = mesher.plan(run, {.tolerance = 1.0 / 16'000});
-    REQUIRE(plan);
+    const auto plan = test::required(mesher.plan(run, {.tolerance = 1.0 / 16'000}));
     CHECK(plan->glyphs().size() == 2);  // the default holds glyph 2 back: 8 million curves
     CHECK(plan->report().refused == 1);
     CHECK(plan->report().first_refusal.glyph == 2);

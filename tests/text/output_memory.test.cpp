@@ -5,6 +5,7 @@
 #include "support/catch.hpp"
 #include "support/guarded_memory.hpp"
 #include "support/mesh_laws.hpp"
+#include "support/required.hpp"
 #include "support/toy_font.hpp"
 
 #include <typemesh/extrude/bevelled.hpp>
@@ -34,13 +35,12 @@ void write_between_guards(const Plan& plan, bool at_end)
 
 }  // namespace
 
-TEMPLATE_TEST_CASE("writing stays within its arrays: the pages before and behind them cannot be touched",
+TEMPLATE_TEST_CASE("writing stays within its arrays: the pages before and after them are never touched",
                    "[text][memory]", extruded<>, bevelled)
 {
     test::toy_font font;
     auto mesher = text_mesher{font}.with(TestType{});
-    auto plan = mesher.plan(three_words);
-    REQUIRE(plan);
+    auto plan = test::required(mesher.plan(three_words));
     for (const bool at_end : {false, true}) {
         write_between_guards<std::uint32_t>(*plan, at_end);
         write_between_guards<std::uint16_t>(*plan, at_end);
@@ -52,8 +52,7 @@ TEMPLATE_TEST_CASE("what is written does not depend on what lay there, and all o
 {
     test::toy_font font;
     auto mesher = text_mesher{font}.with(TestType{});
-    auto plan = mesher.plan(three_words);
-    REQUIRE(plan);
+    auto plan = test::required(mesher.plan(three_words));
     const mesh_size size = plan->size();
     std::vector<std::vector<unsigned char>> left;
     for (const int before : {0x00, 0xFF, 0x5A}) {
@@ -74,8 +73,7 @@ TEST_CASE("a sink that is too small is left as it was, to the byte", "[text][mem
 {
     test::toy_font font;
     text_mesher mesher{font};
-    auto plan = mesher.plan(three_words);
-    REQUIRE(plan);
+    auto plan = test::required(mesher.plan(three_words));
     const mesh_size size = plan->size();
     for (const bool few_vertices : {false, true}) {
         std::vector<test::full_vertex> vertices(size.vertices - few_vertices);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "support/catch.hpp"
+#include "support/required.hpp"
 #include "support/toy_font.hpp"
 
 #include <typemesh/text/picked_character.hpp>
@@ -47,8 +48,7 @@ TEST_CASE("a point of a ligature's mesh leads to one of its letters, in equal sh
         const double edges[] = {0.1, own ? 0.15 : 0.3, own ? 0.65 : 0.5, 0.7};
         for (const text_options& how : {text_options{}, text_options{.unit = output_unit::unit_box, .size = 3.0},
                                         text_options{.size = 40.0, .frame = right_handed_z_up}}) {
-            auto plan = mesher.plan(run, how);
-            REQUIRE(plan);
+            auto plan = test::required(mesher.plan(run, how));
             const placement at = plan->place(0);
             for (std::size_t k = 0; k < 3; ++k) {
                 for (const double share : {0.01, 0.5, 0.99}) {
@@ -71,8 +71,7 @@ TEST_CASE("a point of a ligature's mesh leads to one of its letters, in equal sh
     font.carets.clear();
     REQUIRE(font.carets.push_back(550.0));  // one too few, then out of order: equal shares again
     for (int k = 0; k < 2; ++k) {
-        auto plan = mesher.plan(run);
-        REQUIRE(plan);
+        auto plan = test::required(mesher.plan(run));
         CHECK(character_at(*plan, plan->hit(part::front, 0), {0.31f, 0.0f, 0.0f}, text, font).text.first == 1);
         REQUIRE(font.carets.push_back(50.0));
     }
@@ -84,8 +83,7 @@ TEST_CASE("a ligature ends with its line, and one letter is all of its cluster",
     text_mesher mesher{font};
     glyph_run run;
     make(run, 2);
-    auto plan = mesher.plan(run);
-    REQUIRE(plan);
+    auto plan = test::required(mesher.plan(run));
     const auto hit = plan->hit(part::front, plan->range(part::front).index_count / 3 - 1);
     REQUIRE(hit.cluster == 2);
     const picked_character last = character_at(*plan, hit, {9.0f, 0.0f, 0.0f}, "abo\r\nnext", font);
@@ -102,8 +100,7 @@ TEST_CASE("an underline does not change the box of the last letter of a plain li
     text_mesher mesher{font};
     const style_span spans[] = {{0, 2, {.decorations = decoration::underline}}};
     for (const std::size_t count : {0u, 1u}) {
-        auto plan = mesher.plan("oE", {.shape = {.styles = std::span{spans}.first(count)}});
-        REQUIRE(plan);
+        auto plan = test::required(mesher.plan("oE", {.shape = {.styles = std::span{spans}.first(count)}}));
         const picked_character c =
             character_at(*plan, {.glyph = 1, .of_run = 1, .cluster = 1}, {0.7f, 0.3f, 0.0f}, "oE", font);
         CHECK(c.text.first == 1);

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "support/catch.hpp"
 #include "support/executors.hpp"
-#include "support/toy_font.hpp"
+#include "support/required.hpp"
+#include "support/toy_runs.hpp"
 
 #include <typemesh/extrude/flat.hpp>
 #include <typemesh/typemesh.hpp>
@@ -16,28 +17,14 @@ using namespace typemesh;
 namespace {
 
 /// Says of letters with many points that they are narrowed and have lost two caps: of 'o', 'E' and 'x', but not of 'i'.
-struct narrowing {
-    flat as;
-
+struct narrowing : flat {
     [[nodiscard]] result<solid_plan> plan(const region& r) const noexcept
     {
-        const auto sizes = as.plan(r);
+        const auto sizes = flat::plan(r);
         if (!sizes) return sizes.error();
         const bool is_large = r.points().size() > 4;
         return solid_plan{.sizes = *sizes, .narrowed = is_large, .lost_caps = is_large ? 2u : 0u};
     }
-    [[nodiscard]] height_range heights() const noexcept { return as.heights(); }
-    template <attribute Wants, class Put>
-    void vertices(part p, const solid& s, const placement& at, Put&& put) const noexcept
-    {
-        as.vertices<Wants>(p, s, at, put);
-    }
-    template <class Put>
-    void triangles(part p, const solid& s, const first_vertices& first, Put&& put) const noexcept
-    {
-        as.triangles(p, s, first, put);
-    }
-    [[nodiscard]] option_bits cache_key() const noexcept { return as.cache_key(); }
 };
 static_assert(extruder<narrowing>);
 
@@ -63,8 +50,7 @@ TEST_CASE("a glyph keeps its line and its place whatever its style, beside lines
                     run.glyphs.push_back({1, line, {x, 0.0}, false, static_cast<std::uint32_t>(random() % styles)}));
             }
         }
-        const auto plan = mesher.plan(run);
-        REQUIRE(plan);
+        const auto plan = test::required(mesher.plan(run));
         REQUIRE(plan->glyphs().size() == run.glyphs.size());
         for (const drawn_glyph& g : plan->glyphs()) {
             CHECK(g.line == run.glyphs[g.glyph].cluster);
@@ -73,14 +59,12 @@ TEST_CASE("a glyph keeps its line and its place whatever its style, beside lines
     }
 }
 
-TEST_CASE("what stands too far away is refused, each glyph for itself", "[text]")
+TEST_CASE("glyphs that stand too far away are refused, and the others are drawn", "[text]")
 {
     test::toy_font font;
     text_mesher mesher{font};
-    glyph_run run;
-    for (const double x : {0.0, 0x1p81, -0x1p81, 600.0}) REQUIRE(run.glyphs.push_back({1, 0, {x, 0.0}}));
-    const auto plan = mesher.plan(run);
-    REQUIRE(plan);
+    const glyph_run run = test::row_of(1, {0.0, 0x1p81, -0x1p81, 600.0});
+    const auto plan = test::required(mesher.plan(run));
     CHECK(plan->glyphs().size() == 2);
     CHECK(plan->report().refused == 2);
     CHECK(plan->report().first_refusal == error::outline_beyond_grid);
@@ -111,14 +95,12 @@ TEST_CASE("what an extruder narrows is counted glyph by glyph, whichever way the
     CHECK(cache.statistics().hits == 5);
 
     test::scrambled_workers pool;
-    auto team = workers_of(pool, [](std::size_t) noexcept { return result<test::toy_font>{test::toy_font{}}; });
-    REQUIRE(team);
+    auto team = test::toy_team(pool);
     const text_options options;
     check(mesher.plan(narrow, options, *team));
 
     auto plain = text_mesher{font}.with(flat{});
-    const auto whole = plain.plan(narrow);
-    REQUIRE(whole);
+    const auto whole = test::required(plain.plan(narrow));
     CHECK(whole->report().narrowed == 0);
     CHECK(whole->report().first_narrowed == no_cluster);
 }
@@ -133,8 +115,7 @@ TEST_CASE("of merged glyphs that are narrowed one is counted, and the first is t
     for (const std::uint32_t style : {2u, 1u}) REQUIRE(run.glyph_styles.push_back({.style = style_id{style}}));
     for (const double x : {0.0, 300.0}) REQUIRE(run.glyphs.push_back({1, 5, {x, 0.0}, false, 0}));  // rings that meet
     REQUIRE(run.glyphs.push_back({1, 9, {2000.0, 0.0}, false, 1}));  // first in the mesh, for its style is lower
-    const auto plan = mesher.plan(run, {.merge = true});
-    REQUIRE(plan);
+    const auto plan = test::required(mesher.plan(run, {.merge = true}));
     REQUIRE(plan->glyphs().size() == 2);
     CHECK(plan->glyphs()[0].cluster == 9);
     CHECK(plan->report().narrowed == 2);

@@ -2,7 +2,8 @@
 #include "support/catch.hpp"
 #include "support/executors.hpp"
 #include "support/mesh_laws.hpp"
-#include "support/toy_font.hpp"
+#include "support/required.hpp"
+#include "support/toy_runs.hpp"
 #include "support/written_mesh.hpp"
 
 #include <typemesh/extrude/bevelled.hpp>
@@ -47,21 +48,17 @@ TEMPLATE_TEST_CASE("a run that is changed on the way is meshed as one that was c
     REQUIRE(layout(font, text, how.shape, how.layout, run));
     scatter(run);
     text_mesher other{font, TestType{}};
-    const auto expected = other.plan(run, how);
-    REQUIRE(expected);
+    const auto expected = test::required(other.plan(run, how));
 
     text_mesher mesher{font, TestType{}};
-    const auto plan = mesher.plan(text, how, scatter);
-    REQUIRE(plan);
+    const auto plan = test::required(mesher.plan(text, how, scatter));
     CHECK(plan->run().glyphs.size() == run.glyphs.size());
     CHECK(test::same_bits(test::written<full_mesh>(*plan), test::written<full_mesh>(*expected)));
 
     test::scrambled_workers several{3};
-    auto team = workers_of(several, [](std::size_t) noexcept { return result<test::toy_font>{test::toy_font{}}; });
-    REQUIRE(team);
+    auto team = test::toy_team(several);
     text_mesher third{font, TestType{}};
-    const auto shared = third.plan(text, how, *team, scatter);
-    REQUIRE(shared);
+    const auto shared = test::required(third.plan(text, how, *team, scatter));
     CHECK(test::same_bits(test::written<full_mesh>(*shared), test::written<full_mesh>(*expected)));
 }
 
@@ -69,8 +66,7 @@ TEST_CASE("a run that is broken on the way is refused, and the next text is as i
 {
     test::toy_font font;
     text_mesher mesher{font}, other{font};
-    const auto expected = other.plan("oEi");
-    REQUIRE(expected);
+    const auto expected = test::required(other.plan("oEi"));
 
     const auto none = mesher.plan("oEi", {}, [](glyph_run& run) noexcept { run.glyphs[1].glyph_style = 7; });
     CHECK(none.error() == error::no_such_glyph_style);
@@ -79,8 +75,7 @@ TEST_CASE("a run that is broken on the way is refused, and the next text is as i
     CHECK(nowhere->report().refused == 1);
     CHECK(nowhere->glyphs().size() == 2);
 
-    const auto again = mesher.plan("oEi");
-    REQUIRE(again);
+    const auto again = test::required(mesher.plan("oEi"));
     CHECK(test::same_bits(test::written<full_mesh>(*again), test::written<full_mesh>(*expected)));
 }
 

@@ -125,7 +125,7 @@ TEST_CASE("pieces have the triangles of the whole, in its order, and no more ver
     }
 }
 
-TEST_CASE("pieces of several glyphs stand one behind the other, until they are cleared", "[text][split_glyphs]")
+TEST_CASE("pieces of several glyphs follow one another until they are cleared", "[text][split_glyphs]")
 {
     glyphs<extruded<>> all;
     const built_glyph &o = all['o'], &e = all['E'];

@@ -2,8 +2,9 @@
 #include "support/catch.hpp"
 #include "support/counting_memory.hpp"
 #include "support/executors.hpp"
+#include "support/required.hpp"
 #include "support/style_laws.hpp"
-#include "support/toy_font.hpp"
+#include "support/toy_runs.hpp"
 
 #include <typemesh/typemesh.hpp>
 
@@ -36,16 +37,16 @@ glyph_run crowded_run()
 
 }  // namespace
 
-TEMPLATE_TEST_CASE("styles only sort: every glyph's mesh, every range and every way of writing is that of one style",
-                   "[text][styles]", flat, extruded<curve_normals>, extruded<shared_normals>)
+TEMPLATE_TEST_CASE(
+    "styles only sort: each glyph's mesh, each range and each way of writing is as in a text of one style",
+    "[text][styles]", flat, extruded<curve_normals>, extruded<shared_normals>)
 {
     test::toy_font font;
     TestType how;
     how.texture = texture_mapping::box;
     auto mesher = text_mesher{font}.with(how), other = text_mesher{font}.with(how);
     test::scrambled_workers several{3};
-    auto pool = workers_of(several, [](std::size_t) noexcept -> result<test::toy_font> { return test::toy_font{}; });
-    REQUIRE(pool);
+    auto pool = test::toy_team(several);
     const auto texture_over = GENERATE(texture_box::text, texture_box::line);
     const glyph_run run = crowded_run();
     for (std::uint32_t seed = 1; seed <= 4; ++seed)
@@ -61,9 +62,8 @@ TEST_CASE("a table of glyph styles that are all plain changes nothing, to the bi
     for (std::size_t i = 0; i < tabled.glyphs.size(); ++i)
         tabled.glyphs[i].glyph_style = static_cast<std::uint32_t>(i % 3);
     for (const bool merge : {false, true}) {
-        const auto a = mesher.plan(plain, {.merge = merge}), b = other.plan(tabled, {.merge = merge});
-        REQUIRE(a);
-        REQUIRE(b);
+        const auto a = test::required(mesher.plan(plain, {.merge = merge}));
+        const auto b = test::required(other.plan(tabled, {.merge = merge}));
         CHECK(test::same_bits(test::written<test::styled_mesh>(*a), test::written<test::styled_mesh>(*b)));
         CHECK(a->meshes().size() == b->meshes().size());
         CHECK(b->styles().size() == 1);
@@ -118,8 +118,7 @@ TEST_CASE("the first glyph that is refused is the first of the run, whatever its
     for (const std::uint32_t s : {5u, 2u}) REQUIRE(run.glyph_styles.push_back({.style = style_id{s}}));
     REQUIRE(run.glyphs.push_back({6, 10, {0, 0}, false, 0}));
     REQUIRE(run.glyphs.push_back({6, 11, {600, 0}, false, 1}));
-    const auto plan = mesher.plan(run);
-    REQUIRE(plan);
+    const auto plan = test::required(mesher.plan(run));
     CHECK(plan->report().refused == 2);
     CHECK(plan->report().first_refusal.cluster == 10);
 }

@@ -4,7 +4,9 @@
 #include "support/counting_memory.hpp"
 #include "support/executors.hpp"
 #include "support/mesh_laws.hpp"
+#include "support/required.hpp"
 #include "support/toy_font.hpp"
+#include "support/written_mesh.hpp"
 
 #include <typemesh/typemesh.hpp>
 
@@ -39,8 +41,7 @@ void see(std::vector<seen_triangle>& out, const full_vertex* vertices, const Ind
 template <class Plan>
 std::vector<seen_triangle> glyph_style_of(const Plan& plan)
 {
-    full_mesh m;
-    REQUIRE(plan.write(into(m.vertices, m.indices)));
+    const full_mesh m = test::written<full_mesh>(plan);
     std::vector<seen_triangle> all;
     see(all, m.vertices.data(), m.indices.data(), m.indices.size());
     std::sort(all.begin(), all.end());
@@ -134,8 +135,8 @@ recorded_outlines cog(int teeth)
 
 }  // namespace
 
-TEMPLATE_TEST_CASE("chunks draw what the text in one piece draws, none larger than asked for", "[text][chunks]", flat,
-                   extruded<curve_normals>, extruded<creased_normals>, extruded<averaged_normals>,
+TEMPLATE_TEST_CASE("chunks draw what the text in one piece draws, and none is larger than allowed", "[text][chunks]",
+                   flat, extruded<curve_normals>, extruded<creased_normals>, extruded<averaged_normals>,
                    extruded<shared_normals>)
 {
     test::toy_font font;
@@ -143,8 +144,7 @@ TEMPLATE_TEST_CASE("chunks draw what the text in one piece draws, none larger th
     how.texture = GENERATE(from_range(std::begin(texture_mappings), std::end(texture_mappings)));
     auto mesher = text_mesher{font}.with(how);
     const auto frame = GENERATE(right_handed_y_up, left_handed_z_up);
-    auto plan = mesher.plan("oEi x\nEoo", {.tolerance = quality::low, .frame = frame});
-    REQUIRE(plan);
+    auto plan = test::required(mesher.plan("oEi x\nEoo", {.tolerance = quality::low, .frame = frame}));
     for (const std::uint32_t most : {3u, 4u, 7u, 30u, 64u, 100u, 1000u, 65535u}) {
         INFO("at most " << most);
         check_chunks(*plan, most);
@@ -155,8 +155,7 @@ TEST_CASE("text that fits is one chunk, and glyphs that fit are not split", "[te
 {
     test::toy_font font;
     text_mesher mesher{font};
-    auto plan = mesher.plan("oEi x\nEoo");
-    REQUIRE(plan);
+    auto plan = test::required(mesher.plan("oEi x\nEoo"));
     text_chunks chunks;
     REQUIRE(chunks.cut(*plan));
     REQUIRE(chunks.view().size() == 1);
@@ -185,8 +184,7 @@ TEST_CASE("a glyph too large for 16 bits is split, and the greatest index is 65,
     for (cluster_id i = 0; i < 3; ++i)
         REQUIRE(run.glyphs.push_back({.id = 0, .cluster = i, .origin = {70000.0 * i, 0}}));
     text_mesher mesher{drawing};
-    auto plan = mesher.plan(run);
-    REQUIRE(plan);
+    auto plan = test::required(mesher.plan(run));
     REQUIRE(plan->size().vertices == 3 * 6 * 24'000);  // 4N + 2H, all points hard
     check_chunks(*plan, text_chunks::max_for_16_bits);
 
@@ -208,8 +206,7 @@ TEST_CASE("every sink over memory takes chunks, and writes the same", "[text][ch
 {
     test::toy_font font;
     text_mesher mesher{font};
-    auto plan = mesher.plan("oEio");
-    REQUIRE(plan);
+    auto plan = test::required(mesher.plan("oEio"));
     text_chunks chunks;
     REQUIRE(chunks.cut(*plan, 200));
     REQUIRE(chunks.view().size() > 2);
@@ -236,8 +233,7 @@ TEST_CASE("what cannot be cut or does not fit is refused before anything is writ
 {
     test::toy_font font;
     text_mesher mesher{font};
-    auto plan = mesher.plan("oEio");
-    REQUIRE(plan);
+    auto plan = test::required(mesher.plan("oEio"));
     text_chunks chunks;
     for (const std::uint32_t most : {0u, 1u, 2u}) {
         const error e = chunks.cut(*plan, most).error();
@@ -274,8 +270,7 @@ TEST_CASE("a text without glyphs has no chunks, and writes nothing", "[text][chu
 {
     test::toy_font font;
     text_mesher mesher{font};
-    auto plan = mesher.plan("  ");
-    REQUIRE(plan);
+    auto plan = test::required(mesher.plan("  "));
     text_chunks chunks;
     REQUIRE(chunks.cut(*plan));
     CHECK(chunks.view().empty());
@@ -289,8 +284,7 @@ TEST_CASE("cutting again needs no memory, and memory that fails leaves no chunks
 {
     test::toy_font font;
     text_mesher mesher{font};
-    auto plan = mesher.plan("oEi ooE");
-    REQUIRE(plan);
+    auto plan = test::required(mesher.plan("oEi ooE"));
     {
         test::counting_memory counted;
         text_chunks chunks{counted.source()};

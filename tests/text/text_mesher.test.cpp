@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "support/catch.hpp"
 #include "support/counting_memory.hpp"
+#include "support/failing_memory.hpp"
+#include "support/laid_out.hpp"
 #include "support/mesh_laws.hpp"
+#include "support/required.hpp"
 #include "support/toy_font.hpp"
 #include "support/written_mesh.hpp"
 
@@ -24,8 +27,7 @@ template <class Mesher, class Text>
 full_mesh build(Mesher& mesher, const Text& text, const text_options& options = {})
 {
     full_mesh m;
-    const auto made = mesher.build(text, into(m.vertices, m.indices), options);
-    REQUIRE(made);
+    const auto made = test::required(mesher.build(text, into(m.vertices, m.indices), options));
     return m;
 }
 
@@ -68,10 +70,8 @@ TEST_CASE("a text becomes one closed mesh a glyph", "[text]")
 {
     test::toy_font font;
     text_mesher mesher{font};
-    auto plan = mesher.plan("oEi o");
-    REQUIRE(plan);
-    full_mesh m;
-    REQUIRE(plan->write(into(m.vertices, m.indices)));
+    auto plan = test::required(mesher.plan("oEi o"));
+    const full_mesh m = test::written<full_mesh>(*plan);
 
     REQUIRE(plan->glyphs().size() == 4);
     CHECK(plan->report().blank == 1);
@@ -103,8 +103,7 @@ TEST_CASE("the parts' ranges tile the output and hold each glyph's in order", "[
 {
     test::toy_font font;
     text_mesher mesher{font};
-    auto plan = mesher.plan("oEi");
-    REQUIRE(plan);
+    auto plan = test::required(mesher.plan("oEi"));
     std::uint32_t vertex = 0, index = 0;
     for (const part p : all_parts) {
         const mesh_range whole = plan->range(p);
@@ -131,10 +130,8 @@ TEST_CASE("the bounds are exactly those of the vertices, in every frame and unit
     const auto frame = GENERATE(right_handed_y_up, left_handed_y_up, right_handed_z_up, left_handed_z_up);
     const auto unit = GENERATE(output_unit::em, output_unit::font_units, output_unit::pixels, output_unit::unit_box);
     const text_options options{.unit = unit, .frame = frame};
-    auto plan = mesher.plan("o\nEi", options);
-    REQUIRE(plan);
-    full_mesh m;
-    REQUIRE(plan->write(into(m.vertices, m.indices)));
+    auto plan = test::required(mesher.plan("o\nEi", options));
+    const full_mesh m = test::written<full_mesh>(*plan);
     const bounds3 b = plan->bounds();
     for (const auto axis : {&vec3::x, &vec3::y, &vec3::z}) {
         CHECK(extent(m, axis).low == b.low.*axis);
@@ -153,13 +150,11 @@ TEST_CASE("the size multiplies every position of every unit, and nothing else ch
     auto mesher = text_mesher{font}.with(extruded<>{.depth = 0.3f, .texture = texture});
     const auto built = [&](double s, bounds3& bounds, double& step, std::vector<vec3>& moved) {
         const text_options options{.unit = unit, .size = s, .frame = frame, .merge = merge};
-        auto plan = mesher.plan("Eo\nio", options);
-        REQUIRE(plan);
+        auto plan = test::required(mesher.plan("Eo\nio", options));
         bounds = plan->bounds();
         step = plan->position_step();
         plan->write_instances([&](const glyph_instance& g) { moved.push_back(g.translation); });
-        full_mesh m;
-        REQUIRE(plan->write(into(m.vertices, m.indices)));
+        const full_mesh m = test::written<full_mesh>(*plan);
         return m;
     };
     bounds3 box, sized_box;
@@ -199,14 +194,13 @@ TEST_CASE("a size is how large an em is", "[text]")
 {
     test::toy_font font;
     auto mesher = text_mesher{font}.with(extruded<>{.depth = 0.5f});
-    auto plan = mesher.plan("E", {.size = 0.37});
-    REQUIRE(plan);
+    auto plan = test::required(mesher.plan("E", {.size = 0.37}));
     CHECK(plan->bounds().high.x == static_cast<float>(0.37 * 0.45));
     CHECK(plan->bounds().low.z == static_cast<float>(0.37 * -0.5));
     CHECK(plan->bounds().high.z == 0.0f);
 }
 
-TEST_CASE("positions come in the unit that was asked for", "[text]")
+TEST_CASE("positions come in the unit of the options", "[text]")
 {
     test::toy_font font;
     text_mesher mesher{font};
@@ -242,10 +236,8 @@ TEST_CASE("box texture coordinates span 0 to 1 over the text, the line or the gl
     test::toy_font font;
     auto mesher = text_mesher{font}.with(extruded<>{.texture = texture_mapping::box});
     const auto over = GENERATE(texture_box::text, texture_box::line, texture_box::glyph);
-    auto plan = mesher.plan("oE\ni", {.texture_over = over});
-    REQUIRE(plan);
-    full_mesh m;
-    REQUIRE(plan->write(into(m.vertices, m.indices)));
+    auto plan = test::required(mesher.plan("oE\ni", {.texture_over = over}));
+    const full_mesh m = test::written<full_mesh>(*plan);
     const auto range_of = [&](std::size_t first_glyph, std::size_t last_glyph) {
         vec2 low{9, 9}, high{-9, -9};
         for (std::size_t g = first_glyph; g < last_glyph; ++g) {
@@ -273,8 +265,7 @@ TEST_CASE("a glyph that cannot be built is left out, counted and named, and the 
     test::toy_font font;
     text_mesher mesher{font};
     full_mesh m;
-    const auto made = mesher.build("Ex~o", into(m.vertices, m.indices));
-    REQUIRE(made);
+    const auto made = test::required(mesher.build("Ex~o", into(m.vertices, m.indices)));
     CHECK(made->refused == 1);
     CHECK(made->first_refusal.code == error::outline_not_finite);
     CHECK(made->first_refusal.glyph == 6);
@@ -289,21 +280,19 @@ TEST_CASE("a glyph that cannot be built is left out, counted and named, and the 
     CHECK(alone.indices == m.indices);
 }
 
-TEST_CASE("a missing glyph is reported, and drawn only if asked", "[text]")
+TEST_CASE("a missing glyph is reported, and drawn only on request", "[text]")
 {
     test::toy_font font;
     text_mesher mesher{font};
     full_mesh m;
-    const auto made = mesher.build("EqE", into(m.vertices, m.indices));
-    REQUIRE(made);
+    const auto made = test::required(mesher.build("EqE", into(m.vertices, m.indices)));
     CHECK(made->missing == 1);
     CHECK(made->first_missing == 1);
     CHECK(made->unbroken == 0);
     glyph_run run;
     run.unbroken = 2;
     run.first_unbroken = 7;
-    const auto reported = mesher.build(run, into(m.vertices, m.indices));
-    REQUIRE(reported);
+    const auto reported = test::required(mesher.build(run, into(m.vertices, m.indices)));
     CHECK(reported->unbroken == 2);
     CHECK(reported->first_unbroken == 7);
     CHECK(mesher.build("EqE", into(m.vertices, m.indices)));
@@ -317,8 +306,7 @@ TEST_CASE("empty text and blank glyphs give an empty mesh, not an error", "[text
     test::toy_font font;
     text_mesher mesher{font};
     const char* text = GENERATE("", " ", "\n", " \n\n ");
-    auto plan = mesher.plan(text);
-    REQUIRE(plan);
+    auto plan = test::required(mesher.plan(text));
     CHECK(plan->size() == mesh_size{});
     CHECK(plan->bounds().low == vec3{});
     full_mesh m = {{{}, {}}, {0, 0, 0}};
@@ -416,30 +404,14 @@ TEST_CASE("after warm-up a text of the same size allocates nothing", "[text]")
 
 TEST_CASE("memory that fails at any request gives a clear error and leaves the mesher usable", "[text]")
 {
-    const bool once = GENERATE(true, false);
     test::toy_font font;
-    text_mesher reference_mesher{font};
-    const auto expected = build(reference_mesher, "oEi");
-    std::size_t failures = 0;
-    for (std::size_t n = 1; n < 200; ++n) {
-        test::counting_memory counted{.fail_at = n, .fail_once = once};
-        text_mesher mesher{font, counted.source()};
-        full_mesh m = {{{}, {}}, {7}};
-        auto made = mesher.build("oEi", into(m.vertices, m.indices));
-        if (!made) {
-            ++failures;
-            CHECK(made.error() == error::out_of_memory);
-            CHECK(m.vertices.size() == 2);  // nothing of the caller's was touched
-            CHECK(m.indices.size() == 1);
-        } else
-            CHECK(made->complete());
-        counted.fail_at = 0;
-        made = mesher.build("oEi", into(m.vertices, m.indices));
-        REQUIRE(made);
-        CHECK(m.indices == expected.indices);
-        if (counted.requests < n) break;
-    }
-    CHECK(failures > 5);
+    text_mesher mesher{font};
+    const auto make = [&](memory source) {
+        return [poor = text_mesher{font, source}](full_mesh& m) mutable {
+            return poor.build("oEi", into(m.vertices, m.indices));
+        };
+    };
+    CHECK(test::failures_of(make, build(mesher, "oEi"), GENERATE(true, false)) > 5);
 }
 
 TEST_CASE("text comes as UTF-8 and UTF-16, clusters in its own units", "[text]")
@@ -463,8 +435,7 @@ TEST_CASE("a sink that refuses gets nothing more", "[text]")
 {
     test::toy_font font;
     text_mesher mesher{font};
-    auto plan = mesher.plan("oE");
-    REQUIRE(plan);
+    auto plan = test::required(mesher.plan("oE"));
     std::vector<test::full_vertex> vertices(plan->size().vertices - 1);
     std::vector<std::uint32_t> indices(plan->size().indices(), 77u);
     const error e = plan->write(into(std::span{vertices}, std::span{indices})).error();
@@ -501,8 +472,7 @@ TEST_CASE("a glyph beyond all reach is refused, and no vertex is infinite", "[te
     REQUIRE(run.glyphs.push_back({.id = 2, .cluster = 1, .origin = {0, 0}}));
     text_mesher mesher{font};
     full_mesh m;
-    const auto made = mesher.build(run, into(m.vertices, m.indices), {.unit = unit});
-    REQUIRE(made);
+    const auto made = test::required(mesher.build(run, into(m.vertices, m.indices), {.unit = unit}));
     CHECK(made->refused == (std::fabs(origin) > 1e24 ? 1u : 0u));
     if (made->refused != 0) CHECK(made->first_refusal == error::outline_beyond_grid);
     for (const auto& v : m.vertices)
@@ -556,14 +526,10 @@ TEST_CASE("plain text with styles is the mesh of a paragraph with them", "[text]
     const shape_options how{.letter_spacing = 0.1, .styles = spans};
     const layout_options lines{.align = alignment::right, .anchor = vertical_anchor::top};
     paragraph words{font};
-    glyph_run run;
-    REQUIRE(words.set("oEix\nEo", how));
-    REQUIRE(words.lay_out(lines, run));
+    const glyph_run run = test::laid_out(words, "oEix\nEo", how, lines);
     text_mesher mesher{font}, other{font};
-    const auto plain = mesher.plan("oEix\nEo", {.shape = how, .layout = lines});
-    const auto page = other.plan(run);
-    REQUIRE(plain);
-    REQUIRE(page);
+    const auto plain = test::required(mesher.plan("oEix\nEo", {.shape = how, .layout = lines}));
+    const auto page = test::required(other.plan(run));
     CHECK(plain->styles().size() == 3);
     CHECK(test::same_bits(test::written<full_mesh>(*plain), test::written<full_mesh>(*page)));
 }

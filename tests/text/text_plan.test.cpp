@@ -2,6 +2,7 @@
 #include "support/catch.hpp"
 #include "support/counting_memory.hpp"
 #include "support/mesh_laws.hpp"
+#include "support/required.hpp"
 #include "support/toy_font.hpp"
 #include "support/written_mesh.hpp"
 
@@ -67,8 +68,7 @@ TEMPLATE_TEST_CASE("each vertex is written once, in ascending order, and nothing
 {
     test::toy_font font;
     auto mesher = text_mesher{font}.with(TestType{});
-    const auto plan = mesher.plan("oEx oo\nEE");
-    REQUIRE(plan);
+    const auto plan = test::required(mesher.plan("oEx oo\nEE"));
     std::vector<written_once> vertices(plan->size().vertices);
     std::vector<std::uint32_t> indices(plan->size().indices());
     written_once::log.clear();
@@ -84,7 +84,7 @@ TEMPLATE_TEST_CASE("each vertex is written once, in ascending order, and nothing
     CHECK(log.numbers == indices);
 }
 
-TEST_CASE("a plan writes the same mesh as often as it is asked", "[text]")
+TEST_CASE("a plan writes the same mesh every time", "[text]")
 {
     test::toy_font font;
     text_mesher mesher{font};
@@ -94,7 +94,7 @@ TEST_CASE("a plan writes the same mesh as often as it is asked", "[text]")
     CHECK(a.indices == b.indices);
 }
 
-TEST_CASE("neighbouring glyphs lie in one piece of each part, and so do those of a cluster", "[text]")
+TEST_CASE("neighbouring glyphs lie in one piece of each part, and so do the glyphs of a cluster", "[text]")
 {
     test::toy_font font;
     text_mesher mesher{font};
@@ -103,8 +103,7 @@ TEST_CASE("neighbouring glyphs lie in one piece of each part, and so do those of
     for (std::size_t i = 0; i < 5; ++i)
         REQUIRE(run.glyphs.push_back(
             {static_cast<glyph_id>(i == 2 ? 4 : 1 + i % 2), clusters[i], {600.0 * static_cast<double>(i), 0}}));
-    const auto plan = mesher.plan(run);
-    REQUIRE(plan);
+    const auto plan = test::required(mesher.plan(run));
     REQUIRE(plan->glyphs().size() == 4);  // the blank one is no part of the mesh
     const glyph_span three = plan->glyphs_of(3);
     CHECK(three.first == 1);
@@ -288,7 +287,7 @@ TEST_CASE("the step between positions grows with the distance from the origin", 
     CHECK(em == pixels);
 }
 
-TEST_CASE("triangles higher than two steps are never flipped by rounding, and all is told of those that are", "[text]")
+TEST_CASE("triangles higher than two steps are never flipped by rounding, and all flipped ones are counted", "[text]")
 {
     test::toy_font font;
     const auto frame = GENERATE(right_handed_y_up, left_handed_z_up);
@@ -296,8 +295,7 @@ TEST_CASE("triangles higher than two steps are never flipped by rounding, and al
     bool some_flipped = false;
     for (double start = 1.0; start < 1e13; start *= 7.0) {
         const glyph_run run = run_of(2, 700.0, [](std::size_t i) { return static_cast<glyph_id>(1 + i); }, start);
-        const auto plan = mesher.plan(run, {.frame = frame});
-        REQUIRE(plan);
+        const auto plan = test::required(mesher.plan(run, {.frame = frame}));
         std::uint64_t thin = 0;
         for (const drawn_glyph& s : plan->glyphs()) {
             const solid& shape = s.built->form();
@@ -348,8 +346,7 @@ TEST_CASE("10,000 different glyphs need memory in proportion, less than half of 
         const glyph_run run = run_of(count, 1000.0, [](std::size_t i) { return static_cast<glyph_id>(i); });
         std::size_t first_peak = 0;
         for (int i = 0; i < 3; ++i) {
-            const auto plan = mesher.plan(run);
-            REQUIRE(plan);
+            const auto plan = test::required(mesher.plan(run));
             CHECK(plan->meshes().size() == count);
             const double output = static_cast<double>(plan->size().vertices * 32 + plan->size().indices() * 4);
             CHECK(static_cast<double>(counted.peak) <= 0.5 * output);
@@ -369,8 +366,7 @@ TEST_CASE("100,000 characters draw each glyph once and need memory in proportion
     text_mesher mesher{font, counted.source()};
     std::string text;
     for (std::size_t i = 0; i < 100'000; ++i) text += "oEixo E"[i * 31 % 7];
-    const auto plan = mesher.plan(text);
-    REQUIRE(plan);
+    const auto plan = test::required(mesher.plan(text));
     CHECK(plan->meshes().size() == 4);
     CHECK(plan->report().complete());
     const std::uint64_t output = plan->size().vertices * 32 + plan->size().indices() * 4;
@@ -385,8 +381,7 @@ TEST_CASE("each triangle's hit is the glyph and the cluster that it was written 
     test::toy_font font;
     auto mesher = text_mesher{font}.with(bevelled{.width = 0.01f});
     for (const bool merge : {false, true}) {
-        auto plan = mesher.plan("oEi x~o\noEq oooo", {.merge = merge});
-        REQUIRE(plan);
+        auto plan = test::required(mesher.plan("oEi x~o\noEq oooo", {.merge = merge}));
         for (const part p : plan->parts()) {
             std::uint32_t triangle = 0;
             for (std::size_t g = 0; g < plan->glyphs().size(); ++g) {
@@ -429,8 +424,7 @@ TEST_CASE("each instance's hit is its glyph and cluster, as in the whole mesh", 
         glyph_run run;
         REQUIRE(layout(font, "oEi x~o\noEq oooo", {}, {}, run));
         run.glyphs[0].origin.x += run.glyphs[1].origin.x * 0.5;  // onto its neighbour
-        auto plan = mesher.plan(run, {.merge = merge});
-        REQUIRE(plan);
+        auto plan = test::required(mesher.plan(run, {.merge = merge}));
         REQUIRE(plan->meshes().size() < plan->glyphs().size());
         REQUIRE((plan->members(0).size() == 2) == merge);
         std::size_t instances = 0;

@@ -2,7 +2,7 @@
 #include "support/catch.hpp"
 #include "support/executors.hpp"
 #include "support/mesh_laws.hpp"
-#include "support/toy_font.hpp"
+#include "support/toy_runs.hpp"
 #include "support/written_mesh.hpp"
 
 #include <typemesh/typemesh.hpp>
@@ -47,8 +47,7 @@ TEST_CASE("what a mesher lacks is said when it is to plan", "[text][text_planner
     CHECK(kept.plan("o").error() == error::no_cache_key);
     text_mesher unlocked{font, cached_in{cache, 1}};
     test::scrambled_workers several{2};
-    auto workers = workers_of(several, [](std::size_t) noexcept -> result<test::toy_font> { return test::toy_font{}; });
-    REQUIRE(workers);
+    auto workers = test::toy_team(several);
     CHECK(unlocked.plan("o", {}, *workers).error() == error::unlocked_cache);
     CHECK(unlocked.plan("o"));
 }
