@@ -54,45 +54,22 @@ public:
         return sink->SetLineBreakpoints(at + half, length - half + (overruns ? 5 : 0), said.data() + half);
     }
 
-    HRESULT STDMETHODCALLTYPE AnalyzeScript(IDWriteTextAnalysisSource*, UINT32, UINT32,
-                                            IDWriteTextAnalysisSink*) noexcept override
-    {
-        return E_NOTIMPL;
-    }
-    HRESULT STDMETHODCALLTYPE AnalyzeBidi(IDWriteTextAnalysisSource*, UINT32, UINT32,
-                                          IDWriteTextAnalysisSink*) noexcept override
-    {
-        return E_NOTIMPL;
-    }
-    HRESULT STDMETHODCALLTYPE AnalyzeNumberSubstitution(IDWriteTextAnalysisSource*, UINT32, UINT32,
-                                                        IDWriteTextAnalysisSink*) noexcept override
-    {
-        return E_NOTIMPL;
-    }
-    HRESULT STDMETHODCALLTYPE GetGlyphs(const WCHAR*, UINT32, IDWriteFontFace*, BOOL, BOOL,
-                                        const DWRITE_SCRIPT_ANALYSIS*, const WCHAR*, IDWriteNumberSubstitution*,
-                                        const DWRITE_TYPOGRAPHIC_FEATURES**, const UINT32*, UINT32, UINT32, UINT16*,
-                                        DWRITE_SHAPING_TEXT_PROPERTIES*, UINT16*, DWRITE_SHAPING_GLYPH_PROPERTIES*,
-                                        UINT32*) noexcept override
-    {
-        return E_NOTIMPL;
-    }
-    HRESULT STDMETHODCALLTYPE GetGlyphPlacements(const WCHAR*, const UINT16*, DWRITE_SHAPING_TEXT_PROPERTIES*, UINT32,
-                                                 const UINT16*, const DWRITE_SHAPING_GLYPH_PROPERTIES*, UINT32,
-                                                 IDWriteFontFace*, FLOAT, BOOL, BOOL, const DWRITE_SCRIPT_ANALYSIS*,
-                                                 const WCHAR*, const DWRITE_TYPOGRAPHIC_FEATURES**, const UINT32*,
-                                                 UINT32, FLOAT*, DWRITE_GLYPH_OFFSET*) noexcept override
-    {
-        return E_NOTIMPL;
-    }
-    HRESULT STDMETHODCALLTYPE GetGdiCompatibleGlyphPlacements(
-        const WCHAR*, const UINT16*, DWRITE_SHAPING_TEXT_PROPERTIES*, UINT32, const UINT16*,
-        const DWRITE_SHAPING_GLYPH_PROPERTIES*, UINT32, IDWriteFontFace*, FLOAT, FLOAT, const DWRITE_MATRIX*, BOOL,
-        BOOL, BOOL, const DWRITE_SCRIPT_ANALYSIS*, const WCHAR*, const DWRITE_TYPOGRAPHIC_FEATURES**, const UINT32*,
-        UINT32, FLOAT*, DWRITE_GLYPH_OFFSET*) noexcept override
-    {
-        return E_NOTIMPL;
-    }
+    TYPEMESH_TEST_UNUSED(AnalyzeScript, IDWriteTextAnalysisSource*, UINT32, UINT32, IDWriteTextAnalysisSink*);
+    TYPEMESH_TEST_UNUSED(AnalyzeBidi, IDWriteTextAnalysisSource*, UINT32, UINT32, IDWriteTextAnalysisSink*);
+    TYPEMESH_TEST_UNUSED(AnalyzeNumberSubstitution, IDWriteTextAnalysisSource*, UINT32, UINT32,
+                         IDWriteTextAnalysisSink*);
+    TYPEMESH_TEST_UNUSED(GetGlyphs, const WCHAR*, UINT32, IDWriteFontFace*, BOOL, BOOL, const DWRITE_SCRIPT_ANALYSIS*,
+                         const WCHAR*, IDWriteNumberSubstitution*, const DWRITE_TYPOGRAPHIC_FEATURES**, const UINT32*,
+                         UINT32, UINT32, UINT16*, DWRITE_SHAPING_TEXT_PROPERTIES*, UINT16*,
+                         DWRITE_SHAPING_GLYPH_PROPERTIES*, UINT32*);
+    TYPEMESH_TEST_UNUSED(GetGlyphPlacements, const WCHAR*, const UINT16*, DWRITE_SHAPING_TEXT_PROPERTIES*, UINT32,
+                         const UINT16*, const DWRITE_SHAPING_GLYPH_PROPERTIES*, UINT32, IDWriteFontFace*, FLOAT, BOOL,
+                         BOOL, const DWRITE_SCRIPT_ANALYSIS*, const WCHAR*, const DWRITE_TYPOGRAPHIC_FEATURES**,
+                         const UINT32*, UINT32, FLOAT*, DWRITE_GLYPH_OFFSET*);
+    TYPEMESH_TEST_UNUSED(GetGdiCompatibleGlyphPlacements, const WCHAR*, const UINT16*, DWRITE_SHAPING_TEXT_PROPERTIES*,
+                         UINT32, const UINT16*, const DWRITE_SHAPING_GLYPH_PROPERTIES*, UINT32, IDWriteFontFace*, FLOAT,
+                         FLOAT, const DWRITE_MATRIX*, BOOL, BOOL, BOOL, const DWRITE_SCRIPT_ANALYSIS*, const WCHAR*,
+                         const DWRITE_TYPOGRAPHIC_FEATURES**, const UINT32*, UINT32, FLOAT*, DWRITE_GLYPH_OFFSET*);
 };
 
 /// "thai language", of two words, in Thai.

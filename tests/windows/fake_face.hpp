@@ -20,7 +20,7 @@ public:
     UINT16 glyphs = 10;
 
     DWRITE_FONT_FACE_TYPE STDMETHODCALLTYPE GetType() noexcept override { return DWRITE_FONT_FACE_TYPE_TRUETYPE; }
-    HRESULT STDMETHODCALLTYPE GetFiles(UINT32*, IDWriteFontFile**) noexcept override { return E_NOTIMPL; }
+    TYPEMESH_TEST_UNUSED(GetFiles, UINT32*, IDWriteFontFile**);
     UINT32 STDMETHODCALLTYPE GetIndex() noexcept override { return 0; }
     DWRITE_FONT_SIMULATIONS STDMETHODCALLTYPE GetSimulations() noexcept override
     {
@@ -36,12 +36,8 @@ public:
         m->lineGap = -10;
     }
     UINT16 STDMETHODCALLTYPE GetGlyphCount() noexcept override { return glyphs; }
-    HRESULT STDMETHODCALLTYPE GetDesignGlyphMetrics(const UINT16*, UINT32, DWRITE_GLYPH_METRICS*,
-                                                    BOOL) noexcept override
-    {
-        return E_NOTIMPL;
-    }
-    HRESULT STDMETHODCALLTYPE GetGlyphIndices(const UINT32*, UINT32, UINT16*) noexcept override { return E_NOTIMPL; }
+    TYPEMESH_TEST_UNUSED(GetDesignGlyphMetrics, const UINT16*, UINT32, DWRITE_GLYPH_METRICS*, BOOL);
+    TYPEMESH_TEST_UNUSED(GetGlyphIndices, const UINT32*, UINT32, UINT16*);
     HRESULT STDMETHODCALLTYPE TryGetFontTable(UINT32, const void** data, UINT32* size, void** context,
                                               BOOL* exists) noexcept override
     {
@@ -58,21 +54,11 @@ public:
         asked_em_size = em_size;
         return draws(*sink);
     }
-    HRESULT STDMETHODCALLTYPE GetRecommendedRenderingMode(FLOAT, FLOAT, DWRITE_MEASURING_MODE, IDWriteRenderingParams*,
-                                                          DWRITE_RENDERING_MODE*) noexcept override
-    {
-        return E_NOTIMPL;
-    }
-    HRESULT STDMETHODCALLTYPE GetGdiCompatibleMetrics(FLOAT, FLOAT, const DWRITE_MATRIX*,
-                                                      DWRITE_FONT_METRICS*) noexcept override
-    {
-        return E_NOTIMPL;
-    }
-    HRESULT STDMETHODCALLTYPE GetGdiCompatibleGlyphMetrics(FLOAT, FLOAT, const DWRITE_MATRIX*, BOOL, const UINT16*,
-                                                           UINT32, DWRITE_GLYPH_METRICS*, BOOL) noexcept override
-    {
-        return E_NOTIMPL;
-    }
+    TYPEMESH_TEST_UNUSED(GetRecommendedRenderingMode, FLOAT, FLOAT, DWRITE_MEASURING_MODE, IDWriteRenderingParams*,
+                         DWRITE_RENDERING_MODE*);
+    TYPEMESH_TEST_UNUSED(GetGdiCompatibleMetrics, FLOAT, FLOAT, const DWRITE_MATRIX*, DWRITE_FONT_METRICS*);
+    TYPEMESH_TEST_UNUSED(GetGdiCompatibleGlyphMetrics, FLOAT, FLOAT, const DWRITE_MATRIX*, BOOL, const UINT16*, UINT32,
+                         DWRITE_GLYPH_METRICS*, BOOL);
 };
 
 class fake_face final : public fake_face_of<IDWriteFontFace> {};
