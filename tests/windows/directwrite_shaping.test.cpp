@@ -19,15 +19,8 @@ using namespace typemesh;
 
 namespace {
 
-constexpr char dejavu[] = "/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf";
-constexpr char amiri[] = "/usr/share/fonts/opentype/fonts-hosny-amiri/Amiri-Regular.ttf";
 constexpr char mincho[] = "/usr/share/fonts/truetype/sawarabi-mincho/sawarabi-mincho-medium.ttf";
-constexpr char micro_hei[] = "/usr/share/fonts/truetype/wqy/wqy-microhei.ttc";
-
-result<directwrite_font> opened(const std::string& path)
-{
-    return directwrite_font::open(test::windows_path(path).c_str());
-}
+using namespace test;
 
 using glyphs_of_item = std::vector<shaped_glyph>;
 
@@ -245,7 +238,7 @@ TEST_CASE("a character has a vertical form if its glyph in columns is another on
         forms += font->has_vertical_form(c) ? 1u : 0u;
     }
     CHECK(forms > 0);
-    test::fake_face face;  // it fails when it is asked for the glyph of a character
+    fake_face face;  // it fails when it is asked for the glyph of a character
     auto failing = directwrite_font::wrap(&face);
     REQUIRE(failing);
     CHECK_FALSE(failing->has_vertical_form(U'、'));

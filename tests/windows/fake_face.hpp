@@ -10,6 +10,16 @@
 
 namespace test {
 
+/// A square with its lower left corner at the origin; y grows downwards where it is drawn.
+inline void square(ID2D1SimplifiedGeometrySink& to, FLOAT size = 100.0f, D2D1_FIGURE_END end = D2D1_FIGURE_END_CLOSED,
+                   D2D1_FIGURE_BEGIN begin = D2D1_FIGURE_BEGIN_FILLED)
+{
+    to.BeginFigure({0.0f, 0.0f}, begin);
+    const D2D1_POINT_2F rest[] = {{size, 0.0f}, {size, -size}, {0.0f, -size}};
+    to.AddLines(rest, 3);
+    to.EndFigure(end);
+}
+
 /// A font face that draws what a test wants, and counts its references. 1000 units to the em, 10 glyphs.
 template <class Interface>
 class fake_face_of : public counted<Interface> {
