@@ -17,20 +17,6 @@ using test::guarded_bytes;
 
 namespace {
 
-template <class Vertex>
-seen read(std::span<const Vertex> vertices)
-{
-    seen mesh;
-    for (const Vertex& v : vertices) {
-        const vec4 n = v.normal.decoded();
-        mesh.position.push_back({v.position[0], v.position[1], v.position[2]});
-        mesh.normal.push_back({n.x, n.y, n.z});
-        mesh.tangent.push_back(v.tangent.decoded());
-        mesh.uv.push_back({static_cast<float>(v.uv[0]), static_cast<float>(v.uv[1])});
-    }
-    return mesh;
-}
-
 engine packed(engine is)
 {
     is.off_direction = 0.0025;

@@ -11,6 +11,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <string_view>
 #include <type_traits>
 #include <utility>
@@ -80,6 +81,21 @@ struct seen {
         uv.push_back({f(at[0]), f(at[1])});
     }
 };
+
+/// The vertices of OpenGL's and Vulkan's recipes.
+template <class Vertex>
+seen read(std::span<const Vertex> vertices)
+{
+    seen mesh;
+    for (const Vertex& v : vertices) {
+        const vec4 n = v.normal.decoded();
+        mesh.position.push_back({v.position[0], v.position[1], v.position[2]});
+        mesh.normal.push_back({n.x, n.y, n.z});
+        mesh.tangent.push_back(v.tangent.decoded());
+        mesh.uv.push_back({static_cast<float>(v.uv[0]), static_cast<float>(v.uv[1])});
+    }
+    return mesh;
+}
 
 /// An engine's conventions, by its documentation.
 struct engine {
