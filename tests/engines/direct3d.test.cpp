@@ -34,39 +34,35 @@ TEMPLATE_TEST_CASE("Direct3D 9 gets left-handed 32-byte vertices, clockwise tria
                    "[engines]", bench, bevelled_bench)
 {
     TestType b;
-    auto plan = b.mesher.plan(word, d9::options());
-    REQUIRE(plan);
+    const auto plan = planned(b, d9::options());
     for (const D3DFORMAT format : {D3DFMT_INDEX16, D3DFMT_INDEX32}) {
         const std::size_t width = format == D3DFMT_INDEX16 ? 2 : 4;
-        IDirect3DVertexBuffer9 vertices{std::vector<std::uint8_t>(32 * plan->size().vertices)};
-        IDirect3DIndexBuffer9 indices{format, std::vector<std::uint8_t>(width * plan->size().indices())};
-        REQUIRE(d9::fill(*plan, vertices, indices));
+        IDirect3DVertexBuffer9 vertices{std::vector<std::uint8_t>(32 * plan.size().vertices)};
+        IDirect3DIndexBuffer9 indices{format, std::vector<std::uint8_t>(width * plan.size().indices())};
+        REQUIRE(d9::fill(plan, vertices, indices));
         CHECK(vertices.locks == 0);
         CHECK(indices.locks == 0);
         seen mesh;
-        for (std::size_t i = 0; i < plan->size().vertices; ++i) {
+        for (std::size_t i = 0; i < plan.size().vertices; ++i) {
             float f[8];
             std::memcpy(f, vertices.bytes.data() + 32 * i, sizeof f);
-            mesh.position.push_back({f[0], f[1], f[2]});
-            mesh.normal.push_back({f[3], f[4], f[5]});
-            mesh.uv.push_back({f[6], f[7]});
+            mesh.add({f[0], f[1], f[2]}, f + 3, nullptr, f + 6);
         }
-        mesh.index = width == 2 ? numbers<std::uint16_t>(indices.bytes.data(), plan->size().indices())
-                                : numbers<std::uint32_t>(indices.bytes.data(), plan->size().indices());
-        obeys(mesh, *plan, direct3d);
+        mesh.index = width == 2 ? numbers<std::uint16_t>(indices.bytes.data(), plan.size().indices())
+                                : numbers<std::uint32_t>(indices.bytes.data(), plan.size().indices());
+        obeys(mesh, plan, direct3d);
     }
 }
 
 TEST_CASE("Direct3D 9 buffers that are too small are refused and stay unchanged", "[engines]")
 {
     bench b;
-    auto plan = b.mesher.plan(word, d9::options());
-    REQUIRE(plan);
-    IDirect3DVertexBuffer9 vertices{std::vector<std::uint8_t>(32 * plan->size().vertices - 1, 0xEE)};
-    IDirect3DIndexBuffer9 indices{D3DFMT_INDEX16, std::vector<std::uint8_t>(2 * plan->size().indices(), 0xEE)};
-    const error e = d9::fill(*plan, vertices, indices).error();
+    const auto plan = planned(b, d9::options());
+    IDirect3DVertexBuffer9 vertices{std::vector<std::uint8_t>(32 * plan.size().vertices - 1, 0xEE)};
+    IDirect3DIndexBuffer9 indices{D3DFMT_INDEX16, std::vector<std::uint8_t>(2 * plan.size().indices(), 0xEE)};
+    const error e = d9::fill(plan, vertices, indices).error();
     CHECK(e == error::buffer_too_small);
-    CHECK(e.count == plan->size().vertices);
+    CHECK(e.count == plan.size().vertices);
     CHECK(vertices.bytes == std::vector<std::uint8_t>(vertices.bytes.size(), 0xEE));
     CHECK(indices.bytes == std::vector<std::uint8_t>(indices.bytes.size(), 0xEE));
     CHECK(vertices.locks == 0);
@@ -76,45 +72,37 @@ TEMPLATE_TEST_CASE("Direct3D 11 gets 32-byte and packed vertices, up to the last
                    bench, bevelled_bench)
 {
     TestType b;
-    auto plan = b.mesher.plan(word, d11::options());
-    REQUIRE(plan);
-    const std::size_t n = plan->size().vertices, m = plan->size().indices();
+    const auto plan = planned(b, d11::options());
+    const std::size_t n = plan.size().vertices, m = plan.size().indices();
     {
         const guarded_bytes vertices{n * sizeof(d11::vertex)}, indices{m * 2};
-        REQUIRE(d11::fill<d11::vertex>(*plan, vertices.bytes().data(), n * sizeof(d11::vertex), indices.bytes().data(),
+        REQUIRE(d11::fill<d11::vertex>(plan, vertices.bytes().data(), n * sizeof(d11::vertex), indices.bytes().data(),
                                        m * 2, DXGI_FORMAT_R16_UINT));
         seen mesh;
-        for (const d11::vertex& v : vertices.as<d11::vertex>()) {
-            mesh.position.push_back({v.position[0], v.position[1], v.position[2]});
-            mesh.normal.push_back({v.normal[0], v.normal[1], v.normal[2]});
-            mesh.uv.push_back({v.uv[0], v.uv[1]});
-        }
+        for (const d11::vertex& v : vertices.as<d11::vertex>())
+            mesh.add({v.position[0], v.position[1], v.position[2]}, v.normal, nullptr, v.uv);
         mesh.index = numbers<std::uint16_t>(indices.bytes().data(), m);
-        obeys(mesh, *plan, direct3d);
+        obeys(mesh, plan, direct3d);
     }
     {
         const guarded_bytes vertices{n * sizeof(d11::packed_vertex)}, indices{m * 4};
-        REQUIRE(d11::fill<d11::packed_vertex>(*plan, vertices.bytes().data(), n * sizeof(d11::packed_vertex),
+        REQUIRE(d11::fill<d11::packed_vertex>(plan, vertices.bytes().data(), n * sizeof(d11::packed_vertex),
                                               indices.bytes().data(), m * 4, DXGI_FORMAT_R32_UINT));
         seen mesh;
         std::size_t of_second = 0;
         for (const d11::packed_vertex& v : vertices.as<d11::packed_vertex>()) {
-            const auto f = [](auto packed) { return static_cast<float>(packed); };
-            mesh.position.push_back({v.position[0], v.position[1], v.position[2]});
-            mesh.normal.push_back({f(v.normal[0]), f(v.normal[1]), f(v.normal[2])});
-            mesh.tangent.push_back({f(v.tangent[0]), f(v.tangent[1]), f(v.tangent[2]), f(v.tangent[3])});
-            mesh.uv.push_back({f(v.uv[0]), f(v.uv[1])});
+            mesh.add({v.position[0], v.position[1], v.position[2]}, v.normal, v.tangent, v.uv);
             CHECK((v.cluster == 0 || v.cluster == 1 || v.cluster == 3 || v.cluster == 4));  // bytes of UTF-8
             of_second += v.cluster == 1;
         }
         std::size_t all_of_second = 0;
-        for (const part p : plan->parts()) all_of_second += plan->range(1, p).vertex_count;
+        for (const part p : plan.parts()) all_of_second += plan.range(1, p).vertex_count;
         CHECK(of_second == all_of_second);
         mesh.index = numbers<std::uint32_t>(indices.bytes().data(), m);
         engine packed = direct3d;
         packed.off_direction = 0.01;
         packed.off_uv = 1e-3;  // half a step of a half from 2 em on
-        obeys(mesh, *plan, packed);
+        obeys(mesh, plan, packed);
     }
 }
 

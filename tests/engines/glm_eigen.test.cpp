@@ -22,9 +22,8 @@ TEMPLATE_TEST_CASE("GLM's vectors contain a right-handed mesh with counter-clock
     TestType b;
     std::vector<engines::glm_vertex> vertices;
     std::vector<std::uint32_t> indices;
-    auto plan = b.mesher.plan(word, engines::glm_options());
-    REQUIRE(plan);
-    REQUIRE(plan->write(into(vertices, indices)));
+    const auto plan = planned(b, engines::glm_options());
+    REQUIRE(plan.write(into(vertices, indices)));
     seen mesh;
     for (const auto& v : vertices) {
         mesh.position.push_back(from_glm(v.position));
@@ -33,7 +32,7 @@ TEMPLATE_TEST_CASE("GLM's vectors contain a right-handed mesh with counter-clock
         mesh.uv.push_back(from_glm(v.uv));
     }
     mesh.index = indices;
-    obeys(mesh, *plan, opengl);
+    obeys(mesh, plan, opengl);
 }
 #endif
 
@@ -47,11 +46,10 @@ TEMPLATE_TEST_CASE("Eigen's matrices contain a mesh with z up, one row or column
     using triangles_type =
         std::conditional_t<by_rows, Eigen::Matrix<int, Eigen::Dynamic, 3, Eigen::RowMajor>, Eigen::Matrix3Xi>;
     typename TestType::second_type b;
-    auto plan = b.mesher.plan(word, engines::eigen::options());
-    REQUIRE(plan);
+    const auto plan = planned(b, engines::eigen::options());
     places_type places, normals;
     triangles_type triangles;
-    REQUIRE(engines::eigen::write(*plan, places, normals, triangles));
+    REQUIRE(engines::eigen::write(plan, places, normals, triangles));
     const auto at = [](auto& m, std::size_t i, int k) {
         if constexpr (by_rows)
             return m(static_cast<decltype(m.rows())>(i), k);
@@ -59,11 +57,11 @@ TEMPLATE_TEST_CASE("Eigen's matrices contain a mesh with z up, one row or column
             return m(k, static_cast<decltype(m.rows())>(i));
     };
     seen mesh;
-    for (std::size_t i = 0; i < plan->size().vertices; ++i) {
+    for (std::size_t i = 0; i < plan.size().vertices; ++i) {
         mesh.position.push_back({at(places, i, 0), at(places, i, 1), at(places, i, 2)});
         mesh.normal.push_back({at(normals, i, 0), at(normals, i, 1), at(normals, i, 2)});
     }
-    for (std::size_t i = 0; i < plan->size().triangles; ++i)
+    for (std::size_t i = 0; i < plan.size().triangles; ++i)
         for (int k = 0; k < 3; ++k) mesh.index.push_back(static_cast<std::uint32_t>(at(triangles, i, k)));
-    obeys(mesh, *plan, cad);
+    obeys(mesh, plan, cad);
 }

@@ -17,20 +17,6 @@ using test::guarded_bytes;
 
 namespace {
 
-template <class Vertex>
-seen read(std::span<const Vertex> vertices)
-{
-    seen mesh;
-    for (const Vertex& v : vertices) {
-        const vec4 n = v.normal.decoded();
-        mesh.position.push_back({v.position[0], v.position[1], v.position[2]});
-        mesh.normal.push_back({n.x, n.y, n.z});
-        mesh.tangent.push_back(v.tangent.decoded());
-        mesh.uv.push_back({static_cast<float>(v.uv[0]), static_cast<float>(v.uv[1])});
-    }
-    return mesh;
-}
-
 engine packed(engine is)
 {
     is.off_direction = 0.0025;
@@ -44,14 +30,13 @@ TEMPLATE_TEST_CASE("OpenGL gets interleaved vertices of 24 bytes, counter-clockw
                    "[engines]", bench, bevelled_bench)
 {
     TestType b;
-    auto plan = b.mesher.plan(word, engines::opengl::options());
-    REQUIRE(plan);
-    const guarded_bytes vertices{plan->size().vertices * sizeof(engines::opengl::vertex)},
-        indices{plan->size().indices() * 2};
-    REQUIRE(plan->write(into(vertices.as<engines::opengl::vertex>(), indices.as<std::uint16_t>())));
+    const auto plan = planned(b, engines::opengl::options());
+    const guarded_bytes vertices{plan.size().vertices * sizeof(engines::opengl::vertex)},
+        indices{plan.size().indices() * 2};
+    REQUIRE(plan.write(into(vertices.as<engines::opengl::vertex>(), indices.as<std::uint16_t>())));
     seen mesh = read<engines::opengl::vertex>(vertices.as<engines::opengl::vertex>());
     for (const std::uint16_t i : indices.as<std::uint16_t>()) mesh.index.push_back(i);
-    obeys(mesh, *plan, packed(opengl));
+    obeys(mesh, plan, packed(opengl));
 }
 
 TEST_CASE("OpenGL gets pointers to four attributes, relative to the first vertex", "[engines]")
@@ -75,33 +60,31 @@ TEMPLATE_TEST_CASE("two texts share Vulkan buffers, and the indices of the secon
     TestType b;
     guarded_bytes vertices{24 * 60'000}, indices{4 * 200'000};
     engines::vulkan::room room{vertices.bytes(), indices.bytes()};
-    auto first = b.mesher.plan("first", engines::vulkan::options());
-    REQUIRE(first);
-    const auto at = room.add(*first);
+    const auto first = planned(b, engines::vulkan::options(), "first");
+    const auto at = room.add(first);
     REQUIRE(at);
     CHECK(at->first_index == 0);
-    const auto before = static_cast<std::uint32_t>(first->size().vertices);
+    const auto before = static_cast<std::uint32_t>(first.size().vertices);
 
-    auto plan = b.mesher.plan(word, engines::vulkan::options());
-    REQUIRE(plan);
-    const auto here = room.add(*plan);
+    const auto plan = planned(b, engines::vulkan::options());
+    const auto here = room.add(plan);
     REQUIRE(here);
     CHECK(here->first_index == at->index_count);
-    CHECK(room.vertex_count == before + plan->size().vertices);
+    CHECK(room.vertex_count == before + plan.size().vertices);
     using vertex = engines::vulkan::vertex;
-    seen mesh = read<vertex>(vertices.as<vertex>().subspan(before, plan->size().vertices));
+    seen mesh = read<vertex>(vertices.as<vertex>().subspan(before, plan.size().vertices));
     for (const std::uint32_t i : indices.as<std::uint32_t>().subspan(here->first_index, here->index_count)) {
         REQUIRE(i >= before);
         mesh.index.push_back(i - before);
     }
     engine is = packed(gltf);
     is.green_up = false;
-    obeys(mesh, *plan, is);
+    obeys(mesh, plan, is);
     for (const std::byte rest : vertices.bytes().subspan(24 * room.vertex_count)) REQUIRE(rest == std::byte{0xEE});
 
     engines::vulkan::room full = room;
     full.vertices = full.vertices.first(24 * room.vertex_count);
-    CHECK(full.add(*plan).error() == error::buffer_too_small);
+    CHECK(full.add(plan).error() == error::buffer_too_small);
     CHECK(full.vertex_count == room.vertex_count);
 }
 

@@ -11,6 +11,10 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <span>
+#include <string_view>
+#include <type_traits>
+#include <utility>
 #include <vector>
 
 #include "support/catch.hpp"
@@ -50,13 +54,48 @@ using bench = bench_of<extruded<>>;
 using bevelled_bench = bench_of<bevelled>;
 inline constexpr double bevel = 0.02;  // as wide and as deep
 
+/// The plan of a text, by default of the word.
+template <class Bench>
+auto planned(Bench& b, const text_options& o, std::string_view text = word)
+{
+    auto plan = b.mesher.plan(text, o);
+    REQUIRE(plan);
+    return std::move(*plan);
+}
+
 /// A mesh read back from an engine's buffers.
 struct seen {
     std::vector<vec3> position, normal;
     std::vector<vec4> tangent;  ///< may be empty
     std::vector<vec2> uv;       ///< may be empty
     std::vector<std::uint32_t> index;
+
+    /// One vertex: three coordinates each, a tangent of four or none, and texture coordinates. They may be packed.
+    template <class Normal, class Tangent, class Uv>
+    void add(vec3 p, const Normal& n, const Tangent& t, const Uv& at)
+    {
+        const auto f = [](auto packed) { return static_cast<float>(packed); };
+        position.push_back(p);
+        normal.push_back({f(n[0]), f(n[1]), f(n[2])});
+        if constexpr (!std::is_null_pointer_v<Tangent>) tangent.push_back({f(t[0]), f(t[1]), f(t[2]), f(t[3])});
+        uv.push_back({f(at[0]), f(at[1])});
+    }
 };
+
+/// The vertices of OpenGL's and Vulkan's recipes.
+template <class Vertex>
+seen read(std::span<const Vertex> vertices)
+{
+    seen mesh;
+    for (const Vertex& v : vertices) {
+        const vec4 n = v.normal.decoded();
+        mesh.position.push_back({v.position[0], v.position[1], v.position[2]});
+        mesh.normal.push_back({n.x, n.y, n.z});
+        mesh.tangent.push_back(v.tangent.decoded());
+        mesh.uv.push_back({static_cast<float>(v.uv[0]), static_cast<float>(v.uv[1])});
+    }
+    return mesh;
+}
 
 /// An engine's conventions, by its documentation.
 struct engine {

@@ -119,29 +119,25 @@ TEMPLATE_TEST_CASE("three.js gets one typed array per attribute, counter-clockwi
                    bench, bevelled_bench)
 {
     TestType b;
-    auto plan = b.mesher.plan(word, engines::three::options());
-    REQUIRE(plan);
-    const std::size_t n = plan->size().vertices;
+    const auto plan = planned(b, engines::three::options());
+    const std::size_t n = plan.size().vertices;
     std::vector<float> position(3 * n), normal(3 * n), tangent(4 * n), uv(2 * n);
-    std::vector<std::uint32_t> index(plan->size().indices());
-    REQUIRE(engines::three::write(*plan, engines::three::buffer_geometry<>{position, normal, tangent, uv, index}));
+    std::vector<std::uint32_t> index(plan.size().indices());
+    REQUIRE(engines::three::write(plan, engines::three::buffer_geometry<>{position, normal, tangent, uv, index}));
     seen mesh;
-    for (std::size_t i = 0; i < n; ++i) {
-        mesh.position.push_back({position[3 * i], position[3 * i + 1], position[3 * i + 2]});
-        mesh.normal.push_back({normal[3 * i], normal[3 * i + 1], normal[3 * i + 2]});
-        mesh.tangent.push_back({tangent[4 * i], tangent[4 * i + 1], tangent[4 * i + 2], tangent[4 * i + 3]});
-        mesh.uv.push_back({uv[2 * i], uv[2 * i + 1]});
-    }
+    for (std::size_t i = 0; i < n; ++i)
+        mesh.add({position[3 * i], position[3 * i + 1], position[3 * i + 2]}, &normal[3 * i], &tangent[4 * i],
+                 &uv[2 * i]);
     mesh.index = index;
-    obeys(mesh, *plan, opengl);
+    obeys(mesh, plan, opengl);
 
     std::vector<std::uint16_t> narrow(index.size());
     REQUIRE(engines::three::write(
-        *plan, engines::three::buffer_geometry<std::uint16_t>{position, normal, tangent, uv, narrow}));
+        plan, engines::three::buffer_geometry<std::uint16_t>{position, normal, tangent, uv, narrow}));
     CHECK(std::vector<std::uint32_t>(narrow.begin(), narrow.end()) == index);
     std::vector<float> short_uv(2 * n - 1, -7.0f);
     const error e =
-        engines::three::write(*plan, engines::three::buffer_geometry<>{position, normal, tangent, short_uv, index})
+        engines::three::write(plan, engines::three::buffer_geometry<>{position, normal, tangent, short_uv, index})
             .error();
     CHECK(e == error::buffer_too_small);
     CHECK(e.count == n);
@@ -152,20 +148,16 @@ TEMPLATE_TEST_CASE("a plain glTF file contains right-handed floats, counter-cloc
                    "[engines]", bench, bevelled_bench)
 {
     TestType b;
-    auto plan = b.mesher.plan(word, engines::gltf::options());
-    REQUIRE(plan);
-    const glb g = written(*plan, engines::gltf::layout::plain);
+    const auto plan = planned(b, engines::gltf::options());
+    const glb g = written(plan, engines::gltf::layout::plain);
     seen mesh;
-    for (std::size_t i = 0; i < plan->size().vertices; ++i) {
+    for (std::size_t i = 0; i < plan.size().vertices; ++i) {
         float f[12];
         std::memcpy(f, g.bin.data() + 48 * i, sizeof f);
-        mesh.position.push_back({f[0], f[1], f[2]});
-        mesh.normal.push_back({f[3], f[4], f[5]});
-        mesh.tangent.push_back({f[6], f[7], f[8], f[9]});
-        mesh.uv.push_back({f[10], f[11]});
+        mesh.add({f[0], f[1], f[2]}, f + 3, f + 6, f + 10);
     }
-    mesh.index = indices_in(g, *plan, 48);
-    obeys(mesh, *plan, gltf);
+    mesh.index = indices_in(g, plan, 48);
+    obeys(mesh, plan, gltf);
     double low[3] = {1e9, 1e9, 1e9}, high[3] = {-1e9, -1e9, -1e9};
     for (const vec3 p : mesh.position) {
         const double at[3] = {p.x, p.y, p.z};
@@ -183,18 +175,17 @@ TEMPLATE_TEST_CASE("a quantised glTF file contains the same mesh in 20 bytes per
                    "[engines]", bench, bevelled_bench)
 {
     TestType b;
-    auto plan = b.mesher.plan(word, engines::gltf::options());
-    REQUIRE(plan);
-    const glb g = written(*plan, engines::gltf::layout::quantised);
+    const auto plan = planned(b, engines::gltf::options());
+    const glb g = written(plan, engines::gltf::layout::quantised);
     CHECK(g.json.find("extensionsRequired\":[\"KHR_mesh_quantization\"]") != std::string::npos);
     const auto nodes = letter_nodes(g.json);
-    REQUIRE(nodes.size() == plan->glyphs().size());
-    std::vector<std::size_t> letter_of(plan->size().vertices);
+    REQUIRE(nodes.size() == plan.glyphs().size());
+    std::vector<std::size_t> letter_of(plan.size().vertices);
     for (std::size_t i = 0; i < nodes.size(); ++i) {
         REQUIRE(nodes[i].scale[0] == nodes[i].scale[1]);
         REQUIRE(nodes[i].scale[0] == nodes[i].scale[2]);
-        for (const part where : plan->parts()) {
-            const mesh_range range = plan->range(i, where);
+        for (const part where : plan.parts()) {
+            const mesh_range range = plan.range(i, where);
             for (std::uint32_t k = 0; k < range.vertex_count; ++k) letter_of.at(range.first_vertex + k) = i;
         }
     }
@@ -202,7 +193,7 @@ TEMPLATE_TEST_CASE("a quantised glTF file contains the same mesh in 20 bytes per
     const auto uv_offset = numbers_after(transform, "offset"), uv_scale = numbers_after(transform, "scale");
     seen mesh;
     double low[3] = {1e9, 1e9, 1e9}, high[3] = {-1, -1, -1};
-    for (std::size_t i = 0; i < plan->size().vertices; ++i) {
+    for (std::size_t i = 0; i < plan.size().vertices; ++i) {
         struct {
             std::uint16_t position[4];
             std::int8_t normal[4], tangent[4];
@@ -225,18 +216,18 @@ TEMPLATE_TEST_CASE("a quantised glTF file contains the same mesh in 20 bytes per
         CHECK(v.position[3] == 0);
         CHECK(v.normal[3] == 0);
     }
-    mesh.index = indices_in(g, *plan, 20);
+    mesh.index = indices_in(g, plan, 20);
     CHECK(numbers_after(g.json, "min") == std::vector<double>(low, low + 3));
     CHECK(numbers_after(g.json, "max") == std::vector<double>(high, high + 3));
     engine is = gltf;
     is.off_position = 1e-5;  // half a step of the longest side, less than 1.3 em
     is.off_direction = 0.01;
     is.off_uv = 1e-4;  // half a step of the longest contour, below 8 em
-    obeys(mesh, *plan, is);
+    obeys(mesh, plan, is);
     if (const char* folder = std::getenv("TYPEMESH_KEEP_GLB")) {  // for gltf-validator
         for (const auto how : {engines::gltf::layout::plain, engines::gltf::layout::quantised}) {
             std::vector<std::byte> file;
-            REQUIRE(engines::gltf::write(*plan, how, file));
+            REQUIRE(engines::gltf::write(plan, how, file));
             std::ofstream{std::string{folder} + (how == engines::gltf::layout::plain ? "/plain.glb" : "/quantised.glb"),
                           std::ios::binary}
                 .write(reinterpret_cast<const char*>(file.data()), static_cast<std::streamsize>(file.size()));
@@ -254,18 +245,17 @@ TEST_CASE("one box per letter turns over a tenth of the triangles that one box f
     for (const double tolerance : {quality::normal, quality::high, quality::best}) {
         auto options = engines::gltf::options();
         options.tolerance = tolerance;
-        auto plan = b.mesher.plan(line, options);
-        REQUIRE(plan);
-        const position_box one = position_box::cube_around(plan->bounds().low, plan->bounds().high);
-        const glb g = written(*plan, engines::gltf::layout::quantised);
+        const auto plan = planned(b, options, line);
+        const position_box one = position_box::cube_around(plan.bounds().low, plan.bounds().high);
+        const glb g = written(plan, engines::gltf::layout::quantised);
         const auto turns = [&](const auto& corner, triangle t) {
             return orientation(corner(t.a), corner(t.b), corner(t.c)) <= 0 ? 1u : 0u;
         };
         std::uint64_t in_file = 0;
-        for (std::size_t i = 0; i < plan->glyphs().size(); ++i) {
-            const solid& shape = plan->glyphs()[i].built->form();
-            const placement at = plan->place(i);
-            const std::uint32_t first = plan->range(i, part::front).first_vertex;
+        for (std::size_t i = 0; i < plan.glyphs().size(); ++i) {
+            const solid& shape = plan.glyphs()[i].built->form();
+            const placement at = plan.place(i);
+            const std::uint32_t first = plan.range(i, part::front).first_vertex;
             for (const triangle t : shape.triangles) {
                 by_line += turns(
                     [&](std::uint32_t p) {
@@ -282,7 +272,7 @@ TEST_CASE("one box per letter turns over a tenth of the triangles that one box f
                     t);
             }
         }
-        const std::uint64_t reported = engines::gltf::turned_by_quantising(*plan);
+        const std::uint64_t reported = engines::gltf::turned_by_quantising(plan);
         CHECK(reported == in_file);
         by_letter += reported;
     }
@@ -312,13 +302,11 @@ TEST_CASE("a glTF file has a named, non-metallic material for each part that is 
             CHECK(all_after(json, "\"meshes\":[{\"name\":").size() == 1);
         }
     };
-    auto solid = b.mesher.plan(word, engines::gltf::options());
-    REQUIRE(solid);
-    law(*solid, {"front", "back", "side"});
+    const auto solid = planned(b, engines::gltf::options());
+    law(solid, {"front", "back", "side"});
     bevelled_bench rounded;
-    auto five = rounded.mesher.plan(word, engines::gltf::options());
-    REQUIRE(five);
-    law(*five, {"front", "back", "side", "front_bevel", "back_bevel"});
+    const auto five = planned(rounded, engines::gltf::options());
+    law(five, {"front", "back", "side", "front_bevel", "back_bevel"});
     bench second, third;
     auto open_behind = std::move(second.mesher).with(extruded<>{.back = false});
     auto ribbon = open_behind.plan(word, engines::gltf::options());
@@ -334,12 +322,11 @@ TEST_CASE("a letter whose bevels meet in a ridge has primitives and materials on
 {
     bevelled_bench b;
     b.mesher.solid().width = 0.05f;  // wider than half of the stem, less than half of the dot
-    auto plan = b.mesher.plan("l.", engines::gltf::options());
-    REQUIRE(plan);
-    REQUIRE(plan->range(0, part::front).index_count == 0);
-    REQUIRE(plan->range(1, part::front).index_count != 0);
+    const auto plan = planned(b, engines::gltf::options(), "l.");
+    REQUIRE(plan.range(0, part::front).index_count == 0);
+    REQUIRE(plan.range(1, part::front).index_count != 0);
     for (const auto how : {engines::gltf::layout::plain, engines::gltf::layout::quantised}) {
-        const std::string json = written(*plan, how).json;
+        const std::string json = written(plan, how).json;
         const bool packed = how == engines::gltf::layout::quantised;
         const auto meshes = json.substr(json.find("\"meshes\":["), json.find("\"buffers\":["));
         using words = std::vector<std::string>;
@@ -347,8 +334,8 @@ TEST_CASE("a letter whose bevels meet in a ridge has primitives and materials on
               (packed ? words{"2", "3", "4", "0", "1", "2", "3", "4"} : words{"0", "1", "2", "3", "4"}));
         words counts;
         for (std::size_t i = 0; i < (packed ? 2 : 1); ++i)
-            for (const part p : plan->parts()) {
-                const mesh_range range = packed ? plan->range(i, p) : plan->range(p);
+            for (const part p : plan.parts()) {
+                const mesh_range range = packed ? plan.range(i, p) : plan.range(p);
                 if (range.index_count != 0) counts.push_back(std::to_string(range.index_count));
             }
         words told;
@@ -384,21 +371,19 @@ TEST_CASE("a glTF file has wide indices for a long text, and no mesh for an empt
     bench b;
     std::string lines;
     for (int i = 0; i < 600; ++i) lines += "@&g";
-    auto plan = b.mesher.plan(std::string_view{lines}, engines::gltf::options());
-    REQUIRE(plan);
-    const glb g = written(*plan, engines::gltf::layout::quantised);
+    const auto plan = planned(b, engines::gltf::options(), lines);
+    const glb g = written(plan, engines::gltf::layout::quantised);
     CHECK(g.json.find("\"componentType\":5125") != std::string::npos);
     std::uint32_t most = 0;
-    for (std::size_t i = 0; i < plan->size().indices(); ++i) {
+    for (std::size_t i = 0; i < plan.size().indices(); ++i) {
         std::uint32_t n;
-        std::memcpy(&n, g.bin.data() + 20 * plan->size().vertices + 4 * i, 4);
+        std::memcpy(&n, g.bin.data() + 20 * plan.size().vertices + 4 * i, 4);
         most = (std::max)(most, n);
     }
-    CHECK(most == plan->size().vertices - 1);
+    CHECK(most == plan.size().vertices - 1);
 
-    auto nothing = b.mesher.plan("", engines::gltf::options());
-    REQUIRE(nothing);
-    CHECK(written(*nothing, engines::gltf::layout::plain).json.find("meshes") == std::string::npos);
+    const auto nothing = planned(b, engines::gltf::options(), "");
+    CHECK(written(nothing, engines::gltf::layout::plain).json.find("meshes") == std::string::npos);
 }
 
 TEST_CASE("a glTF file is right for a text longer than any line of the file", "[engines][gltf]")

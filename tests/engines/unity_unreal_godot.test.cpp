@@ -37,20 +37,19 @@ TEMPLATE_TEST_CASE(
     "[engines]", bench, bevelled_bench)
 {
     TestType b;
-    auto plan = b.mesher.plan(word, engines::unity::options());
-    REQUIRE(plan);
+    const auto plan = planned(b, engines::unity::options());
     for (const bool wide : {false, true}) {
         MeshData data;
-        REQUIRE(data.SetVertexBufferParams(static_cast<int>(plan->size().vertices), descriptors));
-        data.SetIndexBufferParams(static_cast<int>(plan->size().indices()),
+        REQUIRE(data.SetVertexBufferParams(static_cast<int>(plan.size().vertices), descriptors));
+        data.SetIndexBufferParams(static_cast<int>(plan.size().indices()),
                                   wide ? IndexFormat::UInt32 : IndexFormat::UInt16);
-        REQUIRE(data.GetVertexData(1).size() == engines::unity::stream1_bytes * plan->size().vertices);
+        REQUIRE(data.GetVertexData(1).size() == engines::unity::stream1_bytes * plan.size().vertices);
         const rgba8 of_part[] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {1, 1, 0}, {0, 1, 1}};
         const part_colours<> colours{of_part[0], of_part[1], of_part[2], of_part[3], of_part[4]};
-        REQUIRE(engines::unity::write(*plan, pointers(data, wide), colours));
+        REQUIRE(engines::unity::write(plan, pointers(data, wide), colours));
 
         seen mesh;
-        for (std::size_t i = 0; i < plan->size().vertices; ++i) {
+        for (std::size_t i = 0; i < plan.size().vertices; ++i) {
             struct {
                 snorm16 normal[4], tangent[4];
                 unorm8 colour[4];
@@ -60,19 +59,15 @@ TEMPLATE_TEST_CASE(
             vec3 p;
             std::memcpy(&p, data.GetVertexData(0).data() + 12 * i, 12);
             std::memcpy(&v, data.GetVertexData(1).data() + 24 * i, 24);
-            const auto f = [](auto packed) { return static_cast<float>(packed); };
-            mesh.position.push_back(p);
-            mesh.normal.push_back({f(v.normal[0]), f(v.normal[1]), f(v.normal[2])});
-            mesh.tangent.push_back({f(v.tangent[0]), f(v.tangent[1]), f(v.tangent[2]), f(v.tangent[3])});
-            mesh.uv.push_back({f(v.uv[0]), f(v.uv[1])});
-            for (const part where : plan->parts()) {
-                const mesh_range range = plan->range(where);
+            mesh.add(p, v.normal, v.tangent, v.uv);
+            for (const part where : plan.parts()) {
+                const mesh_range range = plan.range(where);
                 if (i - range.first_vertex >= range.vertex_count) continue;
                 const rgba8 own = of_part[static_cast<std::size_t>(where)];
                 CHECK((v.colour[0] == own.r && v.colour[1] == own.g && v.colour[2] == own.b && v.colour[3] == own.a));
             }
         }
-        for (std::size_t i = 0; i < plan->size().indices(); ++i) {
+        for (std::size_t i = 0; i < plan.size().indices(); ++i) {
             std::uint32_t n = 0;
             std::memcpy(&n, data.GetIndexData().data() + (wide ? 4 : 2) * i, wide ? 4 : 2);
             mesh.index.push_back(n);
@@ -80,22 +75,21 @@ TEMPLATE_TEST_CASE(
         engine is = unity;
         is.off_direction = 5e-5;
         is.off_uv = 1e-3;  // half a step of a half from 2 em on
-        obeys(mesh, *plan, is);
+        obeys(mesh, plan, is);
     }
 }
 
 TEST_CASE("Unity's arrays that are too small are refused and stay unchanged", "[engines]")
 {
     bench b;
-    auto plan = b.mesher.plan(word, engines::unity::options());
-    REQUIRE(plan);
+    const auto plan = planned(b, engines::unity::options());
     for (const int missing : {0, 1}) {
         MeshData data;
-        REQUIRE(data.SetVertexBufferParams(static_cast<int>(plan->size().vertices) - missing, descriptors));
-        data.SetIndexBufferParams(static_cast<int>(plan->size().indices()) - (1 - missing), IndexFormat::UInt16);
-        const error e = engines::unity::write(*plan, pointers(data, false)).error();
+        REQUIRE(data.SetVertexBufferParams(static_cast<int>(plan.size().vertices) - missing, descriptors));
+        data.SetIndexBufferParams(static_cast<int>(plan.size().indices()) - (1 - missing), IndexFormat::UInt16);
+        const error e = engines::unity::write(plan, pointers(data, false)).error();
         CHECK(e == error::buffer_too_small);
-        CHECK(e.count == (missing == 1 ? plan->size().vertices : plan->size().indices()));
+        CHECK(e.count == (missing == 1 ? plan.size().vertices : plan.size().indices()));
         for (const std::byte v : data.GetVertexData(1)) REQUIRE(v == std::byte{0xEE});
     }
 }
@@ -105,18 +99,17 @@ TEST_CASE("a long text overflows 16-bit indices with a clear error", "[engines]"
     bench b;
     std::string lines;
     for (int i = 0; i < 600; ++i) lines += "@&g";
-    auto plan = b.mesher.plan(std::string_view{lines}, engines::unity::options());
-    REQUIRE(plan);
-    REQUIRE(plan->size().vertices > 65535);
+    const auto plan = planned(b, engines::unity::options(), lines);
+    REQUIRE(plan.size().vertices > 65535);
     MeshData data;
-    REQUIRE(data.SetVertexBufferParams(static_cast<int>(plan->size().vertices), descriptors));
-    data.SetIndexBufferParams(static_cast<int>(plan->size().indices()), IndexFormat::UInt16);
-    const error e = engines::unity::write(*plan, pointers(data, false)).error();
+    REQUIRE(data.SetVertexBufferParams(static_cast<int>(plan.size().vertices), descriptors));
+    data.SetIndexBufferParams(static_cast<int>(plan.size().indices()), IndexFormat::UInt16);
+    const error e = engines::unity::write(plan, pointers(data, false)).error();
     CHECK(e == error::index_overflow);
-    CHECK(e.count == plan->size().vertices);
+    CHECK(e.count == plan.size().vertices);
     for (const std::byte v : data.GetVertexData(0)) REQUIRE(v == std::byte{0xEE});
-    data.SetIndexBufferParams(static_cast<int>(plan->size().indices()), IndexFormat::UInt32);
-    CHECK(engines::unity::write(*plan, pointers(data, true)));
+    data.SetIndexBufferParams(static_cast<int>(plan.size().indices()), IndexFormat::UInt32);
+    CHECK(engines::unity::write(plan, pointers(data, true)));
 }
 
 TEMPLATE_TEST_CASE(
@@ -124,14 +117,13 @@ TEMPLATE_TEST_CASE(
     "[engines]", bench, bevelled_bench)
 {
     TestType b;
-    auto plan = b.mesher.plan(word, engines::unreal::options(100.0));
-    REQUIRE(plan);
+    const auto plan = planned(b, engines::unreal::options(100.0));
     FStaticMeshVertexBuffers buffers;
     TArray<std::uint32_t> indices;
-    REQUIRE(engines::unreal::write(*plan, buffers, indices));
-    REQUIRE(buffers.PositionVertexBuffer.GetNumVertices() == plan->size().vertices);
+    REQUIRE(engines::unreal::write(plan, buffers, indices));
+    REQUIRE(buffers.PositionVertexBuffer.GetNumVertices() == plan.size().vertices);
     seen mesh;
-    for (std::uint32_t i = 0; i < plan->size().vertices; ++i) {
+    for (std::uint32_t i = 0; i < plan.size().vertices; ++i) {
         const FVector3f p = buffers.PositionVertexBuffer.VertexPosition(i);
         const FVector4f x = buffers.StaticMeshVertexBuffer.VertexTangentX(i),
                         z = buffers.StaticMeshVertexBuffer.VertexTangentZ(i);
@@ -144,10 +136,10 @@ TEMPLATE_TEST_CASE(
     for (std::int32_t i = 0; i < indices.Num(); ++i) mesh.index.push_back(indices[i]);
     engine is = unreal;
     is.off_direction = 0.01;
-    obeys(mesh, *plan, is);
+    obeys(mesh, plan, is);
 
     TArray<std::uint16_t> narrow;
-    REQUIRE(engines::unreal::write(*plan, buffers, narrow));
+    REQUIRE(engines::unreal::write(plan, buffers, narrow));
     CHECK(narrow.Num() == indices.Num());
     for (std::int32_t i = 0; i < indices.Num(); ++i) REQUIRE(narrow[i] == indices[i]);
 }
@@ -156,11 +148,10 @@ TEMPLATE_TEST_CASE("Godot's arrays contain a right-handed mesh whose front faces
                    bevelled_bench)
 {
     TestType b;
-    auto plan = b.mesher.plan(word, engines::godot_mesh::options());
-    REQUIRE(plan);
+    const auto plan = planned(b, engines::godot_mesh::options());
     using namespace ::godot;
     Array arrays;
-    REQUIRE(engines::godot_mesh::write(*plan, arrays));
+    REQUIRE(engines::godot_mesh::write(plan, arrays));
     const auto& p = std::get<PackedVector3Array>(arrays[::godot::Mesh::ARRAY_VERTEX]);
     const auto& n = std::get<PackedVector3Array>(arrays[::godot::Mesh::ARRAY_NORMAL]);
     const auto& t = std::get<PackedFloat32Array>(arrays[::godot::Mesh::ARRAY_TANGENT]);
@@ -174,5 +165,5 @@ TEMPLATE_TEST_CASE("Godot's arrays contain a right-handed mesh whose front faces
         mesh.uv.push_back({uv.ptr()[i].x, uv.ptr()[i].y});
     }
     for (std::int64_t i = 0; i < index.size(); ++i) mesh.index.push_back(static_cast<std::uint32_t>(index.ptr()[i]));
-    obeys(mesh, *plan, recipes::godot);
+    obeys(mesh, plan, recipes::godot);
 }

@@ -221,18 +221,11 @@ template <class Plan>
 recipes::seen read_back(const Plan& plan)
 {
     std::vector<recipe::vertex> vertices(plan.size().vertices);
-    recipes::seen mesh;
-    mesh.index.resize(plan.size().indices());
     glGetBufferSubData(GL_ARRAY_BUFFER, 0, static_cast<GLsizeiptr>(vertices.size() * sizeof(recipe::vertex)),
                        vertices.data());
+    recipes::seen mesh = recipes::read<recipe::vertex>(vertices);
+    mesh.index.resize(plan.size().indices());
     glGetBufferSubData(GL_ELEMENT_ARRAY_BUFFER, 0, static_cast<GLsizeiptr>(mesh.index.size() * 4), mesh.index.data());
-    for (const recipe::vertex& v : vertices) {
-        const vec4 n = v.normal.decoded();
-        mesh.position.push_back({v.position[0], v.position[1], v.position[2]});
-        mesh.normal.push_back({n.x, n.y, n.z});
-        mesh.tangent.push_back(v.tangent.decoded());
-        mesh.uv.push_back({static_cast<float>(v.uv[0]), static_cast<float>(v.uv[1])});
-    }
     return mesh;
 }
 
@@ -248,22 +241,8 @@ matrix perspective(const bounds3& box, float turn, float tilt, float aspect)
     const matrix about_y{ct, 0, -st, 0, 0, 1, 0, 0, st, 0, ct, 0, 0, 0, 0, 1};
     const matrix about_x{1, 0, 0, 0, 0, cu, su, 0, 0, -su, cu, 0, 0, 0, -away, 1};
     const float near_z = away - reach * 1.1f, far_z = away + reach * 1.1f, zoom = 1.9f;
-    const matrix lens{zoom,
-                      0,
-                      0,
-                      0,
-                      0,
-                      zoom * aspect,
-                      0,
-                      0,
-                      0,
-                      0,
-                      (far_z + near_z) / (near_z - far_z),
-                      -1,
-                      0,
-                      0,
-                      2 * far_z * near_z / (near_z - far_z),
-                      0};
+    const float scale_z = (far_z + near_z) / (near_z - far_z), shift_z = 2 * far_z * near_z / (near_z - far_z);
+    const matrix lens{zoom, 0, 0, 0, 0, zoom * aspect, 0, 0, 0, 0, scale_z, -1, 0, 0, shift_z, 0};
     return lens * about_x * about_y * to_middle;
 }
 
@@ -271,23 +250,9 @@ matrix perspective(const bounds3& box, float turn, float tilt, float aspect)
 matrix orthographic(const coverage::raster& r, const bounds3& box)
 {
     const auto sx = static_cast<float>(2.0 * r.scale / r.width), sy = static_cast<float>(2.0 * r.scale / r.height);
+    const float left = static_cast<float>(-r.left) * sx - 1, bottom = static_cast<float>(-r.bottom) * sy - 1;
     const float depth = box.high.z - box.low.z + 1.0f;
-    return {sx,
-            0,
-            0,
-            0,
-            0,
-            sy,
-            0,
-            0,
-            0,
-            0,
-            -1.0f / depth,
-            0,
-            static_cast<float>(-r.left) * sx - 1,
-            static_cast<float>(-r.bottom) * sy - 1,
-            0,
-            1};
+    return {sx, 0, 0, 0, 0, sy, 0, 0, 0, 0, -1.0f / depth, 0, left, bottom, 0, 1};
 }
 
 /// How far a pixel's middle is from the nearest edge of a triangle in a picture, in pixels.

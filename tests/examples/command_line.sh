@@ -42,6 +42,19 @@ that() {  # that 'WHAT MUST HOLD' COMMAND...
 }
 lines() { [ "$(wc -l <err)" = "$1" ]; }
 differ() { ! cmp -s "$1" "$2"; }
+# alike 'WHAT MUST HOLD' KIND ARGUMENT... / ARGUMENT...    two files of a kind, written with these arguments, are equal
+# unlike 'WHAT MUST HOLD' KIND ARGUMENT... / ARGUMENT...   they differ
+compared() {
+    local how=$1 what=$2 kind=$3 first=()
+    shift 3
+    while [ "$1" != / ]; do first+=("$1") && shift; done
+    expect 0 "" "${first[@]}" "--$([ "$kind" = png ] && echo picture || echo output)" "compared.$kind"
+    mv "compared.$kind" "first.$kind"
+    expect 0 "" "${@:2}" "--$([ "$kind" = png ] && echo picture || echo output)" "compared.$kind"
+    that "$what" "$how" "first.$kind" "compared.$kind"
+}
+alike() { compared cmp "$@"; }
+unlike() { compared differ "$@"; }
 
 # Every format, every option once.
 for kind in glb obj stl ply; do
@@ -51,9 +64,7 @@ done
 expect 0 "" "Two\\nlines" --font $sans --picture p.png --align center --shading gouraud --show triangles,points,contours,control,normals
 for turn in -30 30; do expect 0 "" "One" --font $sans --picture turned$turn.png --turn $turn; done
 that "a turned picture is another" [ "$(cmp -s turned-30.png turned30.png && echo same)" = "" ]
-expect 0 "" "One\\ntwo" --font $sans --align center --output center.glb
-expect 0 "" "One\\ntwo" --font $sans --align centre --output centre.glb
-that "center and centre are the same" cmp -s center.glb centre.glb
+alike "center and centre are the same" glb "One\\ntwo" --font $sans --align center / "One\\ntwo" --font $sans --align centre
 expect 0 "" "fi" --font $sans --feature liga=0 --feature -kern --language tr --script Latn --direction ltr --stats
 that "the statistics are one line" [ "$(wc -l <out)" = 1 ]
 for key in glyphs refused missing contour_points hard_edges vertices triangles smallest_angle shape outline discretise fill triangulate extrude; do
@@ -105,11 +116,8 @@ that "triangles are shown as they are" cmp -s "fine--show triangles.png" "fine--
 that "the mesh keeps its quality beside a picture" cmp -s mesh.glb "mesh--quality high.glb"
 
 # Paragraphs.
-expect 0 "" "one two" --font $sans --width 100 --output wide.glb
-expect 0 "" "one two" --font $sans --output plain.glb
-that "a text that fits is the plain one" cmp -s wide.glb plain.glb
-expect 0 "" "one two" --font $sans --width 3 --output narrow.glb
-that "lines end at the width" differ narrow.glb wide.glb
+alike "a text that fits is the plain one" glb "one two" --font $sans --width 100 / "one two" --font $sans
+unlike "lines end at the width" glb "one two" --font $sans --width 3 / "one two" --font $sans --width 100
 for option in "--wrap word" "--wrap break" "--wrap letter" "--wrap none" "--align justify" "--align justify --justify auto" "--align justify --justify letters" "--align justify --justify kashida" "--align start" "--align end" "--indent 1" \
     "--max-lines 1" "--max-lines 1 --ellipsis ..." "--max-lines 1 --ellipsis ... --elide middle" "--wrap none --ellipsis . --elide start"; do
     # shellcheck disable=SC2086  # words
@@ -161,9 +169,7 @@ expect 0 "" "👍👍🇩x❤️" --font $symbola --output apart.glb --strict
 # Styles of parts of a text.
 expect 0 "" "Hello world!" --font $sans --style 6..11:colour=#2060c0,underline --style 0..5:size=1.5,slant=0.2 --output styled.obj
 that "a colour is a material of its own, named after it" grep -q "usemtl front_2060c0" styled.obj
-expect 0 "" "Hello world!" --font $sans --style 0..12:colour=red --output red.stl
-expect 0 "" "Hello world!" --font $sans --width 100 --output plain.stl
-that "a colour moves nothing" cmp -s red.stl plain.stl
+alike "a colour moves nothing" stl "Hello world!" --font $sans --style 0..12:colour=red / "Hello world!" --font $sans --width 100
 for setting in overline strike-through superscript subscript rise=0.2 letter-spacing=0.1 word-spacing=0.5 language=tr feature=-kern; do
     expect 0 "" "AV wo" --font $sans --style 1..4:$setting --picture styled.png
 done
@@ -215,9 +221,7 @@ expect 2 "--style: font must be a whole number" abcd --font $sans --stats --styl
 for width in 0 -1 nan x 1e7; do expect 2 "--width must be a positive number" x --font $sans --stats --width $width; done
 expect 2 "--max-lines must be a whole number" x --font $sans --stats --max-lines 0
 expect 0 "" "one two three" --font $sans --fit 30x10 --stats
-expect 0 "" "one two three" --font $sans --fit 30x1e1 --align justify --output fitted.glb
-expect 0 "" "one two three" --font $sans --fit 60x20 --align justify --output larger.glb
-that "a larger box makes a larger text" differ fitted.glb larger.glb
+unlike "a larger box makes a larger text" glb "one two three" --font $sans --fit 30x1e1 --align justify / "one two three" --font $sans --fit 60x20 --align justify
 within() {  # within X Y FILE.obj: its mesh is at most so wide and high, and reaches nine tenths of one of them
     awk -v w="$1" -v h="$2" '$1 == "v" { if (!n++) { a = b = $2; c = d = $3 }
         if ($2 < a) a = $2; if ($2 > b) b = $2; if ($3 < c) c = $3; if ($3 > d) d = $3 }
@@ -252,11 +256,9 @@ for wrong in 茶/": the font has no glyph for it, so three full stops" $'\xFF/ i
     expect 0 "--ellipsis${wrong#*/}" "one two" --font $sans --width 2 --max-lines 1 --ellipsis "${wrong%%/*}" --output elided.glb
     expect 1 "--strict: nothing" "one two" --font $sans --width 2 --max-lines 1 --ellipsis "${wrong%%/*}" --output x.glb --strict
 done
-expect 0 "" "aaa bb cc ddddd" --font $sans --width 3.2 --breaker first_fit --output first.obj
-expect 0 "" "aaa bb cc ddddd" --font $sans --width 3.2 --output default.obj
-expect 0 "" "aaa bb cc ddddd" --font $sans --width 3.2 --breaker total_fit --output total.obj
-that "the first fit is the default" cmp -s <(grep -v ^mtllib first.obj) <(grep -v ^mtllib default.obj)
-that "lines are more even" differ <(grep -v ^mtllib first.obj) <(grep -v ^mtllib total.obj)
+broken=("aaa bb cc ddddd" --font "$sans" --width 3.2 --breaker)
+alike "the first fit is the default" obj "${broken[@]}" first_fit / "${broken[@]::5}"
+unlike "lines are more even" obj "${broken[@]}" first_fit / "${broken[@]}" total_fit
 expect 0 "" "aaa bb cc ddddd" --font $sans --fit 4x3 --breaker total_fit --stats
 that "the time to shape a paragraph is counted" grep -q '"shape":[1-9]' out
 expect 2 "--breaker needs --width or --fit" x --font $sans --stats --breaker total_fit
@@ -272,9 +274,7 @@ expect 0 "no glyph for 4 of 10 characters" "$many" --font $comic --output lackin
 expect 0 "no font has a glyph for 1 of 10 characters" "$many" --font $comic --fallback $arabic --output lacking.glb
 expect 0 "" "$many" --font $comic --fallback $arabic --fallback $cjk --strict --output many.glb --picture many.png --show contours
 expect 0 "" "$many" --font $comic --fallback $arabic --fallback $cjk --strict --instances --width 3 --output many_letters.glb
-expect 0 "" "Tea" --font $comic --output first.glb
-expect 0 "" "Tea" --font $comic --fallback $arabic --output first_of_two.glb
-that "what the first font has is its own" cmp -s first.glb first_of_two.glb
+alike "what the first font has is its own" glb "Tea" --font $comic / "Tea" --font $comic --fallback $arabic
 expect 1 "--fallback: Nope is n" x --font $sans --stats --fallback Nope
 expect 1 "--fallback: nope.ttf: The font file cannot be opened" x --font $sans --stats --fallback nope.ttf
 expect 2 "--fallback" x --font $sans --stats --fallback
@@ -283,9 +283,7 @@ expect 1 "--family must be an installed family, not the file" x --stats --family
 
 expect 0 "" "$(printf 'a\tb')" --font $sans --strict --output tab.glb  # a tab is no missing character
 expect 0 "" "你好" --font /usr/share/fonts/truetype/wqy/wqy-microhei.ttc --face 1 --output face.glb
-expect 0 "" "Bold" --font "$inter" --variation wght=900 --output bold.glb
-expect 0 "" "Bold" --font "$inter" --variation wght=100 --output thin.glb
-that "weights differ" [ "$(cksum <bold.glb)" != "$(cksum <thin.glb)" ]
+unlike "weights differ" glb "Bold" --font "$inter" --variation wght=900 / "Bold" --font "$inter" --variation wght=100
 expect 0 "" --help
 that "the help names the things to do" grep -qF "(--output FILE | --picture FILE.png | --stats)" out
 that "the help names every option" grep -q -- --triangulator out
@@ -312,13 +310,9 @@ that "--line-spacing is times the font's own" larger "$(widest far.obj 3)" "$(wi
 expect 0 "" "سلام" --font $arabic --output joined.obj
 expect 0 "" "سلام" --font $arabic --output joined-apart.obj --letter-spacing 0.25
 that "letters that are written joined stay joined" cmp -s <(grep '^v ' joined.obj) <(grep '^v ' joined-apart.obj)
-expect 0 "" "x" --font $sans --output sized.png.glb --picture sized.png --size 250
-expect 0 "" "x" --font $sans --picture unsized.png
-that "the picture does not depend on the size" cmp -s sized.png unsized.png
-expect 0 "" "Ego" --font $sans --picture unsized.png
+alike "the picture does not depend on the size" png "x" --font $sans --output sized.glb --size 250 / "x" --font $sans
 for size in 1e-7 1e-12 1e6; do
-    expect 0 "" "Ego" --font $sans --picture sized.png --size $size
-    that "the picture does not depend on the size $size" cmp -s sized.png unsized.png
+    alike "the picture does not depend on the size $size" png "Ego" --font $sans --size $size / "Ego" --font $sans
 done
 
 # Endings count without regard to case; an OBJ comes with its materials, both or none.
@@ -359,8 +353,7 @@ expect 2 "excludes" x --font $sans --output x.glb --instances --merge
 
 # Bevels: five parts in every format, and letters that meet become one.
 expect 0 "" "Rag" --font $sans --output plain.obj
-expect 0 "" "Rag" --font $sans --output none.obj --bevel 0 --profile round
-that "no bevel is what it was" cmp -s <(grep -v ^mtllib plain.obj) <(grep -v ^mtllib none.obj)
+alike "no bevel is what it was" obj "Rag" --font $sans / "Rag" --font $sans --bevel 0 --profile round
 bevels=(--bevel 0.02 --bevel-depth 0.03)
 for kind in glb obj stl ply; do
     expect 0 "" "Rag" --font $sans --output bevelled.$kind "${bevels[@]}"
@@ -413,14 +406,11 @@ expect 0 "" "o" --font $sans --output thin.obj --depth 0.3
 expect 0 "" "o" --font $sans --output grown.obj --depth 0.3 "${bevels[@]}" --bevel-out
 that "--bevel-out makes letters wider" larger "$(widest grown.obj 2)" "$(widest thin.obj 2)" 0.04
 that "--bevel-out keeps the depth" larger "$(widest grown.obj 4)" 0 0.3
-expect 0 "" "مرحبا" --font $arabic --output joined.glb "${bevels[@]}"
-expect 0 "" "مرحبا" --font $arabic --output joined--merge.glb "${bevels[@]}" --merge
-expect 0 "" "مرحبا" --font $arabic --output joined--no-merge.glb "${bevels[@]}" --no-merge
-that "bevelled letters are merged" cmp -s joined.glb joined--merge.glb
-that "--no-merge leaves bevelled letters apart" differ joined.glb joined--no-merge.glb
+joined=("مرحبا" --font "$arabic" "${bevels[@]}")
+alike "bevelled letters are merged" glb "${joined[@]}" / "${joined[@]}" --merge
+unlike "--no-merge leaves bevelled letters apart" glb "${joined[@]}" / "${joined[@]}" --no-merge
 expect 0 "" "banana" --font $sans --output instances.glb "${bevels[@]}" --instances
 that "bevelled letters may be instances" [ "$(grep -ao '"translation"' instances.glb | wc -l)" = 6 ]
-expect 0 "" "Rag" --font $sans --picture plain.png
 # Bold and hollow letters.
 expect 0 "" "HIL" --font $sans --output upright.obj
 expect 0 "" "HIL" --font $sans --output bold.obj --embolden 0.02
@@ -448,9 +438,8 @@ done
 expect 0 "" "Rag" --font $sans --output flat_ring.obj --outline 0.02 --depth 0
 expect 0 "" "banana" --font $sans --output rings.glb "${framed[@]}" --instances
 expect 0 "" "Rag" --font $sans --picture framed.png "${framed[@]}"
-expect 0 "" "Rag" --font $sans --picture bevelled.png "${bevels[@]}"
 expect 0 "" "Rag" --font $sans --picture shown.png "${bevels[@]}" --show triangles,normals,contours,points --stats
-that "a picture shows bevels" differ plain.png bevelled.png
+unlike "a picture shows bevels" png "Rag" --font $sans / "Rag" --font $sans "${bevels[@]}"
 
 # Corners that touch. Two squares that do, and as they are, apart and joined.
 mono=/usr/share/fonts/truetype/dejavu/DejaVuSansMono.ttf
@@ -520,18 +509,12 @@ fi
 
 # Fonts by family where fontconfig is there, else a sentence; no other family stands in.
 if "$program" x --font "Liberation Sans" --output family.glb >out 2>err; then
-    expect 0 "" x --font $sans --output file.glb
-    that "a family's regular style is its file" cmp -s family.glb file.glb
-    expect 0 "" x --font "liberation sans:bold" --output bold.glb
-    that "a style is another file" differ bold.glb family.glb
+    alike "a family's regular style is its file" glb x --font "Liberation Sans" / x --font $sans
+    unlike "a style is another file" glb x --font "liberation sans:bold" / x --font $sans
     expect 0 "" x --font "Liberation Sans:oblique" --output bold.glb  # its slanted style is called italic
-    expect 0 "" x --font "DejaVu Sans:bold:oblique" --output words.glb
-    expect 0 "" x --font "DejaVu Sans:Bold Oblique" --output style.glb
-    that "a style may be written as a name" cmp -s style.glb words.glb
-    expect 0 "" x --font Arial --output alias.glb
-    that "the system's Liberation Sans stands in for Arial" cmp -s alias.glb family.glb
-    expect 0 "" x --font "Arial:bold" --output alias.glb
-    that "so do its styles" differ alias.glb family.glb
+    alike "a style may be written as a name" glb x --font "DejaVu Sans:bold:oblique" / x --font "DejaVu Sans:Bold Oblique"
+    alike "the system's Liberation Sans stands in for Arial" glb x --font Arial / x --font "Liberation Sans"
+    unlike "so do its styles" glb x --font "Arial:bold" / x --font $sans
     expect 0 "" x --font monospace --output mono.glb
     expect 1 "has that (style|slant)" x --font "Liberation Sans:Semi Condensed" --output x.glb
     for words in blod zzz wght=700 weight=blod bold:zzz; do
@@ -541,11 +524,8 @@ if "$program" x --font "Liberation Sans" --output family.glb >out 2>err; then
         expect 1 "^text_to_mesh: Liberation Sans:$words: no installed font of this family has that .*\.$" x --font "Liberation Sans:$words" --output x.glb
     done
     expect 1 "^text_to_mesh: Nobodys Sans is neither a file nor an installed family" x --font "Nobodys Sans" --output x.glb
-    expect 0 "" x --family "Liberation Sans" --output of_family.glb
-    that "--family is --font where nothing is lacking" cmp -s of_family.glb family.glb
-    expect 0 "" "$many" --family "Comic Neue" --strict --output installed.glb
-    expect 0 "" "$many" --family "Comic Neue" --fallback $arabic --strict --output installed_after.glb
-    that "fonts that are named come before those that are found" differ installed.glb installed_after.glb
+    alike "--family is --font where nothing is lacking" glb x --family "Liberation Sans" / x --font "Liberation Sans"
+    unlike "fonts that are named come before those that are found" glb "$many" --family "Comic Neue" --strict / "$many" --family "Comic Neue" --fallback $arabic --strict
     expect 1 "^text_to_mesh: --family: Nobodys Sans is neither a file nor an installed family" x --family "Nobodys Sans" --output x.glb
 else
     expect 1 "--family: this program was built without fontconfig" x --family "Liberation Sans" --output x.glb
@@ -616,15 +596,18 @@ that "what to do comes after what is wrong" lines 2
 expect 2 "align must be left, center, right, start, end or justify, not middle" x --font $sans --output x.glb --align middle
 expect 2 "show must be .*checker, not trangles" x --font $sans --output x.glb --show points,trangles
 expect 2 "excludes" x --font $sans --output x.glb --quality low --tolerance 0.1
-expect 2 "--tolerance needs --discretiser certified" x --font $sans --output x.glb --discretiser adaptive --tolerance 0.1
-expect 2 "--tolerance needs --discretiser certified" x --font $sans --output x.glb --discretiser two_lines --tolerance 0.1
+for how in adaptive two_lines; do
+    expect 2 "--tolerance needs --discretiser certified" x --font $sans --output x.glb --discretiser $how --tolerance 0.1
+done
 expect 2 "--quality does not work with --discretiser two_lines" x --font $sans --output x.glb --discretiser two_lines --quality low
-expect 2 "--show needs --picture" x --font $sans --output x.glb --show points
-expect 2 "--shading needs --picture" x --font $sans --output x.glb --shading flat
-expect 2 "--turn needs --picture" x --font $sans --output x.glb --turn 10
+for option in "--show points" "--shading flat" "--turn 10"; do
+    # shellcheck disable=SC2086  # an option and its value
+    expect 2 "${option% *} needs --picture" x --font $sans --output x.glb $option
+done
 expect 2 "turn must be a number from -180 to 180, not 181" x --font $sans --picture x.png --turn 181
-expect 2 "feature must have the form .*, not ligatures" x --font $sans --output x.glb --feature ligatures
-expect 2 "variation must have the form .*, not bold" x --font $sans --output x.glb --variation bold
+for setting in "feature ligatures" "feature liga= 1" "variation bold" "variation wght=0x10"; do
+    expect 2 "${setting%% *} must have the form .*, not ${setting#* }" x --font $sans --output x.glb "--${setting%% *}" "${setting#* }"
+done
 expect 2 "nonsense is not an option\.$" x --font $sans --output x.glb --nonsense
 expect 2 "--fnot is not an option: did you mean --font\?" x --fnot $sans --output x.glb
 expect 2 "--ouptut is not an option: did you mean --output\?" x --font $sans --ouptut=x.glb
@@ -634,21 +617,16 @@ expect 2 "-q is not an option" x --font $sans --output x.glb -q
 expect 2 "^text_to_mesh: y was not expected: .*quotes" x y --font $sans --output x.glb
 expect 2 "output needs a value" x --font $sans --output
 expect 2 "font may be given only once" x --font $sans --font $sans --output x.glb
-expect 2 "tolerance must be a positive number, not -1" x --font $sans --output x.glb --tolerance -1
-expect 2 "tolerance must be a positive number, not abc" x --font $sans --output x.glb --tolerance abc
-expect 2 "depth must be a number from 0 to 1000, not nan" x --font $sans --output x.glb --depth nan
-expect 2 "face must be a whole number, not -1" x --font $sans --output x.glb --face -1
-expect 2 "depth must be a number from 0 to 1000, not 0x10" x --font $sans --output x.glb --depth 0x10
-expect 2 "depth must be a number from 0 to 1000, not \+1" x --font $sans --output x.glb --depth +1
-expect 2 "depth must be a number from 0 to 1000, not 1 \.$" x --font $sans --output x.glb --depth "1 "
-expect 2 "depth must be a number from 0 to 1000, not 1e999" x --font $sans --output x.glb --depth 1e999
-expect 2 "tolerance must be a positive number, not inf" x --font $sans --output x.glb --tolerance inf
+for tolerance in -1 abc inf; do
+    expect 2 "tolerance must be a positive number, not $tolerance" x --font $sans --output x.glb --tolerance $tolerance
+done
+for depth in nan 0x10 +1 "1 " 1e999; do
+    expect 2 "depth must be a number from 0 to 1000, not ${depth/+/\\+}\.$" x --font $sans --output x.glb --depth "$depth"
+done
+for face in -1 0x0; do expect 2 "face must be a whole number, not $face" x --font $sans --output x.glb --face $face; done
 expect 2 "size must be a number from 1e-30 to 1000000, not 0" x --font $sans --output x.glb --size 0
 expect 2 "letter-spacing must be a number from -1000 to 1000, not wide" x --font $sans --output x.glb --letter-spacing wide
 expect 2 "line-spacing must be a number from -1000 to 1000, not nan" x --font $sans --output x.glb --line-spacing nan
-expect 2 "face must be a whole number, not 0x0" x --font $sans --output x.glb --face 0x0
-expect 2 "variation must have the form .*, not wght=0x10" x --font $sans --output x.glb --variation wght=0x10
-expect 2 "feature must have the form .*, not liga= 1" x --font $sans --output x.glb --feature "liga= 1"
 expect 2 "crease must be a number from 0 to 180, not 200" x --font $sans --output x.glb --crease 200
 
 

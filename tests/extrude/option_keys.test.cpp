@@ -4,7 +4,6 @@
 // key, or only written, and then the key is the same and the mesh is not. A member that stands in no list fails to compile.
 #include "support/catch.hpp"
 #include "support/lit_mesh.hpp"
-#include "support/member_count.hpp"
 #include "support/toy_font.hpp"
 
 #include <typemesh/extrude/averaged_normals.hpp>
@@ -22,6 +21,22 @@
 using namespace typemesh;
 
 namespace {
+
+/// Converts to a value of any type, where only the type matters.
+struct any_value {
+    template <class T>
+    operator T() const noexcept;  // NOLINT: implicit, never defined
+};
+
+/// The number of members of an aggregate: the largest number of initial values.
+template <class T, class... Values>
+constexpr std::size_t member_count(Values... values)
+{
+    if constexpr (requires { T{values..., any_value{}}; })
+        return member_count<T>(values..., any_value{});
+    else
+        return sizeof...(values);
+}
 
 enum class seen_by { plan, writing };
 
@@ -46,7 +61,7 @@ test::lit_mesh mesh_with(const Solid& how)
 template <class Solid, std::size_t N>
 void check_keys(const option_change<Solid> (&all)[N])
 {
-    static_assert(N == test::member_count<Solid>(), "each member stands in the list once");
+    static_assert(N == member_count<Solid>(), "each member stands in the list once");
     const Solid plain;
     const test::lit_mesh mesh = mesh_with(plain);
     std::vector<option_bits> keys{plain.cache_key()};
@@ -80,9 +95,9 @@ void check_extruded(void (*normals)(extruded<Normals>&))
 
 }  // namespace
 
-static_assert(test::member_count<flat>() == 1 && test::member_count<shared_normals>() == 0);
-static_assert(test::member_count<averaged_normals>() == 0 && test::member_count<cap_normals>() == 0);
-static_assert(test::member_count<curve_normals>() == 1 && test::member_count<creased_normals>() == 1);
+static_assert(member_count<flat>() == 1 && member_count<shared_normals>() == 0);
+static_assert(member_count<averaged_normals>() == 0 && member_count<cap_normals>() == 0);
+static_assert(member_count<curve_normals>() == 1 && member_count<creased_normals>() == 1);
 
 TEST_CASE("every option of flat and extruded is in the key, or changes the mesh with the same key", "[option_keys]")
 {

@@ -3,6 +3,10 @@
 
 #include <unknwn.h>
 
+/// A function of an interface that no test needs.
+#define TYPEMESH_TEST_UNUSED(name, ...) \
+    HRESULT STDMETHODCALLTYPE name(__VA_ARGS__) noexcept override { return E_NOTIMPL; }
+
 namespace test {
 
 /// An object with one interface, which counts its references and lives as long as its variable.

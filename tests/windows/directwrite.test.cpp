@@ -19,15 +19,7 @@ using namespace typemesh;
 
 namespace {
 
-constexpr char dejavu[] = "/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf";
-constexpr char comic[] = "/usr/share/fonts/opentype/comic-neue/ComicNeue-Regular.otf";
-constexpr char amiri[] = "/usr/share/fonts/opentype/fonts-hosny-amiri/Amiri-Regular.ttf";
-constexpr char micro_hei[] = "/usr/share/fonts/truetype/wqy/wqy-microhei.ttc";
-
-result<directwrite_font> opened(const std::string& path, const font_options& options = {})
-{
-    return directwrite_font::open(test::windows_path(path).c_str(), options);
-}
+using namespace test;
 
 glyph_run shaped(directwrite_font& font, text_view text, const shape_options& how = {})
 {
@@ -36,26 +28,11 @@ glyph_run shaped(directwrite_font& font, text_view text, const shape_options& ho
     return run;
 }
 
-std::vector<glyph_id> ids(const glyph_run& run)
-{
-    std::vector<glyph_id> all;
-    for (const placed_glyph& g : run.glyphs) all.push_back(g.id);
-    return all;
-}
 std::vector<cluster_id> clusters(const glyph_run& run)
 {
     std::vector<cluster_id> all;
     for (const placed_glyph& g : run.glyphs) all.push_back(g.cluster);
     return all;
-}
-
-/// A square with its lower left corner at the origin; y grows downwards where it is drawn.
-void square(ID2D1SimplifiedGeometrySink& to, D2D1_FIGURE_END end, D2D1_FIGURE_BEGIN begin = D2D1_FIGURE_BEGIN_FILLED)
-{
-    to.BeginFigure({0.0f, 0.0f}, begin);
-    const D2D1_POINT_2F rest[] = {{100.0f, 0.0f}, {100.0f, -100.0f}, {0.0f, -100.0f}};
-    to.AddLines(rest, 3);
-    to.EndFigure(end);
 }
 
 LOGFONTW described(const wchar_t* name, LONG weight = FW_NORMAL)
@@ -89,7 +66,7 @@ private:
 };
 
 struct wrapped_fake {
-    test::fake_face face;
+    fake_face face;
     result<directwrite_font> font = directwrite_font::wrap(&face);
 };
 
@@ -111,16 +88,16 @@ TEST_CASE("a font that cannot be opened reports why", "[windows]")
 
 TEST_CASE("an HRESULT becomes its own error, or font_library_failed with its number", "[windows]")
 {
-    CHECK_FALSE(directwrite_error(S_OK));
-    CHECK_FALSE(directwrite_error(S_FALSE));
+    for (const HRESULT success : {S_OK, S_FALSE}) CHECK_FALSE(directwrite_error(success));
     CHECK(directwrite_error(E_OUTOFMEMORY) == error::out_of_memory);
     CHECK(directwrite_error(DWRITE_E_FILEFORMAT) == error::not_a_font);
-    CHECK(directwrite_error(DWRITE_E_FILENOTFOUND) == error::unreadable_file);
     CHECK(directwrite_error(DWRITE_E_NOFONT) == error::no_such_family);
-    CHECK(directwrite_error(DWRITE_E_FILEACCESS) == error::unreadable_file);
-    CHECK(directwrite_error(HRESULT_FROM_WIN32(ERROR_FILE_NOT_FOUND)) == error::unreadable_file);
-    CHECK(directwrite_error(HRESULT_FROM_WIN32(ERROR_PATH_NOT_FOUND)) == error::unreadable_file);
-    CHECK(directwrite_error(HRESULT_FROM_WIN32(ERROR_ACCESS_DENIED)) == error::unreadable_file);
+    for (const HRESULT unreadable :
+         {DWRITE_E_FILENOTFOUND, DWRITE_E_FILEACCESS, HRESULT_FROM_WIN32(ERROR_FILE_NOT_FOUND),
+          HRESULT_FROM_WIN32(ERROR_PATH_NOT_FOUND), HRESULT_FROM_WIN32(ERROR_ACCESS_DENIED)}) {
+        CAPTURE(unreadable);
+        CHECK(directwrite_error(unreadable) == error::unreadable_file);
+    }
     const error e = directwrite_error(E_INVALIDARG);
     CHECK(e == error::font_library_failed);
     CHECK(e.count == 0x80070057u);
@@ -204,7 +181,7 @@ TEST_CASE("an outline comes y up, at one unit per font unit", "[windows]")
 {
     wrapped_fake fake;
     REQUIRE(fake.font);
-    fake.face.draws = [](auto& to) { return square(to, D2D1_FIGURE_END_CLOSED), S_OK; };
+    fake.face.draws = [](auto& to) { return square(to), S_OK; };
     outline o;
     REQUIRE(record(*fake.font, 3, o));
     CHECK(fake.face.asked_em_size == 1000.0f);
@@ -217,15 +194,15 @@ TEST_CASE("an open figure is closed, and a hollow figure is not drawn", "[window
     wrapped_fake fake;
     REQUIRE(fake.font);
     outline closed, o;
-    fake.face.draws = [](auto& to) { return square(to, D2D1_FIGURE_END_CLOSED), S_OK; };
+    fake.face.draws = [](auto& to) { return square(to), S_OK; };
     REQUIRE(record(*fake.font, 3, closed));
-    fake.face.draws = [](auto& to) { return square(to, D2D1_FIGURE_END_OPEN), S_OK; };
+    fake.face.draws = [](auto& to) { return square(to, 100.0f, D2D1_FIGURE_END_OPEN), S_OK; };
     REQUIRE(record(*fake.font, 3, o));
     CHECK(o.curves.size() == closed.curves.size());
     CHECK(o.contour_count() == 1);
     fake.face.draws = [](auto& to) {
-        square(to, D2D1_FIGURE_END_CLOSED, D2D1_FIGURE_BEGIN_HOLLOW);
-        square(to, D2D1_FIGURE_END_CLOSED);
+        square(to, 100.0f, D2D1_FIGURE_END_CLOSED, D2D1_FIGURE_BEGIN_HOLLOW);
+        square(to);
         return S_OK;
     };
     REQUIRE(record(*fake.font, 3, o));
@@ -237,26 +214,19 @@ TEST_CASE("the fill mode of each glyph applies to that glyph only", "[windows]")
     wrapped_fake fake;
     REQUIRE(fake.font);
     outline o;
-    fake.face.draws = [](auto& to) {
-        to.SetFillMode(D2D1_FILL_MODE_ALTERNATE);
-        return square(to, D2D1_FIGURE_END_CLOSED), S_OK;
-    };
-    REQUIRE(record(*fake.font, 3, o));
-    CHECK(o.rule == fill_rule::even_odd);
-    fake.face.draws = [](auto& to) {
-        to.SetFillMode(D2D1_FILL_MODE_WINDING);
-        return square(to, D2D1_FIGURE_END_CLOSED), S_OK;
-    };
-    REQUIRE(record(*fake.font, 3, o));
-    CHECK(o.rule == fill_rule::non_zero);
-    fake.face.draws = [](auto& to) { return square(to, D2D1_FIGURE_END_CLOSED), S_OK; };
+    for (const auto mode : {D2D1_FILL_MODE_ALTERNATE, D2D1_FILL_MODE_WINDING}) {
+        fake.face.draws = [mode](auto& to) { return to.SetFillMode(mode), square(to), S_OK; };
+        REQUIRE(record(*fake.font, 3, o));
+        CHECK(o.rule == (mode == D2D1_FILL_MODE_ALTERNATE ? fill_rule::even_odd : fill_rule::non_zero));
+    }
+    fake.face.draws = [](auto& to) { return square(to), S_OK; };
     REQUIRE(record(*fake.font, 3, o));
     CHECK(o.rule == fill_rule::non_zero);
 }
 
 TEST_CASE("quadratics written as cubics are converted back, and true cubics and CFF's curves are not", "[windows]")
 {
-    test::fake_face face;
+    fake_face face;
     const auto draw = [&](point p0, point c1, point c2, point p3) {
         auto font = directwrite_font::wrap(&face);
         REQUIRE(font);
@@ -327,7 +297,7 @@ TEST_CASE("a face that fails, or breaks the sink's rules, gives an error with th
     wrapped_fake fake;
     REQUIRE(fake.font);
     outline o;
-    fake.face.draws = [](auto& to) { return square(to, D2D1_FIGURE_END_CLOSED), E_FAIL; };
+    fake.face.draws = [](auto& to) { return square(to), E_FAIL; };
     const error failed = record(*fake.font, 3, o).error();
     CHECK(failed == error::font_library_failed);
     CHECK(failed.count == 0x80004005u);
@@ -349,7 +319,7 @@ TEST_CASE("every reference is released", "[windows]")
 {
     SECTION("to a face, by success and by failure")
     {
-        test::fake_face face;
+        fake_face face;
         {
             auto font = directwrite_font::wrap(&face);
             REQUIRE(font);
@@ -373,7 +343,7 @@ TEST_CASE("every reference is released", "[windows]")
     SECTION("to a factory and a collection")
     {
         const test::font_files files{{dejavu}};
-        const std::wstring path = test::windows_path(dejavu);
+        const std::wstring path = windows_path(dejavu);
         const auto once = [&] {
             auto a = directwrite_font::open(path.c_str(), {}, files.factory());
             auto b = directwrite_font::open_family(L"DejaVu Sans", {}, files.collection(), files.factory());
@@ -383,10 +353,10 @@ TEST_CASE("every reference is released", "[windows]")
             CHECK_FALSE(directwrite_font::open_family(L"Nobody", {}, files.collection(), files.factory()));
         };
         once();  // DirectWrite keeps what it has opened
-        const ULONG factory = test::references(files.factory()), collection = test::references(files.collection());
+        const ULONG factory = references(files.factory()), collection = references(files.collection());
         for (int i = 0; i < 10; ++i) once();
-        CHECK(test::references(files.factory()) == factory);
-        CHECK(test::references(files.collection()) == collection);
+        CHECK(references(files.factory()) == factory);
+        CHECK(references(files.collection()) == collection);
     }
 }
 
@@ -397,7 +367,7 @@ TEST_CASE("plain text is shaped: clusters of either encoding, kerning on and off
     const glyph_run hello = shaped(*font, "A\xCE\xA9 \xF0\x9D\x94\xB8z");
     CHECK(clusters(hello) == std::vector<cluster_id>{0, 1, 3, 4, 8});
     CHECK(clusters(shaped(*font, u"AΩ 𝔸z")) == std::vector<cluster_id>{0, 1, 2, 3, 5});
-    CHECK(ids(shaped(*font, u"AΩ 𝔸z")) == ids(hello));
+    for (std::size_t i = 0; i < 5; ++i) CHECK(shaped(*font, u"AΩ 𝔸z").glyphs[i].id == hello.glyphs[i].id);
     CHECK(hello.missing == 0);
     CHECK(hello.lines.size() == 1);
     CHECK(hello.lines[0].advance > 2000.0);
@@ -529,15 +499,15 @@ TEST_CASE("a word from DirectWrite has a closed mesh that faces outwards, both o
         auto font = opened(path);
         REQUIRE(font);
         text_mesher mesher{*font};
-        test::full_mesh m;
+        full_mesh m;
         auto made = mesher.build(u8"Hello, world! &%$@ äöß", into(m.vertices, m.indices));
         REQUIRE(made);
         CHECK(made->complete());
-        CHECK(test::examine(m).unmatched_edges == 0);
-        CHECK(test::volume(m.vertices, m.indices) > 0.0);
+        CHECK(examine(m).unmatched_edges == 0);
+        CHECK(volume(m.vertices, m.indices) > 0.0);
         auto plan = mesher.plan("oO&");
         REQUIRE(plan);
-        test::full_mesh again;
+        full_mesh again;
         REQUIRE(plan->write(into(again.vertices, again.indices)));
         for (std::size_t g = 0; g < plan->glyphs().size(); ++g) {
             const mesh_range front = plan->range(g, part::front);

@@ -21,6 +21,9 @@ constexpr UINT8 neutral = DWRITE_BREAK_CONDITION_NEUTRAL, can = DWRITE_BREAK_CON
 /// An IDWriteTextAnalyzer with a list of words. It reports at the beginning of each word what a test wants.
 class fake_words final : public test::counted<IDWriteTextAnalyzer> {
 public:
+    fake_words() = default;
+    explicit fake_words(std::wstring word) : words{std::move(word)} {}
+
     std::vector<std::wstring> words;
     UINT8 before = can, after = can;
     bool everywhere = false;  // breaks before every unit
@@ -54,49 +57,26 @@ public:
         return sink->SetLineBreakpoints(at + half, length - half + (overruns ? 5 : 0), said.data() + half);
     }
 
-    HRESULT STDMETHODCALLTYPE AnalyzeScript(IDWriteTextAnalysisSource*, UINT32, UINT32,
-                                            IDWriteTextAnalysisSink*) noexcept override
-    {
-        return E_NOTIMPL;
-    }
-    HRESULT STDMETHODCALLTYPE AnalyzeBidi(IDWriteTextAnalysisSource*, UINT32, UINT32,
-                                          IDWriteTextAnalysisSink*) noexcept override
-    {
-        return E_NOTIMPL;
-    }
-    HRESULT STDMETHODCALLTYPE AnalyzeNumberSubstitution(IDWriteTextAnalysisSource*, UINT32, UINT32,
-                                                        IDWriteTextAnalysisSink*) noexcept override
-    {
-        return E_NOTIMPL;
-    }
-    HRESULT STDMETHODCALLTYPE GetGlyphs(const WCHAR*, UINT32, IDWriteFontFace*, BOOL, BOOL,
-                                        const DWRITE_SCRIPT_ANALYSIS*, const WCHAR*, IDWriteNumberSubstitution*,
-                                        const DWRITE_TYPOGRAPHIC_FEATURES**, const UINT32*, UINT32, UINT32, UINT16*,
-                                        DWRITE_SHAPING_TEXT_PROPERTIES*, UINT16*, DWRITE_SHAPING_GLYPH_PROPERTIES*,
-                                        UINT32*) noexcept override
-    {
-        return E_NOTIMPL;
-    }
-    HRESULT STDMETHODCALLTYPE GetGlyphPlacements(const WCHAR*, const UINT16*, DWRITE_SHAPING_TEXT_PROPERTIES*, UINT32,
-                                                 const UINT16*, const DWRITE_SHAPING_GLYPH_PROPERTIES*, UINT32,
-                                                 IDWriteFontFace*, FLOAT, BOOL, BOOL, const DWRITE_SCRIPT_ANALYSIS*,
-                                                 const WCHAR*, const DWRITE_TYPOGRAPHIC_FEATURES**, const UINT32*,
-                                                 UINT32, FLOAT*, DWRITE_GLYPH_OFFSET*) noexcept override
-    {
-        return E_NOTIMPL;
-    }
-    HRESULT STDMETHODCALLTYPE GetGdiCompatibleGlyphPlacements(
-        const WCHAR*, const UINT16*, DWRITE_SHAPING_TEXT_PROPERTIES*, UINT32, const UINT16*,
-        const DWRITE_SHAPING_GLYPH_PROPERTIES*, UINT32, IDWriteFontFace*, FLOAT, FLOAT, const DWRITE_MATRIX*, BOOL,
-        BOOL, BOOL, const DWRITE_SCRIPT_ANALYSIS*, const WCHAR*, const DWRITE_TYPOGRAPHIC_FEATURES**, const UINT32*,
-        UINT32, FLOAT*, DWRITE_GLYPH_OFFSET*) noexcept override
-    {
-        return E_NOTIMPL;
-    }
+    TYPEMESH_TEST_UNUSED(AnalyzeScript, IDWriteTextAnalysisSource*, UINT32, UINT32, IDWriteTextAnalysisSink*);
+    TYPEMESH_TEST_UNUSED(AnalyzeBidi, IDWriteTextAnalysisSource*, UINT32, UINT32, IDWriteTextAnalysisSink*);
+    TYPEMESH_TEST_UNUSED(AnalyzeNumberSubstitution, IDWriteTextAnalysisSource*, UINT32, UINT32,
+                         IDWriteTextAnalysisSink*);
+    TYPEMESH_TEST_UNUSED(GetGlyphs, const WCHAR*, UINT32, IDWriteFontFace*, BOOL, BOOL, const DWRITE_SCRIPT_ANALYSIS*,
+                         const WCHAR*, IDWriteNumberSubstitution*, const DWRITE_TYPOGRAPHIC_FEATURES**, const UINT32*,
+                         UINT32, UINT32, UINT16*, DWRITE_SHAPING_TEXT_PROPERTIES*, UINT16*,
+                         DWRITE_SHAPING_GLYPH_PROPERTIES*, UINT32*);
+    TYPEMESH_TEST_UNUSED(GetGlyphPlacements, const WCHAR*, const UINT16*, DWRITE_SHAPING_TEXT_PROPERTIES*, UINT32,
+                         const UINT16*, const DWRITE_SHAPING_GLYPH_PROPERTIES*, UINT32, IDWriteFontFace*, FLOAT, BOOL,
+                         BOOL, const DWRITE_SCRIPT_ANALYSIS*, const WCHAR*, const DWRITE_TYPOGRAPHIC_FEATURES**,
+                         const UINT32*, UINT32, FLOAT*, DWRITE_GLYPH_OFFSET*);
+    TYPEMESH_TEST_UNUSED(GetGdiCompatibleGlyphPlacements, const WCHAR*, const UINT16*, DWRITE_SHAPING_TEXT_PROPERTIES*,
+                         UINT32, const UINT16*, const DWRITE_SHAPING_GLYPH_PROPERTIES*, UINT32, IDWriteFontFace*, FLOAT,
+                         FLOAT, const DWRITE_MATRIX*, BOOL, BOOL, BOOL, const DWRITE_SCRIPT_ANALYSIS*, const WCHAR*,
+                         const DWRITE_TYPOGRAPHIC_FEATURES**, const UINT32*, UINT32, FLOAT*, DWRITE_GLYPH_OFFSET*);
 };
 
-/// "thai language", of two words, in Thai.
-const std::wstring phasa = L"\u0E20\u0E32\u0E29\u0E32", thai = L"\u0E44\u0E17\u0E22";
+/// The second of the two words of "Thai language", in Thai.
+const std::wstring thai = L"\u0E44\u0E17\u0E22";
 
 text_analysis analysed(directwrite_analyser& analyser, text_view text)
 {
@@ -171,8 +151,7 @@ TEST_CASE("an analysis with DirectWrite equals the library's own where there are
 
 TEST_CASE("lines can end between words from DirectWrite's dictionaries, in both encodings", "[windows]")
 {
-    fake_words words;
-    words.words = {thai};
+    fake_words words{thai};
     words.overruns = true;
     {
         directwrite_analyser analyser{&words};
@@ -204,8 +183,7 @@ TEST_CASE("a text that needs no dictionary does not call DirectWrite", "[windows
 
 TEST_CASE("a script without a dictionary in DirectWrite stays unbroken, and does not affect other scripts", "[windows]")
 {
-    fake_words words;
-    words.words = {thai};
+    fake_words words{thai};
     directwrite_analyser analyser{&words};
     // Lao, Thai, Tai Tham.
     const std::u16string text = u"\u0E9E\u0EB2\u0EAA\u0EB2\u0E20\u0E32\u0E29\u0E32\u0E44\u0E17\u0E22\u1A20\u1A21";
@@ -231,8 +209,7 @@ TEST_CASE("an analyser that breaks before every letter counts as one without a d
 
 TEST_CASE("no line ends within a grapheme, even if DirectWrite reports a break there", "[windows]")
 {
-    fake_words words;
-    words.words = {thai};
+    fake_words words{thai};
     directwrite_analyser analyser{&words};
     const std::u16string text = u"\u0E20\u0E32\u0E44\u0E17\u0E22\u0E17\u0E35\u0E48\u0E19\u0E35\u0E49";
     analysed(analyser, text);
@@ -249,8 +226,7 @@ TEST_CASE("no line ends within a grapheme, even if DirectWrite reports a break t
 TEST_CASE("a line can break where one side allows it and the other does not forbid it", "[windows]")
 {
     const auto broken = [](UINT8 after, UINT8 before) {
-        fake_words words;
-        words.words = {thai};
+        fake_words words{thai};
         directwrite_analyser analyser{&words};
         analysed(analyser, u"\u0E20\u0E32");
         words.after = after;
@@ -271,8 +247,7 @@ TEST_CASE("a failure of DirectWrite is an error, and the next text is analysed a
         u"\u0E20\u0E32\u0E29\u0E32\u0E44\u0E17\u0E22 \u0E20\u0E32\u0E29\u0E32\u0E44\u0E17\u0E22";
     for (unsigned k = 1; k <= 6; ++k) {
         INFO("call " << k);
-        fake_words words;
-        words.words = {thai};
+        fake_words words{thai};
         words.fails_at = k;
         {
             directwrite_analyser analyser{&words};
@@ -299,8 +274,7 @@ TEST_CASE("a failure of DirectWrite is an error, and the next text is analysed a
 TEST_CASE("a lack of memory at any request is an error, and no memory is lost", "[windows]")
 {
     const std::u16string text = u"\u0E20\u0E32\u0E29\u0E32\u0E44\u0E17\u0E22";
-    fake_words words;
-    words.words = {thai};
+    fake_words words{thai};
     std::size_t failed = 0;
     for (std::size_t k = 1;; ++k) {
         test::counting_memory counted;
@@ -329,8 +303,7 @@ TEST_CASE("a lack of memory at any request is an error, and no memory is lost", 
 
 TEST_CASE("an analyser with DirectWrite still works after it was moved", "[windows]")
 {
-    fake_words words;
-    words.words = {thai};
+    fake_words words{thai};
     {
         directwrite_analyser first{&words};
         const std::u16string text = u"\u0E20\u0E32\u0E29\u0E32\u0E44\u0E17\u0E22";

@@ -39,25 +39,15 @@ public:
         *face = &made;
         return S_OK;
     }
-    HRESULT STDMETHODCALLTYPE GetFontFile(IDWriteFontFile**) noexcept override { return E_NOTIMPL; }
+    TYPEMESH_TEST_UNUSED(GetFontFile, IDWriteFontFile**);
     UINT32 STDMETHODCALLTYPE GetFontFaceIndex() noexcept override { return 0; }
-    HRESULT STDMETHODCALLTYPE GetDefaultFontAxisValues(const DWRITE_FONT_AXIS_VALUE*, UINT32) noexcept override
-    {
-        return E_NOTIMPL;
-    }
-    HRESULT STDMETHODCALLTYPE GetAxisNames(UINT32, IDWriteLocalizedStrings**) noexcept override { return E_NOTIMPL; }
+    TYPEMESH_TEST_UNUSED(GetDefaultFontAxisValues, const DWRITE_FONT_AXIS_VALUE*, UINT32);
+    TYPEMESH_TEST_UNUSED(GetAxisNames, UINT32, IDWriteLocalizedStrings**);
     UINT32 STDMETHODCALLTYPE GetAxisValueNameCount(UINT32) noexcept override { return 0; }
-    HRESULT STDMETHODCALLTYPE GetAxisValueNames(UINT32, UINT32, DWRITE_FONT_AXIS_RANGE*,
-                                                IDWriteLocalizedStrings**) noexcept override
-    {
-        return E_NOTIMPL;
-    }
+    TYPEMESH_TEST_UNUSED(GetAxisValueNames, UINT32, UINT32, DWRITE_FONT_AXIS_RANGE*, IDWriteLocalizedStrings**);
     WINBOOL STDMETHODCALLTYPE HasVariations() noexcept override { return TRUE; }
-    HRESULT STDMETHODCALLTYPE CreateFontFaceReference(DWRITE_FONT_SIMULATIONS, const DWRITE_FONT_AXIS_VALUE*, UINT32,
-                                                      IDWriteFontFaceReference1**) noexcept override
-    {
-        return E_NOTIMPL;
-    }
+    TYPEMESH_TEST_UNUSED(CreateFontFaceReference, DWRITE_FONT_SIMULATIONS, const DWRITE_FONT_AXIS_VALUE*, UINT32,
+                         IDWriteFontFaceReference1**);
 };
 
 struct variable_font {

@@ -40,10 +40,7 @@ static_assert(fallback_provider<directwrite_fallback<path_font>, path_font>);
 /// A loader of files that are somewhere else than in the file system.
 class fake_loader final : public test::counted<IDWriteFontFileLoader> {
 public:
-    HRESULT STDMETHODCALLTYPE CreateStreamFromKey(const void*, UINT32, IDWriteFontFileStream**) noexcept override
-    {
-        return E_NOTIMPL;
-    }
+    TYPEMESH_TEST_UNUSED(CreateStreamFromKey, const void*, UINT32, IDWriteFontFileStream**);
 };
 
 /// A font with its face and its file, which is a real one or one that a fake_loader has. Each counts its references.
@@ -82,11 +79,7 @@ public:
             of->loader.AddRef();
             return S_OK;
         }
-        HRESULT STDMETHODCALLTYPE Analyze(BOOL*, DWRITE_FONT_FILE_TYPE*, DWRITE_FONT_FACE_TYPE*,
-                                          UINT32*) noexcept override
-        {
-            return E_NOTIMPL;
-        }
+        TYPEMESH_TEST_UNUSED(Analyze, BOOL*, DWRITE_FONT_FILE_TYPE*, DWRITE_FONT_FACE_TYPE*, UINT32*);
     };
 
     fake_font() { face.of = file.of = this; }
@@ -119,17 +112,13 @@ public:
         face.AddRef();
         return S_OK;
     }
-    HRESULT STDMETHODCALLTYPE GetFontFamily(IDWriteFontFamily**) noexcept override { return E_NOTIMPL; }
+    TYPEMESH_TEST_UNUSED(GetFontFamily, IDWriteFontFamily**);
     DWRITE_FONT_WEIGHT STDMETHODCALLTYPE GetWeight() noexcept override { return DWRITE_FONT_WEIGHT_NORMAL; }
     DWRITE_FONT_STRETCH STDMETHODCALLTYPE GetStretch() noexcept override { return DWRITE_FONT_STRETCH_NORMAL; }
     DWRITE_FONT_STYLE STDMETHODCALLTYPE GetStyle() noexcept override { return DWRITE_FONT_STYLE_NORMAL; }
     BOOL STDMETHODCALLTYPE IsSymbolFont() noexcept override { return FALSE; }
-    HRESULT STDMETHODCALLTYPE GetFaceNames(IDWriteLocalizedStrings**) noexcept override { return E_NOTIMPL; }
-    HRESULT STDMETHODCALLTYPE GetInformationalStrings(DWRITE_INFORMATIONAL_STRING_ID, IDWriteLocalizedStrings**,
-                                                      BOOL*) noexcept override
-    {
-        return E_NOTIMPL;
-    }
+    TYPEMESH_TEST_UNUSED(GetFaceNames, IDWriteLocalizedStrings**);
+    TYPEMESH_TEST_UNUSED(GetInformationalStrings, DWRITE_INFORMATIONAL_STRING_ID, IDWriteLocalizedStrings**, BOOL*);
     DWRITE_FONT_SIMULATIONS STDMETHODCALLTYPE GetSimulations() noexcept override
     {
         return DWRITE_FONT_SIMULATIONS_NONE;

@@ -3,6 +3,7 @@
 #include "support/mesh_laws.hpp"
 #include "windows/fake_face.hpp"
 #include "windows/fake_varied_face.hpp"
+#include "windows/inline_object.hpp"
 #include "windows/windows_font.hpp"
 
 #include <typemesh/adapt/directwrite.hpp>
@@ -17,28 +18,24 @@ using namespace typemesh;
 
 namespace {
 
-constexpr char dejavu[] = "/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf";
-constexpr char comic[] = "/usr/share/fonts/opentype/comic-neue/ComicNeue-Regular.otf";
+using namespace test;
 constexpr char serif[] = "/usr/share/fonts/truetype/dejavu/DejaVuSerif.ttf";  // as many units as dejavu
-constexpr char micro_hei[] = "/usr/share/fonts/truetype/wqy/wqy-microhei.ttc";
-
-DWRITE_TEXT_RANGE range(UINT32 first, UINT32 count) { return {first, count}; }
 
 /// The mesh of a text is the same with the cache, warm or not, as without.
 void check_unharmed(directwrite_text& text, glyph_cache<>& cache)
 {
     const auto built = [&](bool cached) {
-        test::full_mesh m;
+        full_mesh m;
         if (cached)
             REQUIRE(text_mesher{text}.with(cached_in{cache, 1}).build(text.run(), into(m.vertices, m.indices)));
         else
             REQUIRE(text_mesher{text}.build(text.run(), into(m.vertices, m.indices)));
         return m;
     };
-    const test::full_mesh expected = built(false);
+    const full_mesh expected = built(false);
     REQUIRE(expected.indices.size() > 0);
     for (int i = 0; i < 2; ++i) {
-        const test::full_mesh m = built(true);
+        const full_mesh m = built(true);
         REQUIRE(m.indices == expected.indices);
         REQUIRE(m.vertices.size() == expected.vertices.size());
         std::size_t others = 0;
@@ -48,30 +45,11 @@ void check_unharmed(directwrite_text& text, glyph_cache<>& cache)
     }
 }
 
-/// A square of a size of its own, from the face's glyph 1 on.
-auto square(FLOAT size)
-{
-    return [size](ID2D1SimplifiedGeometrySink& to) {
-        to.BeginFigure({0.0f, 0.0f}, D2D1_FIGURE_BEGIN_FILLED);
-        const D2D1_POINT_2F rest[] = {{size, 0.0f}, {size, -size}, {0.0f, -size}};
-        to.AddLines(rest, 3);
-        to.EndFigure(D2D1_FIGURE_END_CLOSED);
-        return S_OK;
-    };
-}
-
 /// An inline object that draws glyph 3 of a face.
-class drawn_object final : public IDWriteInlineObject {
+class drawn_object final : public inline_object {
 public:
     IDWriteFontFace* face = nullptr;
 
-    ULONG STDMETHODCALLTYPE AddRef() noexcept override { return 2; }
-    ULONG STDMETHODCALLTYPE Release() noexcept override { return 1; }
-    HRESULT STDMETHODCALLTYPE QueryInterface(REFIID, void** out) noexcept override
-    {
-        *out = nullptr;
-        return E_NOINTERFACE;
-    }
     HRESULT STDMETHODCALLTYPE Draw(void* context, IDWriteTextRenderer* to, FLOAT x, FLOAT y, BOOL, BOOL,
                                    IUnknown*) noexcept override
     {
@@ -80,22 +58,6 @@ public:
         const DWRITE_GLYPH_RUN run = {face, 20.0f, 1, &glyph, &advance, nullptr, FALSE, 0};
         const DWRITE_GLYPH_RUN_DESCRIPTION of = {};
         return to->DrawGlyphRun(context, x, y, DWRITE_MEASURING_MODE_NATURAL, &run, &of, nullptr);
-    }
-    HRESULT STDMETHODCALLTYPE GetMetrics(DWRITE_INLINE_OBJECT_METRICS* m) noexcept override
-    {
-        *m = {20.0f, 20.0f, 15.0f, FALSE};
-        return S_OK;
-    }
-    HRESULT STDMETHODCALLTYPE GetOverhangMetrics(DWRITE_OVERHANG_METRICS* m) noexcept override
-    {
-        *m = {};
-        return S_OK;
-    }
-    HRESULT STDMETHODCALLTYPE GetBreakConditions(DWRITE_BREAK_CONDITION* before,
-                                                 DWRITE_BREAK_CONDITION* after) noexcept override
-    {
-        *before = *after = DWRITE_BREAK_CONDITION_NEUTRAL;
-        return S_OK;
     }
 };
 
@@ -112,7 +74,7 @@ TEST_CASE("a DirectWrite font's key depends on font, face and simulations, and i
           "[windows]")
 {
     const auto opened = [](const char* path, std::uint32_t face) {
-        auto font = directwrite_font::open(test::windows_path(path).c_str(), {face, {}});
+        auto font = directwrite_font::open(windows_path(path).c_str(), {face, {}});
         REQUIRE(font);
         return font;
     };
@@ -122,21 +84,20 @@ TEST_CASE("a DirectWrite font's key depends on font, face and simulations, and i
         CHECK(fonts.insert(opened(path, 0)->variation_key()).second);
     CHECK(opened(micro_hei, 0)->variation_key() != opened(micro_hei, 1)->variation_key());
 
-    const test::font_files files{{dejavu}};
-    test::com_ptr<IDWriteFontFile> file;
-    REQUIRE(
-        SUCCEEDED(files.factory()->CreateFontFileReference(test::windows_path(dejavu).c_str(), nullptr, file.put())));
+    const font_files files{{dejavu}};
+    com_ptr<IDWriteFontFile> file;
+    REQUIRE(SUCCEEDED(files.factory()->CreateFontFileReference(windows_path(dejavu).c_str(), nullptr, file.put())));
     IDWriteFontFile* const one[] = {file.get()};
     std::set<std::uint64_t> keys;
     glyph_cache cache;
     for (const auto how : {DWRITE_FONT_SIMULATIONS_NONE, DWRITE_FONT_SIMULATIONS_BOLD, DWRITE_FONT_SIMULATIONS_OBLIQUE,
                            DWRITE_FONT_SIMULATIONS_BOLD | DWRITE_FONT_SIMULATIONS_OBLIQUE}) {
-        test::com_ptr<IDWriteFontFace> face;
+        com_ptr<IDWriteFontFace> face;
         REQUIRE(SUCCEEDED(files.factory()->CreateFontFace(DWRITE_FONT_FACE_TYPE_TRUETYPE, 1, one, 0, how, face.put())));
         CHECK(keys.insert(key_of_face(face.get())).second);
         CHECK(key_of_face(face.get()) == key_of_face(face.get()));
         auto font = directwrite_font::wrap(face.get());
-        test::full_mesh cached, plain;
+        full_mesh cached, plain;
         REQUIRE(text_mesher{*font}.with(cached_in{cache, 1}).build("age", into(cached.vertices, cached.indices)));
         REQUIRE(text_mesher{*font}.build("age", into(plain.vertices, plain.indices)));
         REQUIRE(cached.indices == plain.indices);
@@ -147,7 +108,7 @@ TEST_CASE("a DirectWrite font's key depends on font, face and simulations, and i
 
 TEST_CASE("a DirectWrite font's key depends on its axes, and is unique if these are not known", "[windows]")
 {
-    test::fake_varied_face a, b;
+    fake_varied_face a, b;
     a.axes = {{DWRITE_FONT_AXIS_TAG_WEIGHT, 400.0f}, {DWRITE_FONT_AXIS_TAG_WIDTH, 100.0f}};
     b.axes = a.axes;
     CHECK(key_of_face(&a) == key_of_face(&b));
@@ -170,7 +131,7 @@ TEST_CASE("a DirectWrite font's key depends on its axes, and is unique if these 
 TEST_CASE("layouts with faces, sizes or lines in different orders share a cache and keep their own letters",
           "[windows]")
 {
-    const test::font_files files{{dejavu, comic, serif}};
+    const font_files files{{dejavu, comic, serif}};
     const std::wstring second = files.family(1), third = files.family(2);
     glyph_cache cache;
     directwrite_text text;
@@ -208,7 +169,7 @@ TEST_CASE("layouts with faces, sizes or lines in different orders share a cache 
 
 TEST_CASE("a layout at another size finds the letters of the same faces", "[windows]")
 {
-    const test::font_files files{{dejavu}};
+    const font_files files{{dejavu}};
     glyph_cache cache;
     directwrite_text one, other;
     REQUIRE(one.read(files.layout(L"abc", 30.0f).get()));
@@ -223,13 +184,13 @@ TEST_CASE("a layout at another size finds the letters of the same faces", "[wind
 
 TEST_CASE("a face without a system file shares nothing between layouts", "[windows]")
 {
-    const test::font_files files{{dejavu}};
+    const font_files files{{dejavu}};
     glyph_cache cache;
     directwrite_text text;
     std::set<std::uint64_t> keys;
     for (const FLOAT size : {100.0f, 500.0f, 200.0f}) {
-        test::fake_face face;  // at the same address as the one before, mostly
-        face.draws = square(size);
+        fake_face face;  // at the same address as the one before, mostly
+        face.draws = [size](auto& to) { return square(to, size), S_OK; };
         drawn_object object;
         object.face = &face;
         const auto layout = files.layout(L"ab*", 20.0f);

@@ -2,6 +2,7 @@
 //
 // Items, plain text and paragraphs through directwrite_font.
 #include "support/catch.hpp"
+#include "support/plain_text_law.hpp"
 #include "windows/fake_face.hpp"
 #include "windows/windows_font.hpp"
 
@@ -19,15 +20,8 @@ using namespace typemesh;
 
 namespace {
 
-constexpr char dejavu[] = "/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf";
-constexpr char amiri[] = "/usr/share/fonts/opentype/fonts-hosny-amiri/Amiri-Regular.ttf";
 constexpr char mincho[] = "/usr/share/fonts/truetype/sawarabi-mincho/sawarabi-mincho-medium.ttf";
-constexpr char micro_hei[] = "/usr/share/fonts/truetype/wqy/wqy-microhei.ttc";
-
-result<directwrite_font> opened(const std::string& path)
-{
-    return directwrite_font::open(test::windows_path(path).c_str());
-}
+using namespace test;
 
 using glyphs_of_item = std::vector<shaped_glyph>;
 
@@ -54,26 +48,6 @@ bool same(const shaped_glyph& a, const shaped_glyph& b)
 {
     return a.id == b.id && a.cluster == b.cluster && std::fabs(a.advance - b.advance) < 1e-6 &&
            std::fabs(a.offset.x - b.offset.x) < 1e-6 && std::fabs(a.offset.y - b.offset.y) < 1e-6;
-}
-
-void check_same(const glyph_run& a, const glyph_run& b)
-{
-    REQUIRE(a.glyphs.size() == b.glyphs.size());
-    REQUIRE(a.lines.size() == b.lines.size());
-    for (std::size_t i = 0; i < a.glyphs.size(); ++i) {
-        CHECK(a.glyphs[i].id == b.glyphs[i].id);
-        CHECK(a.glyphs[i].cluster == b.glyphs[i].cluster);
-        CHECK(std::fabs(a.glyphs[i].origin.x - b.glyphs[i].origin.x) < 1e-6);
-        CHECK(std::fabs(a.glyphs[i].origin.y - b.glyphs[i].origin.y) < 1e-6);
-    }
-    for (std::size_t i = 0; i < a.lines.size(); ++i) {
-        CHECK(a.lines[i].glyph_count == b.lines[i].glyph_count);
-        CHECK(std::fabs(a.lines[i].origin.x - b.lines[i].origin.x) < 1e-6);
-        CHECK(std::fabs(a.lines[i].advance - b.lines[i].advance) < 1e-6);
-    }
-    CHECK(a.missing == b.missing);
-    CHECK(a.first_missing == b.first_missing);
-    CHECK(a.invalid_units == b.invalid_units);
 }
 
 }  // namespace
@@ -245,7 +219,7 @@ TEST_CASE("a character has a vertical form if its glyph in columns is another on
         forms += font->has_vertical_form(c) ? 1u : 0u;
     }
     CHECK(forms > 0);
-    test::fake_face face;  // it fails when it is asked for the glyph of a character
+    fake_face face;  // it fails when it is asked for the glyph of a character
     auto failing = directwrite_font::wrap(&face);
     REQUIRE(failing);
     CHECK_FALSE(failing->has_vertical_form(U'、'));
@@ -315,7 +289,7 @@ TEST_CASE("plain text through DirectWrite is what a paragraph without a width ma
             REQUIRE(layout(*font, t.text, how, {}, plain));
             REQUIRE(words.set(t.text, how));
             REQUIRE(words.lay_out({}, laid));
-            check_same(plain, laid);
+            CHECK(difference(plain, laid) == "");
         }
     }
 }

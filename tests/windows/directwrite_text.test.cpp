@@ -3,7 +3,7 @@
 #include "support/counting_memory.hpp"
 #include "support/mesh_laws.hpp"
 #include "support/workload.hpp"
-#include "windows/fake_face.hpp"
+#include "windows/inline_object.hpp"
 #include "windows/windows_font.hpp"
 
 #include <typemesh/adapt/directwrite.hpp>
@@ -20,19 +20,16 @@ using namespace typemesh;
 
 namespace {
 
-constexpr char dejavu[] = "/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf";
-constexpr char comic[] = "/usr/share/fonts/opentype/comic-neue/ComicNeue-Regular.otf";
-
-DWRITE_TEXT_RANGE range(UINT32 first, UINT32 count) { return {first, count}; }
+using namespace test;
 
 /// Meshes a text that was read, each glyph against the laws, and gives the mesh.
-test::full_mesh meshed(directwrite_text& text)
+full_mesh meshed(directwrite_text& text)
 {
     text_mesher mesher{text};
     auto plan = mesher.plan(text.run());
     REQUIRE(plan);
     CHECK(plan->report().refused == 0);
-    test::full_mesh m;
+    full_mesh m;
     REQUIRE(plan->write(into(m.vertices, m.indices)));
     for (std::size_t g = 0; g < plan->glyphs().size(); ++g) {
         std::vector<std::uint32_t> own;
@@ -41,51 +38,27 @@ test::full_mesh meshed(directwrite_text& text)
             own.insert(own.end(), m.indices.begin() + r.first_index, m.indices.begin() + r.first_index + r.index_count);
         }
         INFO("glyph " << plan->glyphs()[g].id);
-        const auto law = test::examine(m.vertices, own);
+        const auto law = examine(m.vertices, own);
         CHECK(law.unmatched_edges == 0);
         CHECK(law.crowded_slanted == 0);
         CHECK(law.zero_area == 0);
-        CHECK(test::volume(m.vertices, own) > 0.0);
+        CHECK(volume(m.vertices, own) > 0.0);
     }
     return m;
 }
 
-/// An inline object of 30 by 20 pixels with its baseline at 15, that draws what a test wants.
-class box_object final : public IDWriteInlineObject {
+/// An inline object that draws what a test wants.
+class box_object final : public inline_object {
 public:
-    ULONG references = 1;
     HRESULT answer = E_NOTIMPL;
     bool draws_itself = false;
     void* context = nullptr;
 
-    ULONG STDMETHODCALLTYPE AddRef() noexcept override { return ++references; }
-    ULONG STDMETHODCALLTYPE Release() noexcept override { return --references; }
-    HRESULT STDMETHODCALLTYPE QueryInterface(REFIID, void** out) noexcept override
-    {
-        *out = nullptr;
-        return E_NOINTERFACE;
-    }
     HRESULT STDMETHODCALLTYPE Draw(void* c, IDWriteTextRenderer* to, FLOAT x, FLOAT y, BOOL, BOOL,
                                    IUnknown*) noexcept override
     {
         context = c;
         return draws_itself ? to->DrawInlineObject(c, x, y, this, FALSE, FALSE, nullptr) : answer;
-    }
-    HRESULT STDMETHODCALLTYPE GetMetrics(DWRITE_INLINE_OBJECT_METRICS* m) noexcept override
-    {
-        *m = {30.0f, 20.0f, 15.0f, FALSE};
-        return S_OK;
-    }
-    HRESULT STDMETHODCALLTYPE GetOverhangMetrics(DWRITE_OVERHANG_METRICS* m) noexcept override
-    {
-        *m = {};
-        return S_OK;
-    }
-    HRESULT STDMETHODCALLTYPE GetBreakConditions(DWRITE_BREAK_CONDITION* before,
-                                                 DWRITE_BREAK_CONDITION* after) noexcept override
-    {
-        *before = *after = DWRITE_BREAK_CONDITION_NEUTRAL;
-        return S_OK;
     }
 };
 
@@ -93,8 +66,8 @@ public:
 
 TEST_CASE("a layout of one font keeps the font's own glyph ids, its baseline and its advances", "[windows]")
 {
-    const test::font_files files{{dejavu}};
-    auto font = directwrite_font::open(test::windows_path(dejavu).c_str());
+    const font_files files{{dejavu}};
+    auto font = directwrite_font::open(windows_path(dejavu).c_str());
     REQUIRE(font);
     const auto layout = files.layout(L"Hello", 64.0f);
     directwrite_text text;
@@ -136,30 +109,30 @@ TEST_CASE("every phrase of the four scripts, laid out and meshed, is closed and 
           "[windows]")
 {
     std::size_t phrases = 0;
-    for (const test::workload_font& entry : test::workload_fonts()) {
+    for (const workload_font& entry : workload_fonts()) {
         if (entry.optional() && !std::ifstream{entry.path}) continue;
         REQUIRE(entry.available());
-        const test::font_files files{{entry.path}};
+        const font_files files{{entry.path}};
         for (const char* script : {"latin", "arabic", "chinese", "japanese"}) {
             if (!entry.serves(script)) continue;
-            for (const std::string& phrase : test::workload_lines(std::string{"phrases-"} + script + ".txt")) {
+            for (const std::string& phrase : workload_lines(std::string{"phrases-"} + script + ".txt")) {
                 INFO(entry.name << ": " << phrase);
                 const bool to_the_left = script == std::string{"arabic"};
-                const auto layout = files.layout(test::wide(phrase), 32.0f);
+                const auto layout = files.layout(wide(phrase), 32.0f);
                 if (to_the_left)
                     REQUIRE(SUCCEEDED(layout->SetReadingDirection(DWRITE_READING_DIRECTION_RIGHT_TO_LEFT)));
                 directwrite_text text;
                 REQUIRE(text.read(layout.get()));
                 CHECK(text.run().missing == 0);
                 CHECK(text.run().invalid_units == 0);
-                const test::full_mesh m = meshed(text);
+                const full_mesh m = meshed(text);
                 CHECK(m.indices.size() > 0);
                 ++phrases;
                 for (std::size_t i = 1; i < text.run().glyphs.size(); ++i) {
                     const placed_glyph &before = text.run().glyphs[i - 1], &g = text.run().glyphs[i];
                     CHECK((to_the_left ? g.cluster <= before.cluster : g.cluster >= before.cluster));
                 }
-                const auto length = static_cast<cluster_id>(test::wide(phrase).size());
+                const auto length = static_cast<cluster_id>(wide(phrase).size());
                 CHECK((to_the_left ? text.run().glyphs[0].cluster == length - 1 : text.run().glyphs[0].cluster == 0));
             }
         }
@@ -169,28 +142,25 @@ TEST_CASE("every phrase of the four scripts, laid out and meshed, is closed and 
 
 TEST_CASE("text of both directions stands in visual order", "[windows]")
 {
-    const test::font_files files{{dejavu}};
+    const font_files files{{dejavu}};
     const auto layout = files.layout(L"ab \x05D0\x05D1\x05D2 cd", 20.0f);
-    directwrite_text text;
-    REQUIRE(text.read(layout.get()));
-    std::vector<cluster_id> order;
-    for (const placed_glyph& g : text.run().glyphs) order.push_back(g.cluster);
-    CHECK(order == std::vector<cluster_id>{0, 1, 2, 5, 4, 3, 6, 7, 8});
-    for (std::size_t i = 1; i < order.size(); ++i)
-        CHECK(text.run().glyphs[i].origin.x > text.run().glyphs[i - 1].origin.x);
-
+    const auto check_order = [&](const std::vector<cluster_id>& expected) {
+        directwrite_text text;
+        REQUIRE(text.read(layout.get()));
+        std::vector<cluster_id> order;
+        for (const placed_glyph& g : text.run().glyphs) order.push_back(g.cluster);
+        CHECK(order == expected);
+        for (std::size_t i = 1; i < order.size(); ++i)
+            CHECK(text.run().glyphs[i].origin.x > text.run().glyphs[i - 1].origin.x);
+    };
+    check_order({0, 1, 2, 5, 4, 3, 6, 7, 8});
     REQUIRE(SUCCEEDED(layout->SetReadingDirection(DWRITE_READING_DIRECTION_RIGHT_TO_LEFT)));
-    REQUIRE(text.read(layout.get()));
-    order.clear();
-    for (const placed_glyph& g : text.run().glyphs) order.push_back(g.cluster);
-    CHECK(order == std::vector<cluster_id>{7, 8, 6, 5, 4, 3, 2, 0, 1});
-    for (std::size_t i = 1; i < order.size(); ++i)
-        CHECK(text.run().glyphs[i].origin.x > text.run().glyphs[i - 1].origin.x);
+    check_order({7, 8, 6, 5, 4, 3, 2, 0, 1});
 }
 
 TEST_CASE("wrapped lines lie below each other, and stand as they are aligned", "[windows]")
 {
-    const test::font_files files{{dejavu}};
+    const font_files files{{dejavu}};
     const auto layout = files.layout(L"one two three four five six\nseven", 20.0f, 130.0f, 400.0f);
     directwrite_text text;
     REQUIRE(text.read(layout.get()));
@@ -226,7 +196,7 @@ TEST_CASE("wrapped lines lie below each other, and stand as they are aligned", "
 
 TEST_CASE("fonts and sizes may change inside a layout, and each glyph keeps its own", "[windows]")
 {
-    const test::font_files files{{dejavu, comic}};
+    const font_files files{{dejavu, comic}};
     const std::wstring first = files.family(0), second = files.family(1);
     const auto layout = files.layout(L"aaa aaa aaa", 30.0f);
     REQUIRE(SUCCEEDED(layout->SetFontFamilyName(second.c_str(), range(4, 3))));
@@ -257,12 +227,10 @@ TEST_CASE("fonts and sizes may change inside a layout, and each glyph keeps its 
 
 TEST_CASE("a fallback font that steps in brings its own outlines", "[windows]")
 {
-    const test::font_files files{{comic, dejavu}};
-    const auto layout = files.layout(L"a", 30.0f);
+    const font_files files{{comic, dejavu}};
     directwrite_text text;
-    REQUIRE(text.read(layout.get()));
-    const auto greek = files.layout(L"a\x05D0", 30.0f);  // a letter that the first font lacks
-    REQUIRE(text.read(greek.get()));
+    REQUIRE(text.read(files.layout(L"a", 30.0f).get()));
+    REQUIRE(text.read(files.layout(L"a\x05D0", 30.0f).get()));  // a letter that the first font lacks
     REQUIRE(text.run().glyphs.size() == 2);
     // Either another face has it, or it is told to be missing; it is never another face's glyph under this one's name.
     const placed_glyph& g = text.run().glyphs[1];
@@ -274,7 +242,7 @@ TEST_CASE("a fallback font that steps in brings its own outlines", "[windows]")
 
 TEST_CASE("underlines and strike-throughs are rectangles at their lines' ends", "[windows]")
 {
-    const test::font_files files{{dejavu}};
+    const font_files files{{dejavu}};
     const auto layout = files.layout(L"under struck plain", 50.0f);
     REQUIRE(SUCCEEDED(layout->SetUnderline(TRUE, range(0, 5))));
     REQUIRE(SUCCEEDED(layout->SetStrikethrough(TRUE, range(6, 6))));
@@ -297,16 +265,11 @@ TEST_CASE("underlines and strike-throughs are rectangles at their lines' ends", 
         const double top = bar.origin.y + o.bounds.high.y - baseline, bottom = bar.origin.y + o.bounds.low.y - baseline;
         CHECK(top > bottom);
         const double begin = bar.origin.x + o.bounds.low.x, end = bar.origin.x + o.bounds.high.x;
-        if (top <= 0.0) {
-            below = true;
-            CHECK(begin == Catch::Approx(run.glyphs[0].origin.x).margin(1.0));
-            CHECK(end == Catch::Approx(run.glyphs[5].origin.x).margin(1.0));
-        } else {
-            above = true;
-            CHECK(bottom > 0.0);
-            CHECK(begin == Catch::Approx(run.glyphs[6].origin.x).margin(1.0));
-            CHECK(end == Catch::Approx(run.glyphs[12].origin.x).margin(1.0));
-        }
+        const bool under = top <= 0.0;
+        (under ? below : above) = true;
+        if (!under) CHECK(bottom > 0.0);
+        CHECK(begin == Catch::Approx(run.glyphs[under ? 0 : 6].origin.x).margin(1.0));
+        CHECK(end == Catch::Approx(run.glyphs[under ? 5 : 12].origin.x).margin(1.0));
     }
     CHECK((below && above));
     meshed(text);
@@ -314,10 +277,10 @@ TEST_CASE("underlines and strike-throughs are rectangles at their lines' ends", 
 
 TEST_CASE("a trimmed line ends with the ellipsis that the layout draws", "[windows]")
 {
-    const test::font_files files{{dejavu}};
+    const font_files files{{dejavu}};
     const auto layout = files.layout(L"a text that does not fit", 20.0f, 100.0f, 30.0f);
     REQUIRE(SUCCEEDED(layout->SetWordWrapping(DWRITE_WORD_WRAPPING_NO_WRAP)));
-    test::com_ptr<IDWriteInlineObject> sign;
+    com_ptr<IDWriteInlineObject> sign;
     REQUIRE(SUCCEEDED(files.factory()->CreateEllipsisTrimmingSign(layout.get(), sign.put())));
     DWRITE_TRIMMING how = {DWRITE_TRIMMING_GRANULARITY_CHARACTER, 0, 0};
     REQUIRE(SUCCEEDED(layout->SetTrimming(&how, sign.get())));
@@ -337,7 +300,7 @@ TEST_CASE("a trimmed line ends with the ellipsis that the layout draws", "[windo
 
 TEST_CASE("inline objects are reported where they stand, asked to draw, and let go", "[windows]")
 {
-    const test::font_files files{{dejavu}};
+    const font_files files{{dejavu}};
     box_object box;
     {
         const auto layout = files.layout(L"ab*cd", 20.0f);
@@ -377,7 +340,7 @@ TEST_CASE("inline objects are reported where they stand, asked to draw, and let 
 
 TEST_CASE("lone halves of surrogate pairs are counted", "[windows]")
 {
-    const test::font_files files{{dejavu}};
+    const font_files files{{dejavu}};
     directwrite_text text;
     REQUIRE(text.read(files.layout(L"ab\xD800z", 20.0f).get()));
     CHECK(text.run().invalid_units == 1);
@@ -386,7 +349,7 @@ TEST_CASE("lone halves of surrogate pairs are counted", "[windows]")
 
 TEST_CASE("columns are refused", "[windows]")
 {
-    const test::font_files files{{dejavu}};
+    const font_files files{{dejavu}};
     const auto layout = files.layout(L"ab", 20.0f);
     directwrite_text text;
     REQUIRE(SUCCEEDED(layout->SetFlowDirection(DWRITE_FLOW_DIRECTION_RIGHT_TO_LEFT)));
@@ -398,7 +361,7 @@ TEST_CASE("columns are refused", "[windows]")
 
 TEST_CASE("an empty layout is one empty line", "[windows]")
 {
-    const test::font_files files{{dejavu}};
+    const font_files files{{dejavu}};
     directwrite_text text;
     REQUIRE(text.read(files.layout(L"", 20.0f).get()));
     CHECK(text.run().glyphs.empty());
@@ -413,10 +376,10 @@ TEST_CASE(
     "reading gives back every reference, whether it succeeds or runs out of memory, and allocates no more when warm",
     "[windows]")
 {
-    const test::font_files files{{dejavu}};
+    const font_files files{{dejavu}};
     const auto layout = files.layout(L"some text, \x05D0\x05D1, and more", 20.0f, 90.0f);
     REQUIRE(SUCCEEDED(layout->SetUnderline(TRUE, range(0, 9))));
-    test::counting_memory counted;
+    counting_memory counted;
     IDWriteFontFace* face = nullptr;
     {
         directwrite_text first;
@@ -424,36 +387,36 @@ TEST_CASE(
         face = first.glyph(first.run().glyphs[0].id).face;
         face->AddRef();
     }
-    const ULONG layout_held = test::references(layout.get()), face_held = test::references(face);
+    const ULONG layout_held = references(layout.get()), face_held = references(face);
     {
         directwrite_text text{counted.source()};
         for (int i = 0; i < 5; ++i) REQUIRE(text.read(layout.get()));
         const std::size_t warm = counted.requests;
         REQUIRE(text.read(layout.get()));
         CHECK(counted.requests == warm);
-        CHECK(test::references(layout.get()) == layout_held);
-        CHECK(test::references(face) == face_held + 1);
+        CHECK(references(layout.get()) == layout_held);
+        CHECK(references(face) == face_held + 1);
         directwrite_text moved{std::move(text)};
         CHECK(moved.run().glyphs.size() > 10);
-        CHECK(test::references(face) == face_held + 1);
+        CHECK(references(face) == face_held + 1);
         text = std::move(moved);
-        CHECK(test::references(face) == face_held + 1);
+        CHECK(references(face) == face_held + 1);
     }
     CHECK(counted.bytes_held == 0);
-    CHECK(test::references(layout.get()) == layout_held);
-    CHECK(test::references(face) == face_held);
+    CHECK(references(layout.get()) == layout_held);
+    CHECK(references(face) == face_held);
     const std::size_t all = counted.requests;
     REQUIRE(all > 5);
     for (std::size_t at = 1; at <= all; ++at) {
-        test::counting_memory failing{.fail_at = at};
+        counting_memory failing{.fail_at = at};
         directwrite_text text{failing.source()};
         CHECK(text.read(layout.get()) == error::out_of_memory);
         CHECK(text.run().glyphs.empty());
-        CHECK(test::references(face) == face_held);
+        CHECK(references(face) == face_held);
         failing.fail_at = 0;
         CHECK(text.read(layout.get()));
     }
-    CHECK(test::references(face) == face_held);
-    CHECK(test::references(layout.get()) == layout_held);
+    CHECK(references(face) == face_held);
+    CHECK(references(layout.get()) == layout_held);
     face->Release();
 }

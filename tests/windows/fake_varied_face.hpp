@@ -37,94 +37,46 @@ public:
     using fake_face_of::GetMetrics;
     using fake_face_of::GetRecommendedRenderingMode;
     void STDMETHODCALLTYPE GetMetrics(DWRITE_FONT_METRICS1*) noexcept override {}
-    HRESULT STDMETHODCALLTYPE GetGdiCompatibleMetrics(FLOAT, FLOAT, const DWRITE_MATRIX*,
-                                                      DWRITE_FONT_METRICS1*) noexcept override
-    {
-        return E_NOTIMPL;
-    }
+    TYPEMESH_TEST_UNUSED(GetGdiCompatibleMetrics, FLOAT, FLOAT, const DWRITE_MATRIX*, DWRITE_FONT_METRICS1*);
     void STDMETHODCALLTYPE GetCaretMetrics(DWRITE_CARET_METRICS*) noexcept override {}
-    HRESULT STDMETHODCALLTYPE GetUnicodeRanges(UINT32, DWRITE_UNICODE_RANGE*, UINT32*) noexcept override
-    {
-        return E_NOTIMPL;
-    }
+    TYPEMESH_TEST_UNUSED(GetUnicodeRanges, UINT32, DWRITE_UNICODE_RANGE*, UINT32*);
     BOOL STDMETHODCALLTYPE IsMonospacedFont() noexcept override { return {}; }
-    HRESULT STDMETHODCALLTYPE GetDesignGlyphAdvances(UINT32, const UINT16*, INT32*, BOOL) noexcept override
-    {
-        return E_NOTIMPL;
-    }
-    HRESULT STDMETHODCALLTYPE GetGdiCompatibleGlyphAdvances(FLOAT, FLOAT, const DWRITE_MATRIX*, BOOL, BOOL, UINT32,
-                                                            const UINT16*, INT32*) noexcept override
-    {
-        return E_NOTIMPL;
-    }
-    HRESULT STDMETHODCALLTYPE GetKerningPairAdjustments(UINT32, const UINT16*, INT32*) noexcept override
-    {
-        return E_NOTIMPL;
-    }
+    TYPEMESH_TEST_UNUSED(GetDesignGlyphAdvances, UINT32, const UINT16*, INT32*, BOOL);
+    TYPEMESH_TEST_UNUSED(GetGdiCompatibleGlyphAdvances, FLOAT, FLOAT, const DWRITE_MATRIX*, BOOL, BOOL, UINT32,
+                         const UINT16*, INT32*);
+    TYPEMESH_TEST_UNUSED(GetKerningPairAdjustments, UINT32, const UINT16*, INT32*);
     BOOL STDMETHODCALLTYPE HasKerningPairs() noexcept override { return {}; }
-    HRESULT STDMETHODCALLTYPE GetRecommendedRenderingMode(FLOAT, FLOAT, FLOAT, const DWRITE_MATRIX*, BOOL,
-                                                          DWRITE_OUTLINE_THRESHOLD, DWRITE_MEASURING_MODE,
-                                                          DWRITE_RENDERING_MODE*) noexcept override
-    {
-        return E_NOTIMPL;
-    }
-    HRESULT STDMETHODCALLTYPE GetVerticalGlyphVariants(UINT32, const UINT16*, UINT16*) noexcept override
-    {
-        return E_NOTIMPL;
-    }
+    TYPEMESH_TEST_UNUSED(GetRecommendedRenderingMode, FLOAT, FLOAT, FLOAT, const DWRITE_MATRIX*, BOOL,
+                         DWRITE_OUTLINE_THRESHOLD, DWRITE_MEASURING_MODE, DWRITE_RENDERING_MODE*);
+    TYPEMESH_TEST_UNUSED(GetVerticalGlyphVariants, UINT32, const UINT16*, UINT16*);
     BOOL STDMETHODCALLTYPE HasVerticalGlyphVariants() noexcept override { return {}; }
     BOOL STDMETHODCALLTYPE IsColorFont() noexcept override { return {}; }
     UINT32 STDMETHODCALLTYPE GetColorPaletteCount() noexcept override { return {}; }
     UINT32 STDMETHODCALLTYPE GetPaletteEntryCount() noexcept override { return {}; }
-    HRESULT STDMETHODCALLTYPE GetPaletteEntries(UINT32, UINT32, UINT32, DWRITE_COLOR_F*) noexcept override
-    {
-        return E_NOTIMPL;
-    }
-    HRESULT STDMETHODCALLTYPE GetRecommendedRenderingMode(FLOAT, FLOAT, FLOAT, const DWRITE_MATRIX*, BOOL,
-                                                          DWRITE_OUTLINE_THRESHOLD, DWRITE_MEASURING_MODE,
-                                                          IDWriteRenderingParams*, DWRITE_RENDERING_MODE*,
-                                                          DWRITE_GRID_FIT_MODE*) noexcept override
-    {
-        return E_NOTIMPL;
-    }
-    HRESULT STDMETHODCALLTYPE GetFontFaceReference(IDWriteFontFaceReference**) noexcept override { return E_NOTIMPL; }
+    TYPEMESH_TEST_UNUSED(GetPaletteEntries, UINT32, UINT32, UINT32, DWRITE_COLOR_F*);
+    TYPEMESH_TEST_UNUSED(GetRecommendedRenderingMode, FLOAT, FLOAT, FLOAT, const DWRITE_MATRIX*, BOOL,
+                         DWRITE_OUTLINE_THRESHOLD, DWRITE_MEASURING_MODE, IDWriteRenderingParams*,
+                         DWRITE_RENDERING_MODE*, DWRITE_GRID_FIT_MODE*);
+    TYPEMESH_TEST_UNUSED(GetFontFaceReference, IDWriteFontFaceReference**);
     void STDMETHODCALLTYPE GetPanose(DWRITE_PANOSE*) noexcept override {}
     DWRITE_FONT_WEIGHT STDMETHODCALLTYPE GetWeight() noexcept override { return {}; }
     DWRITE_FONT_STRETCH STDMETHODCALLTYPE GetStretch() noexcept override { return {}; }
     DWRITE_FONT_STYLE STDMETHODCALLTYPE GetStyle() noexcept override { return {}; }
-    HRESULT STDMETHODCALLTYPE GetFamilyNames(IDWriteLocalizedStrings**) noexcept override { return E_NOTIMPL; }
-    HRESULT STDMETHODCALLTYPE GetFaceNames(IDWriteLocalizedStrings**) noexcept override { return E_NOTIMPL; }
-    HRESULT STDMETHODCALLTYPE GetInformationalStrings(DWRITE_INFORMATIONAL_STRING_ID, IDWriteLocalizedStrings**,
-                                                      BOOL*) noexcept override
-    {
-        return E_NOTIMPL;
-    }
+    TYPEMESH_TEST_UNUSED(GetFamilyNames, IDWriteLocalizedStrings**);
+    TYPEMESH_TEST_UNUSED(GetFaceNames, IDWriteLocalizedStrings**);
+    TYPEMESH_TEST_UNUSED(GetInformationalStrings, DWRITE_INFORMATIONAL_STRING_ID, IDWriteLocalizedStrings**, BOOL*);
     BOOL STDMETHODCALLTYPE HasCharacter(UINT32) noexcept override { return {}; }
-    HRESULT STDMETHODCALLTYPE GetRecommendedRenderingMode(FLOAT, FLOAT, FLOAT, const DWRITE_MATRIX*, BOOL,
-                                                          DWRITE_OUTLINE_THRESHOLD, DWRITE_MEASURING_MODE,
-                                                          IDWriteRenderingParams*, DWRITE_RENDERING_MODE1*,
-                                                          DWRITE_GRID_FIT_MODE*) noexcept override
-    {
-        return E_NOTIMPL;
-    }
+    TYPEMESH_TEST_UNUSED(GetRecommendedRenderingMode, FLOAT, FLOAT, FLOAT, const DWRITE_MATRIX*, BOOL,
+                         DWRITE_OUTLINE_THRESHOLD, DWRITE_MEASURING_MODE, IDWriteRenderingParams*,
+                         DWRITE_RENDERING_MODE1*, DWRITE_GRID_FIT_MODE*);
     BOOL STDMETHODCALLTYPE IsCharacterLocal(UINT32) noexcept override { return {}; }
     BOOL STDMETHODCALLTYPE IsGlyphLocal(UINT16) noexcept override { return {}; }
-    HRESULT STDMETHODCALLTYPE AreCharactersLocal(const WCHAR*, UINT32, BOOL, BOOL*) noexcept override
-    {
-        return E_NOTIMPL;
-    }
-    HRESULT STDMETHODCALLTYPE AreGlyphsLocal(const UINT16*, UINT32, BOOL, BOOL*) noexcept override { return E_NOTIMPL; }
-    HRESULT STDMETHODCALLTYPE GetGlyphImageFormats_(UINT16, UINT32, UINT32,
-                                                    DWRITE_GLYPH_IMAGE_FORMATS*) noexcept override
-    {
-        return E_NOTIMPL;
-    }
+    TYPEMESH_TEST_UNUSED(AreCharactersLocal, const WCHAR*, UINT32, BOOL, BOOL*);
+    TYPEMESH_TEST_UNUSED(AreGlyphsLocal, const UINT16*, UINT32, BOOL, BOOL*);
+    TYPEMESH_TEST_UNUSED(GetGlyphImageFormats_, UINT16, UINT32, UINT32, DWRITE_GLYPH_IMAGE_FORMATS*);
     DWRITE_GLYPH_IMAGE_FORMATS STDMETHODCALLTYPE GetGlyphImageFormats() noexcept override { return {}; }
-    HRESULT STDMETHODCALLTYPE GetGlyphImageData(UINT16, UINT32, DWRITE_GLYPH_IMAGE_FORMATS, DWRITE_GLYPH_IMAGE_DATA*,
-                                                void**) noexcept override
-    {
-        return E_NOTIMPL;
-    }
+    TYPEMESH_TEST_UNUSED(GetGlyphImageData, UINT16, UINT32, DWRITE_GLYPH_IMAGE_FORMATS, DWRITE_GLYPH_IMAGE_DATA*,
+                         void**);
     void STDMETHODCALLTYPE ReleaseGlyphImageData(void*) noexcept override {}
     HRESULT STDMETHODCALLTYPE GetFontResource(IDWriteFontResource** out) noexcept override
     {

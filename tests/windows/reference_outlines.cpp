@@ -22,13 +22,11 @@ namespace {
 
 constexpr std::uint32_t glyphs_of_a_face = 200;
 
+point at(const FT_Vector* v) { return {static_cast<double>(v->x) / 64, static_cast<double>(v->y) / 64}; }
+
 /// The outline in the face's glyph slot, in 26.6.
 void record_slot(FT_Face face, outline& out)
 {
-    const auto place = [](const FT_Vector* v) {
-        return point{static_cast<double>(v->x) / 64, static_cast<double>(v->y) / 64};
-    };
-    static const auto at = place;
     FT_Outline_Funcs calls = {};
     calls.move_to = [](const FT_Vector* p, void* to) {
         static_cast<outline_recorder*>(to)->move(at(p));

@@ -2,8 +2,9 @@
 #pragma once
 
 #include "support/catch.hpp"
+#include "windows/counted.hpp"
 
-#include <typemesh/adapt/impl/directwrite_com.hpp>
+#include <typemesh/adapt/directwrite.hpp>
 #include <typemesh/unicode/utf.hpp>
 
 #include <dwrite.h>
@@ -13,6 +14,11 @@
 
 namespace test {
 
+inline constexpr char dejavu[] = "/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf";
+inline constexpr char comic[] = "/usr/share/fonts/opentype/comic-neue/ComicNeue-Regular.otf";
+inline constexpr char amiri[] = "/usr/share/fonts/opentype/fonts-hosny-amiri/Amiri-Regular.ttf";
+inline constexpr char micro_hei[] = "/usr/share/fonts/truetype/wqy/wqy-microhei.ttc";
+
 /// A path as Windows and Wine write it, from one of ASCII: Wine shows the root of the host's files as drive Z.
 inline std::wstring windows_path(const std::string& path)
 {
@@ -21,6 +27,12 @@ inline std::wstring windows_path(const std::string& path)
     for (wchar_t& c : made)
         if (c == L'/') c = L'\\';
     return made;
+}
+
+inline typemesh::result<typemesh::directwrite_font> opened(const std::string& path,
+                                                           const typemesh::font_options& options = {})
+{
+    return typemesh::directwrite_font::open(windows_path(path).c_str(), options);
 }
 
 /// UTF-8 as DirectWrite wants it.
@@ -39,6 +51,8 @@ inline std::wstring wide(const std::string& text)
     return made;
 }
 
+inline DWRITE_TEXT_RANGE range(UINT32 first, UINT32 count) { return {first, count}; }
+
 template <class T>
 using com_ptr = typemesh::detail::com_ptr<T>;
 
@@ -51,7 +65,7 @@ ULONG references(T* object)
 }
 
 /// Font files by their paths, as a collection: what DirectWrite offers since Windows 7. Lives longer than what it made.
-class font_files final : public IDWriteFontCollectionLoader {
+class font_files final : public counted<IDWriteFontCollectionLoader> {
 public:
     explicit font_files(const std::vector<std::string>& paths)
     {
@@ -93,11 +107,10 @@ public:
         return made;
     }
 
-    ULONG STDMETHODCALLTYPE AddRef() noexcept override { return 2; }
-    ULONG STDMETHODCALLTYPE Release() noexcept override { return 1; }
     HRESULT STDMETHODCALLTYPE QueryInterface(REFIID, void** out) noexcept override
     {
         *out = this;
+        AddRef();
         return S_OK;
     }
     HRESULT STDMETHODCALLTYPE CreateEnumeratorFromKey(IDWriteFactory* factory, const void*, UINT32,
@@ -108,13 +121,12 @@ public:
     }
 
 private:
-    class enumerator final : public IDWriteFontFileEnumerator {
+    class enumerator final : public counted<IDWriteFontFileEnumerator> {
     public:
         enumerator(const font_files& of, IDWriteFactory* factory) : of_{of}, factory_{factory} {}
-        ULONG STDMETHODCALLTYPE AddRef() noexcept override { return ++references_; }
         ULONG STDMETHODCALLTYPE Release() noexcept override
         {
-            const ULONG left = --references_;
+            const ULONG left = --references;
             if (left == 0) delete this;
             return left;
         }
@@ -139,7 +151,6 @@ private:
         const font_files& of_;
         IDWriteFactory* factory_;
         std::size_t next_ = 0;
-        ULONG references_ = 1;
     };
 
     std::vector<std::wstring> paths_;
