@@ -113,6 +113,7 @@ class one_of {
 
 public:
     static constexpr std::size_t part_count = (std::max)({part_count_of<Solids>...});
+    /// Whether all its solids accept points inside the region.
     static constexpr bool writes_inner_points = (takes_inner_points<Solids> && ...);
     using plan_data = detail::one_of_data<Solids...>;
     using solid = solid_with<plan_data>;
