@@ -38,10 +38,9 @@ namespace typemesh::inline TYPEMESH_ABI {
 /// Cost   O(1) on average for each point that is added
 /// From   Ruppert, Ungor, Miller & others: see impl/delaunay_refinement.hpp
 struct delaunay_refined {
-    float min_angle =
-        25.0f;              ///< the least angle, in degrees, 0 to 33. Above 26.45, it is not proven but usual that the
-                            ///< aim is met everywhere
-    float max_edge = 0.0f;  ///< the length of the longest edge, in em; 0: any length
+    float min_angle = 25.0f;  ///< the least angle, in degrees, 0 to 33; above 26.45, it is usual but not proven that
+                              ///< all triangles reach it
+    float max_edge = 0.0f;    ///< the length of the longest edge, in em; 0: any length
     std::uint32_t max_points = default_max_points;  ///< the greatest number of points of one cap, 2^30 - 1 at most
 
     using scratch = detail::delaunay_refinement;  ///< keeps its memory for the next cap
@@ -64,9 +63,9 @@ struct delaunay_refined {
         if (error e = refused_options()) return e;
         const double angle = as_double(min_angle) * 0.017453292519943295, cosine = std::cos(angle);
         detail::refinement_limits limits;
-        limits.tangent = std::tan(angle);
+        limits.tangent = rounded(std::tan(angle));
         limits.max_points = max_points;
-        limits.off_centre = 0.475 * std::sqrt((1.0 + cosine) / (1.0 - (cosine < 1.0 ? cosine : 0.0)));
+        limits.off_centre = cosine < 1.0 ? rounded(0.475 * std::sqrt((1.0 + cosine) / (1.0 - cosine))) : 1.0;
         if (max_edge > 0.0f) {
             const double em = r.grid().cells * r.grid().units_per_em, longest = as_double(max_edge) * em;
             if (!(em > 0.0)) return error::bad("units_per_em");
@@ -77,6 +76,10 @@ struct delaunay_refined {
         out.kept = space.kept();
         return space.write(out);
     }
+
+private:
+    /// To 24 bits after the point: the standard libraries' functions differ in the last bits of a double.
+    [[nodiscard]] static double rounded(double v) noexcept { return std::floor(v * 0x1p24 + 0.5) * 0x1p-24; }
 };
 static_assert(refiner<delaunay_refined>);
 

@@ -51,31 +51,27 @@ public:
     /// Lists the boundary edge that leaves v. False if out of memory.
     [[nodiscard]] bool add(const refinable_mesh& mesh, std::uint32_t v) noexcept
     {
-        const grid_point a = mesh.place(v), b = mesh.place(mesh.next_on_boundary(v));
-        bool fits = true;
-        // The buckets of its box, row by row, without those that the line through it misses.
-        each_bucket(a, b, [&](std::size_t bucket) noexcept {
-            fits = fits && entries_.push_back({v, heads_[bucket]});
-            if (fits) heads_[bucket] = static_cast<std::uint32_t>(entries_.size() - 1);
+        const grid_point ends[] = {mesh.place(v), mesh.place(mesh.next_on_boundary(v))};
+        return each_bucket(ends, [&](std::size_t bucket) noexcept {
+            if (!entries_.push_back({v, heads_[bucket]})) return false;
+            heads_[bucket] = static_cast<std::uint32_t>(entries_.size() - 1);
+            return true;
         });
-        return fits;
     }
 
     /// Whether the triangle a, p, b, which lies outside beyond the boundary edge from vertex `from`, meets no other
     /// boundary edge, not even in a point other than a and b.
     [[nodiscard]] bool is_free(const refinable_mesh& mesh, std::uint32_t from, grid_point p) const noexcept
     {
-        const grid_point a = mesh.place(from), b = mesh.place(mesh.next_on_boundary(from));
-        const grid_point low{least(a.x, b.x, p.x), least(a.y, b.y, p.y)},
-            high{most(a.x, b.x, p.x), most(a.y, b.y, p.y)};
-        bool is_clear = true;
-        each_bucket(low, high, [&](std::size_t bucket) noexcept {
-            for (std::uint32_t e = heads_[bucket]; is_clear && e != refinable_mesh::none; e = entries_[e].next) {
+        const grid_point corners[] = {mesh.place(from), p, mesh.place(mesh.next_on_boundary(from))};
+        return each_bucket(corners, [&](std::size_t bucket) noexcept {
+            for (std::uint32_t e = heads_[bucket]; e != refinable_mesh::none; e = entries_[e].next) {
                 const std::uint32_t v = entries_[e].vertex;
-                if (v != from) is_clear = misses(a, p, b, mesh.place(v), mesh.place(mesh.next_on_boundary(v)));
+                if (v == from) continue;
+                if (!misses(corners, mesh.place(v), mesh.place(mesh.next_on_boundary(v)))) return false;
             }
+            return true;
         });
-        return is_clear;
     }
 
 private:
@@ -84,37 +80,61 @@ private:
         std::uint32_t next;
     };
 
-    [[nodiscard]] static std::int32_t least(std::int32_t a, std::int32_t b, std::int32_t c) noexcept
+    [[nodiscard]] std::int64_t column_of(std::int64_t x) const noexcept
     {
-        return a < b ? (a < c ? a : c) : (b < c ? b : c);
+        return clamped((x - low_.x) >> shift_, columns_);
     }
-    [[nodiscard]] static std::int32_t most(std::int32_t a, std::int32_t b, std::int32_t c) noexcept
+    [[nodiscard]] std::int64_t row_of(std::int64_t y) const noexcept { return clamped((y - low_.y) >> shift_, rows_); }
+    [[nodiscard]] static std::int64_t clamped(std::int64_t i, std::int64_t count) noexcept
     {
-        return a > b ? (a > c ? a : c) : (b > c ? b : c);
-    }
-
-    /// Visits the buckets of the box of p and q.
-    template <class Visit>
-    void each_bucket(grid_point p, grid_point q, Visit&& visit) const noexcept
-    {
-        const auto place = [this](std::int32_t v, std::int32_t from, std::int64_t count) noexcept {
-            const std::int64_t i = (std::int64_t{v} - from) >> shift_;
-            return i < 0 ? 0 : i < count ? i : count - 1;
-        };
-        const std::int64_t x0 = place(p.x < q.x ? p.x : q.x, low_.x, columns_),
-                           x1 = place(p.x < q.x ? q.x : p.x, low_.x, columns_),
-                           y0 = place(p.y < q.y ? p.y : q.y, low_.y, rows_),
-                           y1 = place(p.y < q.y ? q.y : p.y, low_.y, rows_);
-        for (std::int64_t y = y0; y <= y1; ++y)
-            for (std::int64_t x = x0; x <= x1; ++x) visit(static_cast<std::size_t>(y * columns_ + x));
+        return i < 0 ? 0 : i < count ? i : count - 1;
     }
 
-    /// Whether the segment u v and the triangle a, p, b (counter-clockwise) have nothing in common but a or b.
-    [[nodiscard]] static bool misses(grid_point a, grid_point p, grid_point b, grid_point u, grid_point v) noexcept
+    /// x where the segment from p to q has this y, which is clamped to the segment; rounded down or up by up to a cell.
+    [[nodiscard]] static std::int64_t x_at(grid_point p, grid_point q, std::int64_t y) noexcept
     {
-        const grid_point corner[] = {a, p, b};
+        const std::int64_t low = p.y < q.y ? p.y : q.y, high = p.y < q.y ? q.y : p.y;
+        y = y < low ? low : y > high ? high : y;
+        if (low == high) return p.x;
+        return p.x + (std::int64_t{q.x} - p.x) * (y - p.y) / (std::int64_t{q.y} - p.y);
+    }
+
+    /// Visits the buckets that a segment or a triangle may pass through, row by row, until visit() returns false;
+    /// returns its last result. A row's buckets lie between the smallest and the largest x of all sides in the row.
+    template <std::size_t count, class Visit>
+    [[nodiscard]] bool each_bucket(const grid_point (&corners)[count], Visit&& visit) const noexcept
+    {
+        std::int64_t bottom = corners[0].y, top = bottom;
+        for (const grid_point c : corners) {
+            bottom = c.y < bottom ? c.y : bottom;
+            top = c.y > top ? c.y : top;
+        }
+        for (std::int64_t row = row_of(bottom); row <= row_of(top); ++row) {
+            const std::int64_t y0 = row == 0 ? bottom : low_.y + (row << shift_),
+                               y1 = row == rows_ - 1 ? top : low_.y + ((row + 1) << shift_);
+            std::int64_t left = std::int64_t{1} << 40, right = -left;
+            const auto widen = [&](std::int64_t x) noexcept {
+                left = x - 1 < left ? x - 1 : left;
+                right = x + 1 > right ? x + 1 : right;
+            };
+            for (std::size_t i = 0; i < count; ++i) {
+                const grid_point p = corners[i], q = corners[i + 1 < count ? i + 1 : 0];
+                if ((p.y < q.y ? p.y : q.y) > y1 || (p.y < q.y ? q.y : p.y) < y0) continue;
+                widen(p.y == q.y ? q.x : x_at(p, q, y0));
+                widen(x_at(p, q, y1));
+            }
+            for (std::int64_t column = column_of(left); column <= column_of(right); ++column)
+                if (!visit(static_cast<std::size_t>(row * columns_ + column))) return false;
+        }
+        return true;
+    }
+
+    /// Whether the segment u v and the triangle of these corners a, p, b (counter-clockwise) have nothing in common
+    /// except a or b.
+    [[nodiscard]] static bool misses(const grid_point (&corner)[3], grid_point u, grid_point v) noexcept
+    {
         // All of the segment lies beyond one side of the triangle, except for a corner that may be shared.
-        const auto may_touch = [&](grid_point q) noexcept { return q == a || q == b; };
+        const auto may_touch = [&](grid_point q) noexcept { return q == corner[0] || q == corner[2]; };
         for (int i = 0; i < 3; ++i) {
             const grid_point s = corner[i], e = corner[i == 2 ? 0 : i + 1];
             const std::int64_t at_u = orientation(s, e, u), at_v = orientation(s, e, v);
