@@ -249,19 +249,9 @@ inline shape rectangle() { return {"rectangle", {polygon({{100, 0}, {500, 0}, {5
 
 inline shape letter_e()
 {
-    return {"E",
-            {polygon({{0, 0},
-                      {600, 0},
-                      {600, 100},
-                      {120, 100},
-                      {120, 300},
-                      {500, 300},
-                      {500, 400},
-                      {120, 400},
-                      {120, 600},
-                      {600, 600},
-                      {600, 700},
-                      {0, 700}})}};
+    const std::vector<point> corners{{0, 0},     {600, 0},   {600, 100}, {120, 100}, {120, 300}, {500, 300},
+                                     {500, 400}, {120, 400}, {120, 600}, {600, 600}, {600, 700}, {0, 700}};
+    return {"E", {polygon(corners)}};
 }
 
 /// Outer contour of cubics, hole of quadratics; both given counter-clockwise, so the hole is turned.

@@ -188,6 +188,10 @@ TEST_CASE("sweep_inwards() obeys its laws on random polygons", "[offset]")
 
 TEST_CASE("sweep_inwards() sweeps glyphs whose strokes close at one distance or beside a corner", "[offset]")
 {
+    const test::polyline arrow{{362240, 42496},  {332288, 0},     {476416, 55296}, {338176, 187392},
+                               {332288, 129024}, {362240, 86528}, {0, 86528},      {0, 42496}};
+    const test::polyline blunt_arrow{{392192, 42496},  {362240, 0},     {506368, 55296}, {466560, 97024},
+                                     {362240, 129024}, {392192, 86528}, {0, 86528},      {0, 42496}};
     const struct {
         const char* name;
         double width;
@@ -207,26 +211,8 @@ TEST_CASE("sweep_inwards() sweeps glyphs whose strokes close at one distance or 
           {{158720, 138240}, {158720, 230400}, {296960, 230400}, {296960, 138240}},
           {{10240, 128000}, {148480, 35840}, {10240, 35840}},
           {{10240, 230400}, {148480, 230400}, {148480, 138240}}}},
-        {"arrow whose stem closes before its head",
-         31457,
-         {{{362240, 42496},
-           {332288, 0},
-           {476416, 55296},
-           {338176, 187392},
-           {332288, 129024},
-           {362240, 86528},
-           {0, 86528},
-           {0, 42496}}}},
-        {"arrow with a blunt head",
-         30712,
-         {{{392192, 42496},
-           {362240, 0},
-           {506368, 55296},
-           {466560, 97024},
-           {362240, 129024},
-           {392192, 86528},
-           {0, 86528},
-           {0, 42496}}}},
+        {"arrow whose stem closes before its head", 31457, {arrow}},
+        {"arrow with a blunt head", 30712, {blunt_arrow}},
         {"thin hole in a thin wedge",
          9000,
          {{{0, 0}, {15809, 60691}, {17427, 73152}, {18523, 85670}, {14063, 160737}},
@@ -244,6 +230,9 @@ TEST_CASE("sweep_inwards() sweeps glyphs whose strokes close at one distance or 
 TEST_CASE("sweep_inwards() keeps faces in their planes when nearly parallel edges close", "[offset]")
 {
     // Corners between such edges are a million times as fast as the edges.
+    const test::polyline strip{{1249621, 0},    {1252529, 12596},  {1279854, 130955}, {1281308, 137253},
+                               {31673, 428841}, {1278085, 137800}, {30234, 422605},   {1440, 297886},
+                               {1247852, 6845}, {0, 291650}};
     const struct {
         double width;
         double mitre_limit;
@@ -254,18 +243,7 @@ TEST_CASE("sweep_inwards() keeps faces in their planes when nearly parallel edge
          {{{700059, 847276}, {221136, 957844}, {184280, 798203}, {147424, 638563}, {36856, 159640}, {0, 0}},
           {{98249, 61392}, {135105, 221033}, {294746, 184177}},
           {{245673, 699955}, {282529, 859596}, {405313, 663099}}}},
-        {30'750,
-         2.0,
-         {{{1249621, 0},
-           {1252529, 12596},
-           {1279854, 130955},
-           {1281308, 137253},
-           {31673, 428841},
-           {1278085, 137800},
-           {30234, 422605},
-           {1440, 297886},
-           {1247852, 6845},
-           {0, 291650}}}},
+        {30'750, 2.0, {strip}},
     };
     for (const auto& s : shapes) CHECK(swept(s.loops, {0, s.width}, s.mitre_limit).farthest_off_plane < 2.0);
 }
@@ -328,6 +306,8 @@ TEST_CASE("sweep_inwards() sweeps strokes that close at a level, and caps that t
 TEST_CASE("sweep_inwards() joins several nodes where a round shape closes in its centre", "[offset]")
 {
     // Over the Delaunay triangles the corners of this shape meet one by one, a few cells apart.
+    const test::polyline small{{34187, 45641}, {38730, 48263}, {40524, 53193}, {38730, 58123}, {34187, 60745},
+                               {29021, 59835}, {25648, 55816}, {25648, 50570}, {29020, 46551}};
     const test::filled_shape f{
         {"two polygons",
          {{{59228, -5021},   {66417, -14257},  {76215, -20658}, {87561, -23532}, {99225, -22565}, {104374, -20307},
@@ -338,15 +318,7 @@ TEST_CASE("sweep_inwards() joins several nodes where a round shape closes in its
            {44715, 104610}, {40732, 104086}, {37021, 102548}, {33834, 100103}, {31389, 96916},  {29851, 93205},
            {29327, 89222},  {29851, 85239},  {31389, 81528},  {33834, 78341},  {37021, 75896},  {40732, 74358},
            {44715, 73834},  {48698, 74358},  {52409, 75896},  {55596, 78341},  {58041, 81528},  {59579, 85239}},
-          {{34187, 45641},
-           {38730, 48263},
-           {40524, 53193},
-           {38730, 58123},
-           {34187, 60745},
-           {29021, 59835},
-           {25648, 55816},
-           {25648, 50570},
-           {29020, 46551}}}}};
+          small}}};
     test::sweep_case how;
     how.levels = {0.0, 6559.868, 12672.694, 17921.894, 21949.748, 24481.762, 25345.386};
     how.examine(f.filled, constrained_delaunay{});

@@ -44,13 +44,8 @@ struct typemesh::vertex_traits<test::styled_vertex> {
                                   attribute::cluster | attribute::part | attribute::style;
     test::styled_vertex operator()(const surface_point<wants>& s) const noexcept
     {
-        return {s.position,
-                s.normal,
-                s.uv,
-                s.glyph,
-                s.cluster,
-                static_cast<std::uint32_t>(s.part),
-                static_cast<std::uint32_t>(s.style)};
+        const auto number = [](auto named) { return static_cast<std::uint32_t>(named); };
+        return {s.position, s.normal, s.uv, s.glyph, s.cluster, number(s.part), number(s.style)};
     }
 };
 
