@@ -79,6 +79,42 @@ TEST_CASE("points that are added to a curve's edges lie on the curve, inside and
     }
 }
 
+TEST_CASE("where a curve's point lies beyond another edge, the new point lies on the chord", "[refine]")
+{
+    // The lower edge stands for a curve that dips by 50 units. The wall of a slot is 20 units below the edge.
+    //
+    //      +-----------------+
+    //      |                 |
+    //      a---.         .---b      the edge from a to b; dots: its curve
+    //      +----- . . . -----+
+    //      |                 |      the region is a C, open on the left between a and the wall below
+    disc d{1};
+    const point a{0, 0}, b{400, 0};
+    d.curves = {curve::from(quadratic{a, {200, -100}, b})};
+    d.loops.clear();
+    d.loops.tolerance = 512.0 * 60.0;
+    REQUIRE(d.loops.starts.push_back(0));
+    const point corners[] = {a, b, {400, -20}, {0, -20}, {0, -200}, {500, -200}, {500, 300}, {0, 300}};
+    for (const point p : corners) {
+        REQUIRE(d.loops.points.push_back(d.loops.grid.snap(p)));
+        REQUIRE(d.loops.edges.push_back({d.loops.edges.empty() ? 0u : 1u, 0.0f, 1.0f}));
+    }
+    REQUIRE(d.loops.starts.push_back(8));
+    d.loops.curves = d.curves;
+    d.filled = region::proven(d.loops, 0, 1);
+    test::refined_result out;
+    REQUIRE_FALSE(refine({.max_edge = 0.02f}, d.filled, out));
+    CHECK(test::broken_refinement(d.filled, out) == "");
+    std::size_t on_chord = 0, below = 0;
+    for (std::size_t i = 1; i < out.loops.points.size() && out.loops.edges[i].curve == 0; ++i) {
+        const grid_point p = out.loops.points[i];
+        on_chord += p.y == 0;
+        below += p.y < 0 && p.x > 0 && p.x < 400 * 512;
+    }
+    CHECK(on_chord >= 1);
+    CHECK(below >= 1);  // near the ends of the curve there is room
+}
+
 TEST_CASE("the refined outline of a disc approaches the disc's curves", "[refine]")
 {
     double before = 1e300;

@@ -55,6 +55,20 @@ bool has_long_gap(const test::shape& s)
     return s.name == "largest square with a hole up to its edges" || s.name == "comb of 700 teeth";
 }
 
+/// The number of boundary edges whose diametral circle holds the corner opposite.
+std::size_t encroached_edges(const test::refined_result& cap)
+{
+    const std::vector<grid_point> p = cap.points();
+    const test::cap_edges edges = test::edges_of(cap);
+    std::size_t count = 0;
+    for (const auto& [edge, apex] : edges) {
+        if (edges.count({edge.second, edge.first}) != 0) continue;
+        const grid_point a = p[edge.first], b = p[edge.second], c = p[apex];
+        count += squared_distance(a, b) > squared_distance(a, c) + squared_distance(b, c);
+    }
+    return count;
+}
+
 test::shape enlarged(test::shape s, std::int32_t factor)
 {
     for (test::polyline& l : s.loops)
@@ -100,6 +114,7 @@ TEST_CASE("without sharp corners, every angle reaches the aim", "[refine]")
             refine(refinement, shape, limits_for(degrees), out);
             CHECK(test::corners_below(out, degrees) == 0);
             CHECK(refinement.kept() == 0);
+            CHECK(encroached_edges(out) == 0);
             triangles += out.triangles.size();
         }
     }
