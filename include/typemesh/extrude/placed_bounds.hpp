@@ -24,8 +24,8 @@ inline void add_placed(bounds3& all, const box& around, float bottom, float top,
             all.add(at.position(at.foot(p), z));
 }
 
-/// The bounds of a placed box. Its area in the plane is `around`, in cells, which is not empty. The bounds are exact
-/// for frames whose axes are parallel to the coordinate axes; otherwise they may be larger.
+/// The bounding box of everything placed over a box of the plane, in cells, between two heights. It is exact for frames
+/// whose axes are parallel to the coordinate axes; otherwise it may be larger. `around` is not empty.
 [[nodiscard]] inline bounds3 placed_bounds(const box& around, height_range heights, const placement& at) noexcept
 {
     const float bottom = at.height(heights.low), top = at.height(heights.high);
