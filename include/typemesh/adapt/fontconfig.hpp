@@ -194,8 +194,8 @@ private:
         return false;
     }
 
-    /// Whether the configuration binds the match's family as strongly to the requested name as the name itself. The
-    /// configuration binds fallback families weakly.
+    /// Whether the configuration declares the match's family a full substitute for the requested name: by a strong or
+    /// same binding, not by a weak one, as for fallback families.
     static bool stands_in(FcPattern* complete, const FcPattern* match) noexcept
     {
         FcValue value;

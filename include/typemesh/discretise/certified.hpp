@@ -213,7 +213,7 @@ private:
             place(shares, from, to);
         }
 
-        /// Pieces of this length or less are always good.
+        /// Pieces whose step of t is this or less always keep the tolerance (Wang's bound), without a measurement.
         [[nodiscard]] static double sure_step(double wang4) noexcept
         {
             return greater(1.0 / std::sqrt(std::sqrt(wang4)), shortest_step);

@@ -207,7 +207,8 @@ template <extruder E>
         return how.heights();
 }
 
-/// The option that causes heights that cannot be written: "depth" if the extruder has one.
+/// The name of the option that error::bad_option reports if the heights do not fit into floats. It is "depth" if the
+/// extruder has such a member.
 template <extruder E>
 [[nodiscard]] const char* heights_name_of([[maybe_unused]] const E& how) noexcept
 {

@@ -10,8 +10,8 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// Adds everything placed over a box of the plane, in cells, between two heights, in output units. `around` is not
-/// empty; along_axes is frame::is_along_axes().
+/// Enlarges `all` by a placed box. `around` is its area in the plane, in cells, and not empty; its two heights are in
+/// output units; along_axes is frame::is_along_axes().
 inline void add_placed(bounds3& all, const box& around, float bottom, float top, const placement& at,
                        bool along_axes) noexcept
 {

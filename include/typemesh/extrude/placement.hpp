@@ -17,7 +17,7 @@ struct solid_point {
     double z = 0.0;  ///< the height, in the unit of the extruder's heights()
 };
 
-/// The place of a glyph and its unit: the map from grid cells to the caller's coordinates.
+/// The position of a glyph and the size of a cell in output units: the map from grid cells to the caller's coordinates.
 ///
 ///     output = frame((cell + pen) * unit_per_cell)        z = depth * unit_per_depth
 ///

@@ -11,7 +11,7 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// The lighting of walls, which decides the contour points that need a vertex pair for each of their two walls.
+/// The normals of walls. They decide which contour points need separate vertices for each of their two walls.
 ///
 ///     S::shares_caps     true: walls share the caps' vertices and have none of their own; `doubled` is then
 ///                        meaningless

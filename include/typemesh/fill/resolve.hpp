@@ -65,7 +65,7 @@ public:
         return boundary_.trace(a_, scratch_, filter, all_accepted);
     }
 
-    /// Replaces the contours with that boundary.
+    /// Replaces the contours with the boundary that trace() found.
     [[nodiscard]] result<region> write() noexcept
     {
         if (error e = boundary_.write(a_, loops_, scratch_)) return e;
@@ -145,8 +145,8 @@ private:
 /// region::order().
 ///
 /// Crossings are rounded to the grid. The boundary stays within about 1.5 cells of the contours' edges. Every place
-/// farther than this from all edges is filled as the rule says. If all crossings are grid points, every other place is,
-/// too.
+/// farther than this from all edges is filled as the rule says. If all crossings are grid points, the places nearer
+/// than this are filled correctly as well.
 ///
 /// The result is a set of cyclic sequences of points, which depends only on the set of edges. Neither the starts nor
 /// the order of contours matter, nor whether all contours are reversed; under even_odd, no contour's direction matters.
@@ -161,9 +161,9 @@ private:
 /// Cost   O((n + k) log n) for n points and k crossings (k may be n^2 / 2): 50 to 70 ns per piece for letters. Snap
 ///        rounding costs about five times as much, including the first sweep, plus about sqrt(n + k) steps per edge to
 ///        find the hot pixels on its way; the edge gets a point in each of these pixels.
-/// Memory at most 200 bytes per piece from `space`, in a block of at least 16 kB. When a workspace holds so many pieces
-///        for the first time, it needs several blocks: up to 210 bytes per piece with snap rounding, and 32 kB. The
-///        order of the points takes 4 bytes per point in `loops`.
+/// Memory at most 200 bytes per piece from `space`, in a block of at least 16 kB. When a workspace meets more pieces
+///        than ever before, its memory lies in several blocks: up to 32 kB plus, with snap rounding, 210 bytes per
+///        piece. The order of the points takes 4 bytes per point in `loops`.
 /// Exact  in 64 bits; from equal grid points every compiler makes the same region (except t, which is floating point)
 ///
 /// `filter` is called for intersections on the boundary of the filled area: two contour edges cross, or one ends on the

@@ -14,13 +14,13 @@ struct bar_metrics {
     double thickness = 0.0;  ///< the height of the bar, in em
 };
 
-/// Small letters that a font suggests.
+/// The size and rise that a font suggests for superscripts or subscripts.
 struct script_metrics {
     double size = 1.0;  ///< the size relative to normal letters
     double rise = 0.0;  ///< the rise of their baseline; negative for subscripts
 };
 
-/// The font's suggestions for bars and small letters. Lengths are in em.
+/// The font's suggestions for bars, superscripts and subscripts. Lengths are in em.
 struct face_metrics {
     bar_metrics underline{-0.1, 0.05};
     bar_metrics strike_through{0.28, 0.05};
@@ -78,7 +78,7 @@ template <class Shaper>
         return s.metrics(d);
 }
 
-/// The distances to which a line of one of a shaper's faces extends to both sides, in units of the first face. These
+/// How far a line in one face of a shaper extends to both sides of its baseline, in units of the first face. These
 /// distances follow the face's metrics, but a column is at least wide enough for letters of the face that lie on their
 /// side in it. Vertical metrics often cover only an ideograph: half an em to each side and no gap.
 template <class Shaper>

@@ -7,8 +7,8 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// The least distance by which a tab moves the pen, from the advance of "0". It is half of this advance, as in CSS, so
-/// that text before and after the tab does not look like one word.
+/// The least distance by which a tab moves the pen, computed from the advance of "0". It is half of this advance, as in
+/// CSS, so that text before and after the tab does not look like one word.
 [[nodiscard]] constexpr double least_tab(double digit) noexcept { return 0.5 * digit; }
 
 /// The pen's position after a tab: the next stop, or the stop after it if the next stop is nearer than `least`.

@@ -178,7 +178,8 @@ private:
                          });
     }
 
-    /// Opens a cell above each segment, from its current position.
+    /// Begins a new cell (the area that an edge sweeps between two levels) for each segment, at the segment's current
+    /// position.
     [[nodiscard]] bool open_cells() noexcept
     {
         front_.outlines.clear();
