@@ -112,6 +112,12 @@ draw $serif-Bold.ttf --outline 0.03 --outline-place outer --outline-letter --bev
 mogrify -resize 550x320^ -gravity center -extent 550x320 "${bold_and_hollow[@]}"
 montage "${bold_and_hollow[@]}" -tile 3x2 -geometry +0+0 bold_and_hollow.png
 
+refined=(--font /usr/share/fonts/truetype/dejavu/DejaVuSans.ttf --depth 0.15 --turn -20 --show triangles)
+"$program" "Rag" "${refined[@]}" --picture "$scratch/plain.png"
+"$program" "Rag" "${refined[@]}" --refine delaunay --picture "$scratch/angles.png"
+"$program" "Rag" "${refined[@]}" --refine delaunay --max-edge 0.06 --picture "$scratch/edges.png"
+convert "$scratch"/{plain,angles,edges}.png -resize 700x +append refined.png
+
 # A headline of three styles in three fonts; the styled range of a line of both directions is two stretches.
 "$program" "Type سلام 活字" --font $serif-Bold.ttf --fallback ${arabic/Regular/Bold} --fallback $japanese --bevel 0.015 --profile round \
     --style 0..4:colour=blue,underline --style 5..9:colour=red,size=1.25 --style 10..12:colour=green,overline --picture "$scratch/headline.png"
@@ -121,4 +127,4 @@ convert "$scratch"/{headline,range}.png -resize 900x -append styles.png
 g++ -std=c++20 -I../../include selection.cpp -o "$scratch/selection" $(pkg-config --cflags --libs harfbuzz)
 convert -size 910x160 xc:white -draw "$("$scratch/selection" /usr/share/fonts/truetype/dejavu/DejaVuSans.ttf)" selection.png
 
-pngquant --quality 90-100 --speed 1 --force --ext .png paragraph.png normals.png bevels.png bevelled_scripts.png bold_and_hollow.png styles.png textures.png
+pngquant --quality 90-100 --speed 1 --force --ext .png paragraph.png normals.png bevels.png bevelled_scripts.png bold_and_hollow.png refined.png styles.png textures.png
