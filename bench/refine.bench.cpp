@@ -1,0 +1,195 @@
+// SPDX-License-Identifier: MIT
+//
+// Refinement of the first 500 glyphs of a font, one after the other, beside CGAL's mesher and beside the triangulation that it
+// begins with.
+//
+//     bench_refine                             every set that has its font
+//     bench_refine --benchmark_filter=Serif
+//
+// ns_per_triangle is the best pass of several, in processor time; of_floor the same by the time of constrained_delaunay,
+// the floor, on the same glyphs. below counts the triangles with an angle below the aim, kept those that the refiner
+// leaves on purpose. Configured with -DTYPEMESH_BENCH_PEERS=ON, CGAL's Delaunay mesher (GPL; never installed, nothing of
+// it in the library) refines the same glyphs to the same angle and size. cgal_triangles and cgal_time are its triangles
+// and its time, as multiples; its time begins with its own triangulation, and ours with the region's triangles.
+//
+// Fonts: packages fonts-dejavu-core, fonts-liberation.
+
+#include "../tests/support/font_path.hpp"
+
+#include <typemesh/adapt/harfbuzz.hpp>
+#include <typemesh/glyph/glyph_builder.hpp>
+#include <typemesh/refine/delaunay_refined.hpp>
+#include <typemesh/typemesh.hpp>
+
+#include <benchmark/benchmark.h>
+
+#ifdef TYPEMESH_BENCH_PEERS
+#include "refine_peer.hpp"
+#endif
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <cstdio>
+#include <ctime>
+#include <filesystem>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace {
+
+using namespace typemesh;
+
+/// A glyph's region with memory of its own, and its triangles.
+struct glyph {
+    contours loops;
+    std::vector<curve> curves;
+    region filled;
+    triangle_list cap;
+};
+
+struct set {
+    std::string name;
+    std::vector<glyph> glyphs;
+    delaunay_refined how;
+};
+
+/// All glyphs of a font, up to `most`.
+std::vector<glyph> glyphs_of(const std::string& file, double tolerance, std::uint32_t most)
+{
+    std::vector<glyph> all;
+    auto font = harfbuzz_font::open(file.c_str());
+    if (!font) return all;
+    const certified flatten;
+    const constrained_delaunay cut;
+    no_observer nobody;
+    glyph_builder builder;
+    workspace space;
+    for (std::uint32_t id = 0; id < std::min(most, font->glyph_count()); ++id) {
+        const auto made = builder.build_region(*font, id, {.tolerance = tolerance}, cap_policies{flatten, cut, nobody});
+        if (!made || made->points().empty()) continue;
+        glyph& g = all.emplace_back();
+        g.curves.assign(made->curves().begin(), made->curves().end());
+        (void)g.loops.points.append(made->points());
+        (void)g.loops.edges.append(made->edges());
+        (void)g.loops.starts.append(made->starts());
+        g.loops.grid = made->grid();
+        g.loops.tolerance = made->tolerance();
+        g.filled = *made;  // its counts; the views are set once the vector does not grow any more
+    }
+    for (glyph& g : all) {
+        g.loops.curves = g.curves;
+        g.filled = region::proven(g.loops, g.filled.holes(), g.filled.outers(), g.filled.is_touching());
+        (void)cut(g.filled, space, g.cap);
+    }
+    return all;
+}
+
+double seconds(const auto& f)
+{
+    const std::clock_t begin = std::clock();
+    f();
+    return static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;
+}
+
+/// The triangles with an angle below so many degrees.
+std::size_t count_below(const contours& loops, const buffer<grid_point>& inner, const triangle_list& triangles,
+                        double degrees)
+{
+    const double tangent = std::tan(degrees * 0.017453292519943295);
+    const auto at = [&](std::uint32_t i) {
+        return i < loops.points.size() ? loops.points[i] : inner[i - loops.points.size()];
+    };
+    std::size_t count = 0;
+    for (const triangle t : triangles) {
+        const grid_point p[] = {at(t.a), at(t.b), at(t.c)};
+        bool is_below = false;
+        for (int k = 0; k < 3; ++k) {
+            const grid_point o = p[k], a = p[(k + 1) % 3], b = p[(k + 2) % 3];
+            const double cosine = (double(a.x) - o.x) * (double(b.x) - o.x) + (double(a.y) - o.y) * (double(b.y) - o.y);
+            is_below = is_below || static_cast<double>(orientation(o, a, b)) < tangent * cosine * (1.0 - 1e-12);
+        }
+        count += is_below;
+    }
+    return count;
+}
+
+void run(benchmark::State& state, const set& s)
+{
+    delaunay_refined::scratch scratch;
+    workspace space;
+    contours loops;
+    buffer<grid_point> inner;
+    triangle_list triangles;
+    std::uint32_t kept = 0;
+    std::size_t count = 0, below = 0, all_kept = 0;
+    const auto refine = [&](const glyph& g) {
+        return !s.how(g.filled, g.cap.view(), scratch, {loops, inner, triangles, kept});
+    };
+    double floor = 1e300, best = 1e300;
+    for ([[maybe_unused]] auto unused : state) {
+        for (const glyph& g : s.glyphs) {
+            if (!refine(g)) continue;
+            count += triangles.size();
+            all_kept += kept;
+            below += count_below(loops, inner, triangles, static_cast<double>(s.how.min_angle));
+        }
+        for (int pass = 0; pass < 5; ++pass) {
+            floor = std::min(floor, seconds([&] {
+                                 for (const glyph& g : s.glyphs) {
+                                     triangles.clear();
+                                     (void)constrained_delaunay{}(g.filled, space, triangles);
+                                 }
+                             }));
+            best = std::min(best, seconds([&] {
+                                for (const glyph& g : s.glyphs) (void)refine(g);
+                            }));
+        }
+    }
+    state.counters["ns_per_triangle"] = 1e9 * best / static_cast<double>(count);
+    state.counters["of_floor"] = best / floor;
+    state.counters["triangles"] = static_cast<double>(count);
+    state.counters["below"] = static_cast<double>(below);
+    state.counters["kept"] = static_cast<double>(all_kept);
+#ifdef TYPEMESH_BENCH_PEERS
+    std::size_t theirs = 0;
+    const double time = seconds([&] {
+        for (const glyph& g : s.glyphs) theirs += bench::cgal_triangles(g.filled, s.how);
+    });
+    state.counters["cgal_triangles"] = static_cast<double>(theirs) / static_cast<double>(count);
+    state.counters["cgal_time"] = time / best;
+#endif
+}
+
+}  // namespace
+
+int main(int argc, char** argv)
+{
+    static std::vector<set> sets;
+    struct font {
+        const char *name, *file;
+    };
+    for (const font& f : {font{"DejaVu Sans", "truetype/dejavu/DejaVuSans.ttf"},
+                          font{"Liberation Serif", "truetype/liberation/LiberationSerif-Regular.ttf"}}) {
+        const std::string file = font_path(f.file).string();
+        if (!std::filesystem::exists(file)) {
+            std::fprintf(stderr, "%s is not installed: left out\n", f.file);
+            continue;
+        }
+        for (const int tolerance : {160, 800})
+            for (const float angle : {20.0f, 25.0f, 30.0f})
+                for (const float longest : {0.0f, 0.05f}) {
+                    char name[100];
+                    std::snprintf(name, sizeof name, "%s 1/%d em / %g degrees / longest edge %g em", f.name, tolerance,
+                                  double{angle}, double{longest});
+                    sets.push_back({name, glyphs_of(file, 1.0 / tolerance, 500), {angle, longest}});
+                }
+    }
+    for (const set& s : sets)
+        benchmark::RegisterBenchmark(s.name.c_str(), [&s](benchmark::State& state) { run(state, s); })
+            ->Iterations(1)
+            ->Unit(benchmark::kMillisecond);
+    benchmark::Initialize(&argc, argv);
+    benchmark::RunSpecifiedBenchmarks();
+}
