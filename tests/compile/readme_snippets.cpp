@@ -203,7 +203,7 @@ typemesh::font_list any{*font, installed};
 auto word = mesher.plan("مرحبا", {.merge = true});
     use(lines, inter, word);
 
-typemesh::glyph_cache<> cache{8u << 20};                     // bytes; the letters not used for longest go first
+typemesh::glyph_cache<> cache{8u << 20};                     // bytes; the letters unused for longest go first
 auto score = typemesh::text_mesher{*font, typemesh::cached_in{cache, 1}};  // 1: your number for this font
 auto frame = score.plan("Score 1270");
 auto unique = frame->write_meshes(typemesh::into(vertices, indices));

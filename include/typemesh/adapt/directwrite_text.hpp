@@ -38,8 +38,8 @@ struct directwrite_glyph {
     bool sideways = false;            ///< whether the glyph is rotated to lie on its side
 };
 
-/// A whole IDWriteTextLayout as shaped text with its own outlines. All results of the layout are kept: changing fonts
-/// and sizes, fallback fonts, bidirectional text, wrapping, alignment, trimming, underlines.
+/// A whole IDWriteTextLayout as shaped text with its own outlines. All results of the layout are kept: changes of font
+/// and size, fallback fonts, bidirectional text, wrapping, alignment, trimming, underlines.
 ///
 ///     directwrite_text text;
 ///     if (auto read = text.read(layout); !read) return puts(read.error().message());

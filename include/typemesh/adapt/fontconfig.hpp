@@ -52,7 +52,7 @@ private:
 
 }  // namespace detail
 
-/// The families that a name finds.
+/// Which families a name may find.
 enum class family_names : std::uint8_t {
     own,      ///< only families with this name
     aliases,  ///< also the configuration's replacements for families that are not installed (Liberation Sans for

@@ -187,7 +187,7 @@ private:
         TYPEMESH_ASSERT(font_ != nullptr, "this font was moved: give the new font to its meshers with use()");
     }
 
-    /// HarfBuzz's callbacks for one type of sink; the table's address identifies the callbacks in use.
+    /// HarfBuzz's callbacks for one type of sink. The address of this struct identifies the callbacks in use.
     struct draw_calls {
         hb_draw_move_to_func_t move;
         hb_draw_line_to_func_t line;

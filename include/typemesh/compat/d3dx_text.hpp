@@ -79,7 +79,8 @@ concept d3dx_extruder = extruder<E> && requires(E& e) {
 ///     d3dx_text maker{font, cached_in{cache, 1}};
 ///
 /// Caps are triangulated by monotone, or by another triangulator. The default solid is extruded. Another extruder needs
-/// a member `depth`, which is set to the extrusion; if it has a member `texture`, it maps textures onto a box:
+/// a member `depth`, which is set to the extrusion; if it has a member `texture`, that is set to
+/// texture_mapping::box:
 ///
 ///     auto fair = d3dx_text{font}.with(constrained_delaunay{});
 ///     auto moulded = d3dx_text{font}.with(bevelled{.width = 0.02f, .bevel_depth = 0.03f});

@@ -147,8 +147,8 @@ private:
         return ink;
     }
 
-    /// The step from the last pen position of a line to the end of its white space. `gone` is the step from the first
-    /// pen position.
+    /// The step from the last pen position of a line to the end of its white space. `gone` is the step from the line's
+    /// first pen position to its last.
     [[nodiscard]] point rest_of(const text_line& line, point gone) const noexcept
     {
         const double all = line.advance + line.hanging;

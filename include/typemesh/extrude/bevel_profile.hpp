@@ -19,7 +19,7 @@ namespace typemesh::inline TYPEMESH_ABI {
 ///     bevelled{.profile = {{0, 0}, {0.2f, 0.8f}, {1, 1}}}                 your own points: see profile_points
 ///     bevelled{.profile = sampled_profile([](float t) { return t * t; })}
 ///
-/// Using an invalid profile (profile_points) gives error::bad_option.
+/// Using an invalid profile gives error::bad_option. For the rules see profile_points.
 class bevel_profile {
 public:
     /// One straight slope.

@@ -171,7 +171,7 @@ concept refitting_extruder = extruder<E> && requires(E& e, const solid_of<E>& s)
     { e.refit(s) } noexcept -> std::same_as<bool>;
 };
 
-/// An extruder that needs caps.
+/// An extruder whose plan() takes a cap_maker, to make caps of further regions.
 template <class E>
 concept capping_extruder = extruder<E> && detail::plans_with_caps<E>;
 

@@ -162,8 +162,9 @@ private:
 ///        rounding costs about five times as much, including the first sweep, plus about sqrt(n + k) steps per edge to
 ///        find the hot pixels on its way; the edge gets a point in each of these pixels.
 /// Memory at most 200 bytes per piece from `space`, in a block of at least 16 kB. When a workspace meets more pieces
-///        than ever before, its memory lies in several blocks: up to 32 kB plus, with snap rounding, 210 bytes per
-///        piece. The order of the points takes 4 bytes per point in `loops`.
+///        than ever before, its memory is split into several blocks. These may take 32 kB instead of 16 kB and, with
+///        snap rounding, 210 bytes per piece instead of 200. The order of the points takes 4 bytes per point in
+///        `loops`.
 /// Exact  in 64 bits; from equal grid points every compiler makes the same region (except t, which is floating point)
 ///
 /// `filter` is called for intersections on the boundary of the filled area: two contour edges cross, or one ends on the

@@ -87,8 +87,7 @@ public:
     /// The size of the grid's cells, in font units.
     [[nodiscard]] double font_units_per_cell() const noexcept { return font_units_per_cell_; }
 
-    /// The bounding box in the plane of everything that is written, in cells and in font units. Meaningless without
-    /// points.
+    /// The bounding box in the plane of everything that is written, in cells. Meaningless without points.
     [[nodiscard]] const box& around() const noexcept { return plan_.around; }
     /// This box in font units.
     [[nodiscard]] box ink() const noexcept

@@ -119,7 +119,7 @@ public:
         return fill(how, cut, nobody);
     }
 
-    /// Flattens the outline's curves into loops(), into no more than loops().max_points: see discretise().
+    /// Flattens the outline's curves into loops(), to at most loops().max_points points: see discretise().
     [[nodiscard]] result<void> flatten(const outline& curves, discretiser_ref how, double tolerance, const grid& cells,
                                        array_view<const std::uint8_t> halvings = {}) noexcept
     {

@@ -32,7 +32,7 @@ struct glyph_settings {
                                                     ///< curves
     touching corners = touching::keep;              ///< how touching corners are treated
 
-    /// The largest number of cells per em in the grid, unless corners are kept: a power of two. It depends on the
+    /// The largest number of cells per em in the grid, a power of two, ignored with touching::keep. It depends on the
     /// distance from the origin at which glyphs are written, so that floats distinguish neighbouring cells.
     double max_cells = 0x1p40;
 };

@@ -12,8 +12,8 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// Everything on which a built glyph depends, except its id. Two texts may share glyphs exactly if their contexts are
-/// equal.
+/// Everything on which a built glyph depends, except its id. Two texts may share glyphs if, and only if, their
+/// contexts are equal.
 struct glyph_context {
     std::uint64_t font = 0;       ///< the caller's number for the font
     std::uint64_t variation = 0;  ///< the font's own key for its variation and face; see variation_of()

@@ -174,7 +174,7 @@ public:
         return hit_within(glyph, p, (index - range(glyph, p).first_index) / 3);
     }
 
-    /// The owner of a triangle of the mesh, if its part is not known. Cost: O(log glyphs)
+    /// The owner of a triangle of the mesh, for callers that do not know its part. Cost: O(log glyphs)
     ///
     ///     triangle    its position in range(), below index_count / 3
     [[nodiscard]] mesh_hit hit(std::uint32_t triangle) const noexcept
