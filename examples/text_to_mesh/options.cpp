@@ -369,7 +369,7 @@ void add_weight_options(CLI::App& app, options& out)
 
 void add_refine_options(CLI::App& app, options& out, raw_values& raw)
 {
-    app.add_option("--refine", raw.refine, "add points to the letters, for meshes that will be bent or computed on")
+    app.add_option("--refine", raw.refine, "add points to the letters, for meshes to be bent or used in a simulation")
         ->check(one_of({"delaunay"}));
     add_number(
         app, "--min-angle", "the least angle of refined triangles (default 25)", "a number from 0 to 33",

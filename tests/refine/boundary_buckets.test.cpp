@@ -25,7 +25,10 @@ TEST_CASE("a point beyond an edge is free exactly if the boundary stays simple w
         triangle_list given;
         REQUIRE_FALSE(monotone{}(shape.filled, space, given));
         REQUIRE(mesh.open(shape.filled, given.view()));
+        near.clear();
+        CHECK(near.is_stale(mesh));
         REQUIRE(near.open(mesh));
+        CHECK_FALSE(near.is_stale(mesh));
         const std::size_t n = shape.filled.points().size();
         for (int k = 0; k < 20; ++k) {
             const auto from = static_cast<std::uint32_t>(d.roll(static_cast<std::int32_t>(n)));

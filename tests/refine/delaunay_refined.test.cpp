@@ -2,7 +2,9 @@
 
 #include <typemesh/refine/delaunay_refined.hpp>
 
+#include <array>
 #include <limits>
+#include <optional>
 
 #include "support/refined_shape.hpp"
 
@@ -76,6 +78,70 @@ TEST_CASE("points that are added to a curve's edges lie on the curve, inside and
             }
             CHECK(farthest < 0.72);  // half a cell's diagonal, and a float's t
         }
+    }
+}
+
+/// A triangle with some of its edges curved.
+struct curved_triangle {
+    std::vector<curve> curves;
+    contours loops;
+    region filled;
+
+    /// A control point for each edge, in cells; the middle of a straight edge for a straight one.
+    curved_triangle(const std::array<grid_point, 3>& corner, const std::array<std::optional<point>, 3>& control)
+    {
+        loops.grid = {512.0, 1024.0};
+        REQUIRE(loops.starts.push_back(0));
+        for (std::uint32_t k = 0; k < 3; ++k) {
+            const point from = loops.grid.place(corner[k]), to = loops.grid.place(corner[(k + 1) % 3]);
+            curves.push_back(control[k] ? curve::from(quadratic{from, (1.0 / 512.0) * *control[k], to})
+                                        : curve::from(from, to));
+            REQUIRE(loops.points.push_back(corner[k]));
+            REQUIRE(loops.edges.push_back({k, 0.0f, 1.0f}));
+        }
+        REQUIRE(loops.starts.push_back(3));
+        loops.curves = curves;
+        filled = region::proven(loops, 0, 1);
+    }
+};
+
+TEST_CASE("a curve that bulges beyond the circle of its edge's triangle leaves a Delaunay mesh", "[refine]")
+{
+    const curved_triangle t{{{{152640, 60033}, {-91905, -50580}, {-45935, -92414}}},
+                            {point{-65047.961, 155062.816}, {}, {}}};
+    test::refined_result out;
+    REQUIRE_FALSE(refine({.min_angle = 12.5f, .max_edge = 0.26f}, t.filled, out));
+    CHECK(test::broken_refinement(t.filled, out) == "");
+    CHECK(test::is_delaunay(out));
+}
+
+TEST_CASE("between two curves that meet at 5 degrees, no angle is smaller than theirs", "[refine]")
+{
+    const curved_triangle t{{{{119076, 118418}, {-172663, -19400}, {-34780, -62942}}},
+                            {point{40821.474, -75817.519}, point{-101666.786, -95777.777}, {}}};
+    test::refined_result out;
+    REQUIRE_FALSE(refine({.min_angle = 12.5f}, t.filled, out));
+    CHECK(test::broken_refinement(t.filled, out) == "");
+    CHECK(test::corners_below(out, 5.0) == 0);  // at 5.2 degrees the curves meet in a corner
+    CHECK(out.kept == 0);
+    CHECK(out.triangles.size() < 3000);
+}
+
+TEST_CASE("edges that have moved away from their curves are refined where they are", "[refine]")
+{
+    // Bold letters: their edges keep the names of the curves, for normals, but lie elsewhere.
+    for (const double moved : {0.9, 0.99, 1.1}) {
+        disc d{6};
+        for (grid_point& p : d.loops.points)
+            p = {std::int32_t(std::lround(moved * p.x)), std::int32_t(std::lround(moved * p.y))};
+        d.filled = region::proven(d.loops, 0, 1);
+        const auto area = [](const contours& loops) {
+            return double(inspect::doubled_area(inspect::loops_of(region::proven(loops, 0, 1))[0]));
+        };
+        test::refined_result out;
+        REQUIRE_FALSE(refine({.max_edge = 0.02f}, d.filled, out));
+        CHECK(test::broken_refinement(d.filled, out) == "");
+        CHECK(area(out.loops) == Approx(area(d.loops)).epsilon(1e-4));
     }
 }
 

@@ -37,7 +37,7 @@ struct refined_data : inner_solid<Solid> {
 };
 
 /// An extruder that refines each glyph's triangles before another extruder makes the solid. Use it for meshes that will
-/// be bent, displaced, inflated or computed on. Caps and walls share the points that are added to the outline, so the
+/// be bent, displaced or used in a simulation. Caps and walls share the points that are added to the outline, so the
 /// solid stays closed.
 ///
 ///     refined<>{.how = {.max_edge = 0.05f}}                    extruded, no edge of its caps longer than 0.05 em

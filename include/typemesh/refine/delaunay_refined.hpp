@@ -19,17 +19,18 @@ namespace typemesh::inline TYPEMESH_ABI {
 /// The refiner for triangles without small angles: adds points until every angle is at least min_angle and, if
 /// max_edge is given, no edge is longer.
 ///
-///     +-----------------+       +-----+-----+-----+
-///     |   .             |       |\   / \   / \   /|      A point that is added to a curve's edge lies on the curve,
-///     |      .          |       | \ /   \ /   \ / |      rounded to the grid. Where such a point would make the mesh
-///     |         .       |  -->  |  +-----+-----+  |      invalid, the new point lies on the edge itself.
+///     +-----------------+       +-----+-----+-----+      A point that is added to a curve's edge lies on the curve,
+///     |   .             |       |\   / \   / \   /|      rounded to the grid. If that would make the mesh invalid, or
+///     |      .          |       | \ /   \ /   \ / |      if the edge does not end on its curve, the point lies on
+///     |         .       |  -->  |  +-----+-----+  |      the edge itself.
 ///     |            .    |       | / \   / \   / \ |
 ///     |               . |       |/   \ /   \ /   \|      All inner edges are Delaunay, so their cotangent weights are
 ///     +-----------------+       +-----+-----+-----+      not negative, as solvers of heat or Poisson equations need.
 ///
 /// Angles stay smaller than min_angle in two cases. At a corner of the outline that is sharper than 60 degrees, all
-/// angles are at least arctan(sin c / (2 - cos c)), where c is the corner's own angle. Where a point would come within
-/// four cells of another, it is not added; refined_cap::kept counts the triangles that stay so.
+/// angles are at least arctan(0.98 sin c / (2 - cos c)), where c is the angle in which the edges meet after refinement.
+/// Where a point would come within four cells of another, it is not added; refined_cap::kept counts the triangles that
+/// stay so.
 ///
 /// Fails  error::bad_option: min_angle is not 0 to 33 degrees, max_edge is negative or not finite, or below 16 cells
 ///        on a glyph, or max_points is above 2^30 - 1 ("min_angle", "max_edge", "max_points")

@@ -24,6 +24,7 @@ public:
         heads_.clear();
         entries_.clear();
         const std::uint32_t n = mesh.vertex_count();
+        full_at_ = 2 * std::size_t{n} + 64;
         grid_point low = mesh.place(0), high = low;
         for (std::uint32_t v = 0; v < n; ++v) {
             const grid_point p = mesh.place(v);
@@ -45,8 +46,9 @@ public:
         return true;
     }
 
-    [[nodiscard]] bool is_open() const noexcept { return !heads_.empty(); }
-    void clear() noexcept { heads_.clear(); }
+    /// Whether open() must be called first: before the first use, and when the mesh has twice as many points.
+    [[nodiscard]] bool is_stale(const refinable_mesh& mesh) const noexcept { return mesh.vertex_count() > full_at_; }
+    void clear() noexcept { full_at_ = 0; }
 
     /// Lists the boundary edge that leaves v. False if out of memory.
     [[nodiscard]] bool add(const refinable_mesh& mesh, std::uint32_t v) noexcept
@@ -155,6 +157,7 @@ private:
 
     buffer<std::uint32_t> heads_;
     buffer<entry> entries_;
+    std::size_t full_at_ = 0;  // points
     grid_point low_ = {};
     std::int64_t columns_ = 0, rows_ = 0;
     int shift_ = 0;

@@ -35,8 +35,8 @@ struct refinement_limits {
 /// Adds points until no angle is too small and no edge too long: Ruppert's algorithm with off-centres.
 ///
 ///     boundary edges   An edge is halved while a point of the mesh lies in the circle around it (its *diametral*
-///                      circle) or it is too long. The new point lies on the edge's curve, or on the edge itself where
-///                      the curve's point would not keep the mesh valid.
+///                      circle) or it is too long. The new point lies on the edge's curve if the region's edge ends
+///                      on the curve and the new point keeps the mesh valid; otherwise it lies on the edge itself.
 ///     triangles        Of a bad triangle the off-centre becomes a point: on the perpendicular through the middle of
 ///                      the shortest edge, as far from it as the least angle allows, but no farther than the centre of
 ///                      the circle around the triangle. A point that would lie in the diametral circle of a boundary
@@ -75,6 +75,7 @@ public:
             if (error e = split_edges()) return e;
             if (mesh_.vertex_count() > limits_.max_points) return error::too_many_points;
         }
+        for (std::uint32_t t = 0; t < mesh_.triangle_count(); ++t) kept_ += rank_of(t) != good;
         return {};
     }
 
@@ -162,24 +163,25 @@ private:
         return {};
     }
 
-    /// Whether the region's own point is a corner whose inner angle is below 60 degrees.
-    [[nodiscard]] bool is_sharp(std::uint32_t v) const noexcept
-    {
-        if (v >= region_->points().size()) return false;
-        const std::uint32_t h = mesh_.at(v).boundary;
-        // The first and the last edge around it.
-        std::uint32_t last = h;
-        for (;;) {
-            const std::uint32_t back = refinable_mesh::previous(last);
-            if (mesh_.is_boundary(back)) {
-                last = back;
-                break;
-            }
-            last = mesh_.twin(back);
+    /// The inner angle of a corner; both numbers are 0 for points that are not the region's own.
+    struct corner {
+        std::int64_t sine = 0, cosine = 0;  // times the lengths of both edges
+
+        /// Below 60 degrees.
+        [[nodiscard]] bool is_sharp() const noexcept
+        {
+            return cosine > 0 && sine > 0 &&
+                   static_cast<double>(sine) < 1.7320508075688772 * static_cast<double>(cosine);
         }
-        const grid_point at = mesh_.place(v), p = mesh_.place(mesh_.target(h)), q = mesh_.start(last);
-        const std::int64_t cosine = dot(at, p, q), sine = orientation(at, p, q);
-        return cosine > 0 && sine > 0 && static_cast<double>(sine) < 1.7320508075688772 * static_cast<double>(cosine);
+    };
+    [[nodiscard]] corner corner_at(std::uint32_t v) const noexcept
+    {
+        if (v >= region_->points().size()) return {};
+        const std::uint32_t first = mesh_.at(v).boundary;
+        std::uint32_t last = refinable_mesh::previous(first);  // the edge that ends at v
+        while (!mesh_.is_boundary(last)) last = refinable_mesh::previous(mesh_.twin(last));
+        const grid_point at = mesh_.place(v), p = mesh_.place(mesh_.target(first)), q = mesh_.start(last);
+        return {orientation(at, p, q), dot(at, p, q)};
     }
 
     /// Splits the boundary edge that leaves a, unless that is impossible.
@@ -189,22 +191,22 @@ private:
         const grid_point p = mesh_.place(a), q = mesh_.place(b);
         const std::int64_t square = squared_distance(p, q);
         if (square < 4 * spacing * spacing) return {};
-        const bool from_a = is_sharp(a), from_b = is_sharp(b);
+        const bool from_a = corner_at(a).is_sharp(), from_b = corner_at(b).is_sharp();
         const double share = from_a == from_b ? 0.5 : from_a ? shell_in(square) : 1.0 - shell_in(square);
         const contour_edge edge = mesh_.at(a).edge;
-        const double t = as_double(edge.t0) + share * (as_double(edge.t1) - as_double(edge.t0));
+        double t = as_double(edge.t0) + share * (as_double(edge.t1) - as_double(edge.t0));
         const point on_chord = lerp(as_point(p), as_point(q), share);
-
-        const bool is_curved = edge.curve < region_->curves().size() && region_->curves()[edge.curve].degree > 1;
-        if (is_curved && from_a == from_b) {
-            const point on_curve = region_->grid().cells * region_->curves()[edge.curve].at(t);
-            if (is_near(on_curve, on_chord)) {
+        if (ends_on_curve(mesh_.at(a).source)) {
+            const double length = std::sqrt(static_cast<double>(square));
+            if (from_a != from_b) t = parameter_at(edge, from_a, (from_a ? share : 1.0 - share) * length);
+            const point on_curve = place_on(edge.curve, t), off = on_curve - on_chord;
+            if (typemesh::dot(off, off) < 0.09 * length * length) {
                 const auto done = try_split(a, rounded(on_curve, 0), static_cast<float>(t));
                 if (!done || *done) return done.error();
             }
         }
-        for (const int corner : {0, 1, 2, 3}) {
-            const auto done = try_split(a, rounded(on_chord, corner), static_cast<float>(t));
+        for (const int next_best : {0, 1, 2, 3}) {
+            const auto done = try_split(a, rounded(on_chord, next_best), static_cast<float>(t));
             if (!done || *done) return done.error();
         }
         return {};
@@ -223,12 +225,34 @@ private:
         return {static_cast<double>(p.x), static_cast<double>(p.y)};
     }
 
-    /// Whether a curve's point may replace a chord's: an edge may end at a crossing, off its curve.
-    [[nodiscard]] bool is_near(point on_curve, point on_chord) const noexcept
+    /// The place of a curve at t, in cells.
+    [[nodiscard]] point place_on(std::uint32_t curve, double t) const noexcept
     {
-        const double tolerance = region_->tolerance(), limit = 2.0 * tolerance + 4.0;
-        const point off = on_curve - on_chord;
-        return !(tolerance > 0.0) || typemesh::dot(off, off) < limit * limit;
+        return region_->grid().cells * region_->curves()[curve].at(t);
+    }
+
+    /// Whether both ends of a region's edge lie on its curve. If not, the edge ends at a crossing, or it has moved
+    /// away from the curve, which then says nothing about the places of its points.
+    [[nodiscard]] bool ends_on_curve(std::uint32_t source) const noexcept
+    {
+        const contour_edge edge = region_->edges()[source];
+        if (edge.curve >= region_->curves().size() || region_->curves()[edge.curve].degree == 1) return false;
+        const point first = place_on(edge.curve, as_double(edge.t0)) - as_point(region_->points()[source]),
+                    last = place_on(edge.curve, as_double(edge.t1)) - as_point(region_->points()[next_point(source)]);
+        return typemesh::dot(first, first) < 4.0 && typemesh::dot(last, last) < 4.0;
+    }
+
+    /// Where an edge's curve is so far from the edge's first or last point, by bisection.
+    [[nodiscard]] double parameter_at(const contour_edge& edge, bool from_first, double distance) const noexcept
+    {
+        double near = as_double(from_first ? edge.t0 : edge.t1), far = as_double(from_first ? edge.t1 : edge.t0);
+        const point from = place_on(edge.curve, near);
+        for (int halvings = 0; halvings < 40; ++halvings) {
+            const double middle = 0.5 * (near + far);
+            const point off = place_on(edge.curve, middle) - from;
+            (typemesh::dot(off, off) < distance * distance ? near : far) = middle;
+        }
+        return near;
     }
 
     /// A corner of the grid's cell around a place, the nearest one first.
@@ -246,29 +270,29 @@ private:
         const grid_point from = mesh_.place(a), to = mesh_.place(mesh_.target(h)), c = mesh_.place(mesh_.apex(h));
         if (orientation(from, p, c) <= 0 || orientation(p, to, c) <= 0) return false;
         if (dot(p, from, to) >= 0) return false;  // beyond an end
+        constexpr std::int64_t nearest = spacing * spacing;
+        if (squared_distance(p, from) < nearest || squared_distance(p, to) < nearest) return false;
         if (orientation(from, to, p) < 0) {
-            if (!near_.is_open() && !near_.open(mesh_)) return error::out_of_memory;
+            if (near_.is_stale(mesh_) && !near_.open(mesh_)) return error::out_of_memory;
             if (!near_.is_free(mesh_, a, p)) return false;
         }
         const std::uint32_t v = mesh_.split(a, p, t);
         if (v == none) return error::out_of_memory;
-        if (near_.is_open() && (!near_.add(mesh_, a) || !near_.add(mesh_, v))) return error::out_of_memory;
-        return check_around(v, none) ? result<bool>{true} : result<bool>{error::out_of_memory};
+        if (!near_.is_stale(mesh_) && (!near_.add(mesh_, a) || !near_.add(mesh_, v))) return error::out_of_memory;
+        return check_changed() ? result<bool>{true} : result<bool>{error::out_of_memory};
     }
 
     // ---- triangles
 
-    /// Lists what is bad around a new point. False if out of memory.
-    [[nodiscard]] bool check_around(std::uint32_t v, std::uint32_t leaving) noexcept
+    /// Lists what is bad of what has changed. False if out of memory.
+    [[nodiscard]] bool check_changed() noexcept
     {
-        bool fits = true;
-        mesh_.around(v, leaving, [&](std::uint32_t h) noexcept {
-            const std::uint32_t t = h / 4;
-            fits = fits && check_triangle(t);
-            for (std::uint32_t k = 4 * t; k < 4 * t + 3; ++k)
-                if (mesh_.is_boundary(k)) fits = fits && check_boundary(k);
-        });
-        return fits;
+        for (const std::uint32_t t : mesh_.changed()) {
+            if (!check_triangle(t)) return false;
+            for (std::uint32_t h = 4 * t; h < 4 * t + 3; ++h)
+                if (mesh_.is_boundary(h) && !check_boundary(h)) return false;
+        }
+        return true;
     }
 
     /// The rank of a bad triangle: small angles come first, at the shortest edges first; then long edges, the longest
@@ -280,7 +304,7 @@ private:
         const std::int64_t cosine = dot(at, mesh_.place(u), mesh_.place(v)),
                            sine = orientation(at, mesh_.place(u), mesh_.place(v));
         if (cosine > 0 && static_cast<double>(sine) < limits_.tangent * static_cast<double>(cosine) &&
-            !is_between_shells(u, v))
+            !is_between_shells(u, v, static_cast<double>(sine) / static_cast<double>(cosine)))
             return triangle_queue::rank_of(squared_length(least));
         std::int64_t longest = 0;
         for (std::uint32_t h = 4 * t; h < 4 * t + 3; ++h)
@@ -288,18 +312,24 @@ private:
         return is_too_long(longest) ? triangle_queue::ranks - 1 - triangle_queue::rank_of(longest) : good;
     }
 
-    /// Whether two points lie on two boundary edges that meet in a sharp corner, equally far from it.
-    [[nodiscard]] bool is_between_shells(std::uint32_t u, std::uint32_t v) const noexcept
+    /// Whether two points lie on two boundary edges that meet in a sharp corner, equally far from it, and the angle
+    /// opposite, whose tangent is given, is as large as the corner allows: arctan(sin c / (2 - cos c)), less a fiftieth
+    /// for rounding.
+    [[nodiscard]] bool is_between_shells(std::uint32_t u, std::uint32_t v, double tangent) const noexcept
     {
         const std::size_t n = region_->points().size();
         if (u < n || v < n) return false;
         const std::uint32_t edge_u = mesh_.at(u).source, edge_v = mesh_.at(v).source;
         if (edge_u == none || edge_v == none || edge_u == edge_v) return false;
         const std::uint32_t after_u = next_point(edge_u), after_v = next_point(edge_v);
-        const std::uint32_t corner = after_u == edge_v ? edge_v : after_v == edge_u ? edge_u : none;
-        if (corner == none || !is_sharp(corner)) return false;
-        const auto far_u = static_cast<double>(squared_distance(mesh_.place(corner), mesh_.place(u))),
-                   far_v = static_cast<double>(squared_distance(mesh_.place(corner), mesh_.place(v)));
+        const std::uint32_t between = after_u == edge_v ? edge_v : after_v == edge_u ? edge_u : none;
+        if (between == none) return false;
+        const corner c = corner_at(between);
+        if (!c.is_sharp()) return false;
+        const auto sine = static_cast<double>(c.sine), cosine = static_cast<double>(c.cosine);
+        if (tangent * (2.0 * std::sqrt(sine * sine + cosine * cosine) - cosine) < 0.98 * sine) return false;
+        const auto far_u = static_cast<double>(squared_distance(mesh_.place(between), mesh_.place(u))),
+                   far_v = static_cast<double>(squared_distance(mesh_.place(between), mesh_.place(v)));
         const double difference = std::sqrt(far_u) - std::sqrt(far_v);
         return difference < 4.0 && difference > -4.0;
     }
@@ -339,13 +369,10 @@ private:
             if (!entered) return entered.error();
             is_far = *entered;
         }
-        if (!is_far) {
-            ++kept_;
-            return {};
-        }
+        if (!is_far) return {};
         if (encroached_ != none) return force(encroached_, bad);
         const std::uint32_t v = mesh_.insert(t, p);
-        if (v == none || !check_around(v, mesh_.leaving_last())) return error::out_of_memory;
+        if (v == none || !check_changed()) return error::out_of_memory;
         return {};
     }
 
@@ -354,10 +381,7 @@ private:
     {
         const std::uint32_t before = mesh_.vertex_count();
         if (error e = split(a)) return e;
-        if (mesh_.vertex_count() == before) {
-            ++kept_;
-            return {};
-        }
+        if (mesh_.vertex_count() == before) return {};
         const std::uint32_t h = 4 * bad.t;
         const bool is_there = mesh_.origin(h) == bad.a && mesh_.origin(h + 1) == bad.b && mesh_.origin(h + 2) == bad.c;
         return !is_there || check_triangle(bad.t) ? error{} : error{error::out_of_memory};

@@ -37,7 +37,10 @@ public:
         contour_edge edge = {};         ///< the part of a curve that that edge stands for
     };
 
-    explicit refinable_mesh(memory source = heap()) noexcept : vertices_{source}, edges_{source}, list_{source} {}
+    explicit refinable_mesh(memory source = heap()) noexcept
+        : vertices_{source}, edges_{source}, list_{source}, changed_{source}
+    {
+    }
 
     /// Begins with a region's triangles, which need not be Delaunay. Points keep their numbers.
     ///
@@ -88,6 +91,7 @@ public:
         vertices_.clear();
         edges_.clear();
         list_.clear();
+        changed_.clear();
     }
 
     [[nodiscard]] std::uint32_t vertex_count() const noexcept { return static_cast<std::uint32_t>(vertices_.size()); }
@@ -114,6 +118,9 @@ public:
 
     /// A number for each triangle that its user writes and reads; new triangles have 0.
     [[nodiscard]] std::uint32_t& mark(std::uint32_t t) noexcept { return edges_[4 * t + 3].origin; }
+
+    /// The triangles that the last call of open(), split() or insert() has made or changed; some may occur twice.
+    [[nodiscard]] array_view<const std::uint32_t> changed() const noexcept { return changed_.view(); }
 
     /// Adds the point p on the boundary edge that leaves a, which becomes two edges: `before` to p and `after` from p.
     /// The edge's triangle a, b, c becomes a, p, c and p, b, c, which must be counter-clockwise.
@@ -142,7 +149,10 @@ public:
         attach(g + 1, beyond);
         set_twins(h1, g + 2);
         list_.clear();
-        return list_.push_back(g + 1) && list_.push_back(previous(h)) && flip_listed() ? v : none;
+        changed_.clear();
+        const bool fits = changed_.push_back(h / 4) && changed_.push_back(g / 4) && list_.push_back(g + 1) &&
+                          list_.push_back(previous(h)) && list_.push_back(h1);
+        return fits && flip_listed() ? v : none;
     }
 
     /// Adds the inner point p of a triangle, or of an inner edge of it. Returns its number; none if out of memory.
@@ -169,25 +179,11 @@ public:
         set_twins(g + 1, k + 2);
         set_twins(k + 1, h + 2);
         list_.clear();
-        return list_.push_back(h) && list_.push_back(g) && list_.push_back(k) && flip_listed() ? v : none;
+        changed_.clear();
+        bool fits = true;
+        for (const std::uint32_t edge : {h, g, k}) fits = fits && changed_.push_back(edge / 4) && list_.push_back(edge);
+        return fits && flip_listed() ? v : none;
     }
-
-    /// Calls visit(h) for the half-edges opposite v, one in each triangle around it; counter-clockwise.
-    template <class Visit>
-    void around(std::uint32_t v, std::uint32_t leaving, Visit&& visit) const noexcept
-    {
-        std::uint32_t h = leaving;
-        // An inner point: all around. A boundary point: begin with its boundary edge.
-        if (vertices_[v].boundary != none) h = vertices_[v].boundary;
-        const std::uint32_t first = h;
-        do {
-            visit(next(h));
-            h = twin(previous(h));
-        } while (h != none && h != first);
-    }
-
-    /// A half-edge that leaves the point that was added last.
-    [[nodiscard]] std::uint32_t leaving_last() const noexcept { return leaving_last_; }
 
 private:
     struct half_edge {
@@ -213,12 +209,10 @@ private:
     /// Flips until all listed edges, and those around edges that are flipped, are Delaunay. False if out of memory.
     [[nodiscard]] bool flip_listed() noexcept
     {
-        const std::uint32_t added = vertex_count() - 1;
         while (!list_.empty()) {
             const std::uint32_t h = list_.back();
             list_.truncate(list_.size() - 1);
             const std::uint32_t g = twin(h);
-            if (origin(previous(h)) == added) leaving_last_ = previous(h);
             if (g == none) continue;
             const std::uint32_t h1 = next(h), h2 = previous(h), g1 = next(g), g2 = previous(g);
             if (!prefers_other_diagonal(start(h), start(g), start(h2), start(g2))) continue;
@@ -236,9 +230,8 @@ private:
             set_twins(h1, g1);
             edges_[(h & ~3u) + 3] = {0, 0};
             edges_[(g & ~3u) + 3] = {0, 0};
-            for (const std::uint32_t leaving : {h, h1, g, g1})
-                if (origin(leaving) == added) leaving_last_ = leaving;
-            if (!list_.push_back(h) || !list_.push_back(g2) || !list_.push_back(g) || !list_.push_back(h2))
+            if (!list_.push_back(h) || !list_.push_back(g2) || !list_.push_back(g) || !list_.push_back(h2) ||
+                !changed_.push_back(h / 4) || !changed_.push_back(g / 4))
                 return false;
         }
         return true;
@@ -247,7 +240,7 @@ private:
     buffer<vertex> vertices_;
     buffer<half_edge> edges_;
     buffer<std::uint32_t> list_;
-    std::uint32_t leaving_last_ = none;
+    buffer<std::uint32_t> changed_;
 };
 
 }  // namespace typemesh::inline TYPEMESH_ABI::detail
