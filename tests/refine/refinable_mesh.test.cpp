@@ -2,6 +2,8 @@
 
 #include <typemesh/refine/impl/refinable_mesh.hpp>
 
+#include <algorithm>
+
 #include "support/counting_memory.hpp"
 #include "support/delaunay.hpp"
 #include "support/refined_shape.hpp"
@@ -125,6 +127,25 @@ TEST_CASE("points that are added at random keep a refinable mesh Delaunay and it
     }
     CHECK(added > 500);
     CHECK(split > 200);
+}
+
+TEST_CASE("a point that bulges beyond the circle around its edge's triangle leaves a Delaunay mesh", "[refine]")
+{
+    //       c            The circle through a, b, c passes between the edge a b and p, so a b becomes an inner edge.
+    //      / \
+    //     a---b
+    //      ' '
+    //       p
+    const test::filled_shape shape{test::shape{"triangle", {{{0, 0}, {100'000, 0}, {50'000, 140'000}}}}};
+    refinable_mesh mesh;
+    REQUIRE(mesh.open(shape.filled, cut(shape).view()));
+    const grid_point p{50'000, -30'000};
+    REQUIRE(in_circle({0, 0}, {100'000, 0}, {50'000, 140'000}, p) < 0);
+    REQUIRE(mesh.split(0, p, 0.5f) == 3);
+    CHECK(broken_links(mesh) == "");
+    CHECK(mesh.triangle_count() == 2);
+    const auto changed = mesh.changed();
+    for (const std::uint32_t t : {0u, 1u}) CHECK(std::count(changed.begin(), changed.end(), t) > 0);
 }
 
 TEST_CASE("a refinable mesh without memory says so", "[refine]")

@@ -194,8 +194,8 @@ private:
         return false;
     }
 
-    /// Whether the configuration declares the match's family a full substitute for the requested name: by a strong or
-    /// same binding, not by a weak one, as for fallback families.
+    /// Whether the configuration declares the match's family a full substitute for the requested name. A strong or
+    /// same binding does that; a weak one, which fallback families have, does not.
     static bool stands_in(FcPattern* complete, const FcPattern* match) noexcept
     {
         FcValue value;

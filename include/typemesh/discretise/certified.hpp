@@ -101,9 +101,9 @@ private:
     [[nodiscard]] static double greater(double a, double b) noexcept { return a > b ? a : b; }
 
     /// Emits the inner points without a table if Wang's bound is 3 or 4, which is the value of `most`. The bound is 3
-    /// or 4 for the majority of the curves in a text. The errors of the two halves give the number of points; a density
-    /// that slopes between the halves places these points. Returns false if a chord is too long, or if a cubic changes
-    /// its bending direction.
+    /// or 4 for the majority of the curves in a text. The errors of the two halves give the number of points. If it is
+    /// below Wang's bound, the points are denser in the half with the larger error. Returns false if a chord is too
+    /// long, or if a cubic changes its bending direction.
     template <class Chords, class Put>
     static bool few(const Chords& chords, int most, Put& put) noexcept
     {

@@ -41,7 +41,8 @@ struct placement {
 
     point pen = {};               ///< the glyph's origin, in cells
     double unit_per_cell = 1.0;   ///< output units per cell
-    double unit_per_depth = 1.0;  ///< output units per unit of depths: em, unless text_options::depth_in says otherwise
+    double unit_per_depth = 1.0;  ///< output units per unit of depths (that unit is an em, unless
+                                  ///< text_options::depth_in says otherwise)
     double em_per_depth = 1.0;    ///< em per unit of depths
     double em_per_cell = 1.0;     ///< em per cell
     point em_pen = {};            ///< em mapping: the glyph's origin, in cells, relative to the text's own origin

@@ -29,8 +29,8 @@ struct refined_cap {
     std::uint32_t& kept;
 };
 
-/// Adds points to a region's triangles, inside and on the boundary, for meshes that will be bent, displaced or used in a
-/// simulation.
+/// Adds points to a region's triangles, inside and on the boundary, for meshes that will be bent, displaced or used in
+/// a simulation.
 ///
 ///     R::scratch                       its working memory, made with a memory source
 ///     r(region, cap, scratch, out)     refines the triangles `cap` of a region, whose indices refer to its points. The

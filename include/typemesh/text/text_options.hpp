@@ -19,7 +19,7 @@ namespace typemesh::inline TYPEMESH_ABI {
 enum class output_unit : std::uint8_t {
     em,          ///< an em is 1, so `size` is the size of an em
     font_units,  ///< the font's own units, units_per_em per em
-    pixels,      ///< pixels_per_em per em
+    pixels,      ///< pixels: an em is text_options::pixels_per_em of them
     unit_box,    ///< the text's box is scaled to fit [-1, 1]: its longer side spans the interval, and its centre is at
                  ///< 0
 };
