@@ -131,11 +131,11 @@ TEST_CASE("points that are added at random keep a refinable mesh Delaunay and it
 
 TEST_CASE("a point that bulges beyond the circle around its edge's triangle leaves a Delaunay mesh", "[refine]")
 {
-    //       c            The circle through a, b, c passes between the edge a b and p, so a b becomes an inner edge.
-    //      / \
-    //     a---b
-    //      ' '
-    //       p
+    //    c - - - b      The circle through a, b, c passes between the edge a b and p, so a b becomes an inner edge.
+    //     '     / '
+    //      '   /   p
+    //       ' /  '
+    //        a
     const test::filled_shape shape{test::shape{"triangle", {{{0, 0}, {100'000, 0}, {50'000, 140'000}}}}};
     refinable_mesh mesh;
     REQUIRE(mesh.open(shape.filled, cut(shape).view()));
