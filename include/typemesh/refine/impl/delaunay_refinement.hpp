@@ -287,7 +287,10 @@ private:
     /// Lists what is bad of what has changed. False if out of memory.
     [[nodiscard]] bool check_changed() noexcept
     {
+        ++stamp_;
         for (const std::uint32_t t : mesh_.changed()) {
+            if (mesh_.mark(t) == stamp_) continue;  // listed twice
+            mesh_.mark(t) = stamp_;
             if (!check_triangle(t)) return false;
             for (std::uint32_t h = 4 * t; h < 4 * t + 3; ++h)
                 if (mesh_.is_boundary(h) && !check_boundary(h)) return false;
