@@ -106,9 +106,9 @@ auto framed = typemesh::text_mesher{*font, typemesh::outlined<typemesh::extruded
     .place = typemesh::outline_place::outer, .letter = {.depth = 0.1f}}};
 auto spaced = bolder.plan("Hamburg", {.shape = {.letter_spacing = 2 * 0.015}});
     use(bolder, hollow, framed, spaced);
-auto even = typemesh::text_mesher{*font, typemesh::refined<>{.how = {.max_edge = 0.05f}}};
+auto short_edges = typemesh::text_mesher{*font, typemesh::refined<>{.how = {.max_edge = 0.05f}}};
 auto fine_flat = typemesh::text_mesher{*font, typemesh::refined<typemesh::flat>{.how = {.min_angle = 30.0f}}};
-    use(even, fine_flat);
+    use(short_edges, fine_flat);
 typemesh::text_mesher over_the_text{*font, typemesh::extruded<>{.texture = typemesh::texture_mapping::box}};
     use(over_the_text);
 

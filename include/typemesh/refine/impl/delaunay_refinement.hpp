@@ -245,14 +245,14 @@ private:
     /// Where an edge's curve is so far from the edge's first or last point, by bisection.
     [[nodiscard]] double parameter_at(const contour_edge& edge, bool from_first, double distance) const noexcept
     {
-        double near = as_double(from_first ? edge.t0 : edge.t1), far = as_double(from_first ? edge.t1 : edge.t0);
-        const point from = place_on(edge.curve, near);
+        double nearer = as_double(from_first ? edge.t0 : edge.t1), farther = as_double(from_first ? edge.t1 : edge.t0);
+        const point from = place_on(edge.curve, nearer);
         for (int halvings = 0; halvings < 40; ++halvings) {
-            const double middle = 0.5 * (near + far);
+            const double middle = 0.5 * (nearer + farther);
             const point off = place_on(edge.curve, middle) - from;
-            (typemesh::dot(off, off) < distance * distance ? near : far) = middle;
+            (typemesh::dot(off, off) < distance * distance ? nearer : farther) = middle;
         }
-        return near;
+        return nearer;
     }
 
     /// A corner of the grid's cell around a place, the nearest one first.
