@@ -25,9 +25,8 @@ namespace typemesh::inline TYPEMESH_ABI::detail {
 
 /// What a refinement aims at, in cells.
 struct refinement_limits {
-    double tangent = 0.0;  ///< of the least angle
-    double off_centre =
-        0.0;  ///< the greatest distance of an off-centre from the middle of its edge, which has length 1
+    double tangent = 0.0;         ///< of the least angle
+    double off_centre = 0.0;      ///< `farthest` of off_centre()
     std::int64_t max_square = 0;  ///< the square of the greatest length of an edge; 0: any length
     std::uint32_t max_points = default_max_points;
 };
@@ -43,7 +42,11 @@ struct refinement_limits {
 ///                      edge is not added; that edge is halved instead.
 ///     sharp corners    Edges at a corner below 60 degrees are cut at powers of two from it, so that neighbours are
 ///                      cut at the same distance. A triangle between two such cuts keeps its angle.
-///     spacing          No point is added nearer than four cells to another: rounding could otherwise go on for ever.
+///     spacing          No inner point is added within four cells of another point, and no boundary edge is cut within
+///                      four cells of its ends: rounding could otherwise go on for ever.
+///
+/// Whether the mesh stays valid is decided exactly. Whether a triangle is bad enough for a point is decided in double
+/// precision: it can cost a point, never the mesh.
 ///
 /// From  J. Ruppert, A Delaunay refinement algorithm for quality 2-dimensional mesh generation (1995); G. Miller,
 ///       S. Pav & N. Walkington, When and why Ruppert's algorithm works (2003); see also off_centre.hpp
@@ -64,6 +67,7 @@ public:
         edges_.clear();
         waiting_.clear();
         kept_ = 0;
+        stamp_ = 0;
         if (!mesh_.open(r, triangles)) return error::out_of_memory;
         for (std::uint32_t v = 0; v < mesh_.vertex_count(); ++v)
             if (!check_boundary(mesh_.at(v).boundary)) return error::out_of_memory;

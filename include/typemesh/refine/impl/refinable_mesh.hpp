@@ -2,7 +2,6 @@
 #pragma once
 
 #include <typemesh/core/array_view.hpp>
-#include <typemesh/core/assert.hpp>
 #include <typemesh/core/buffer.hpp>
 #include <typemesh/core/contours.hpp>
 #include <typemesh/core/impl/in_circle.hpp>
@@ -21,8 +20,8 @@ namespace typemesh::inline TYPEMESH_ABI::detail {
 ///               r                  triangle t has the half-edges 4t, 4t + 1, 4t + 2; the fourth entry holds its mark.
 ///             /   ^                next() goes around a triangle counter-clockwise.
 ///           /   t   \              twin(h) is the same edge as seen from the other side; `none` on the boundary.
-///         v           \            Each boundary point is the first point of one boundary edge, boundary_from(). A
-///        p ---- h ----> q          point where a boundary touches itself is two points at one place.
+///         v           \            Each boundary point is the first point of one boundary edge. A point where a
+///        p ---- h ----> q          boundary touches itself is two points at one place.
 ///
 /// It keeps its memory for the next region.
 class refinable_mesh {
@@ -45,21 +44,21 @@ public:
     /// Begins with a region's triangles, which need not be Delaunay. Points keep their numbers.
     ///
     /// False if out of memory
-    /// Cost   O(n), and O(1) for each flip
+    /// Cost   O(n), and O(1) for each flip. Delaunay triangles need no flips, others usually few, at worst n^2.
     [[nodiscard]] bool open(const region& r, array_view<const triangle> triangles) noexcept
     {
         clear();
         const auto n = static_cast<std::uint32_t>(r.points().size());
         vertex* const all = vertices_.append(n);
         half_edge* const edges = edges_.append(4 * triangles.size());
-        std::uint32_t* const leaving = list_.append(n + 4 * triangles.size());
+        std::uint32_t* const leaving = list_.append(2 * std::size_t{n} + 4 * triangles.size());
         if (all == nullptr || edges == nullptr || leaving == nullptr) return false;
         for (std::uint32_t v = 0; v < n; ++v) {
             all[v] = {r.points()[v], none, v, r.edges()[v]};
             leaving[v] = none;
         }
-        // Twins: a list of the half-edges that leave each point.
-        std::uint32_t* const after = leaving + n;
+        std::uint32_t *const noted = leaving + n, *const after = noted + n;
+        for (std::uint32_t v = 0; v < n; ++v) noted[v] = none;
         for (std::size_t t = 0; t < triangles.size(); ++t) {
             const std::uint32_t corners[] = {triangles[t].a, triangles[t].b, triangles[t].c};
             for (std::uint32_t k = 0; k < 3; ++k) {
@@ -70,15 +69,17 @@ public:
             }
             edges[4 * t + 3] = {0, 0};
         }
-        for (std::uint32_t h = 0; h < end(); h = h % 4 == 2 ? h + 2 : h + 1) {
-            if (edges[h].twin != none) continue;
-            const std::uint32_t from = edges[h].origin, to = edges[next(h)].origin;
-            std::uint32_t g = leaving[to];
-            while (g != none && (edges[next(g)].origin != from || edges[g].twin != none)) g = after[g];
-            if (g == none)
-                all[from].boundary = h;
-            else
-                set_twins(h, g);
+        // Twins, point by point, in O(n) even for points of many triangles: each half-edge that leaves the point is
+        // noted at its other end, and each half-edge that arrives looks up the note at its own first point.
+        for (std::uint32_t v = 0; v < n; ++v) {
+            for (std::uint32_t h = leaving[v]; h != none; h = after[h]) noted[target(h)] = h;
+            for (std::uint32_t h = leaving[v]; h != none; h = after[h]) {
+                const std::uint32_t arriving = previous(h), from = origin(arriving), back = noted[from];
+                if (back != none && origin(back) == v)
+                    edges[arriving].twin = back;
+                else
+                    all[from].boundary = arriving;
+            }
         }
         list_.clear();
         for (std::uint32_t h = 0; h < end(); h = h % 4 == 2 ? h + 2 : h + 1)
@@ -119,10 +120,10 @@ public:
     /// A number for each triangle that its user writes and reads; new triangles have 0.
     [[nodiscard]] std::uint32_t& mark(std::uint32_t t) noexcept { return edges_[4 * t + 3].origin; }
 
-    /// The triangles that the last call of open(), split() or insert() has made or changed; some may occur twice.
+    /// The triangles that the last call of split() or insert() has made or changed; some may occur twice.
     [[nodiscard]] array_view<const std::uint32_t> changed() const noexcept { return changed_.view(); }
 
-    /// Adds the point p on the boundary edge that leaves a, which becomes two edges: `before` to p and `after` from p.
+    /// Adds the point p on the boundary edge that leaves a, which becomes two edges, a p and p b.
     /// The edge's triangle a, b, c becomes a, p, c and p, b, c, which must be counter-clockwise.
     ///
     ///          c                  c
