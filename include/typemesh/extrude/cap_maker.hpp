@@ -4,6 +4,7 @@
 #include <typemesh/core/array_view.hpp>
 #include <typemesh/core/contours.hpp>
 #include <typemesh/core/error.hpp>
+#include <typemesh/core/point.hpp>
 #include <typemesh/core/region.hpp>
 #include <typemesh/core/result.hpp>
 #include <typemesh/core/triangle.hpp>
@@ -12,6 +13,12 @@
 #include <concepts>
 
 namespace typemesh::inline TYPEMESH_ABI {
+
+/// The place of a region in the text, for extruders whose solids differ from place to place.
+struct solid_place {
+    point origin = {};          ///< the region's own origin, relative to the text's, in em
+    double em_per_depth = 1.0;  ///< em per unit of the extruder's depths
+};
 
 /// The resources of an extruder's plan(): caps of further regions (for example levels of a bevel), triangulated like
 /// all others of the text, and the scratch memory that all stages share.
@@ -25,6 +32,7 @@ namespace typemesh::inline TYPEMESH_ABI {
 ///     caps.fill(out)       makes the region that these loops fill by fill_rule::non_zero, with its triangles, as
 ///                          above. The region refers to loops(), which are unchanged if they already bound a region
 ///     caps.space()         for scopes of your own, which release their memory at the end
+///     caps.place()         optional, see solid_place_of(): the place of the region in the text
 ///
 /// The library supplies a cap_maker. Write your own for an extruder's tests, or to call the stage by itself.
 template <class C>
@@ -50,5 +58,15 @@ private:
     workspace space_;
 };
 static_assert(cap_maker<no_caps>);
+
+/// The place of the region that is being planned; the text's origin if the cap_maker does not know.
+template <cap_maker Caps>
+[[nodiscard]] solid_place solid_place_of(const Caps& caps) noexcept
+{
+    if constexpr (requires { caps.place(); })
+        return caps.place();
+    else
+        return {};
+}
 
 }  // namespace typemesh::inline TYPEMESH_ABI

@@ -119,6 +119,11 @@ concept plans_with_caps = requires(const E& e, const region& r, plan_data_of<E>&
 ///                                      triangles
 ///     e.outline(s)                     the loops of the whole area that it covers in the plane, if it grows beyond the
 ///                                      region: glyphs whose outlines meet are merged
+///     e.plans_in_place()               whether solids of one glyph differ from place to place. Each glyph of a text is
+///                                      then planned at its own place, see solid_place_of() in cap_maker.hpp, and no
+///                                      cache is used
+///     e.refused_text(box)              the error for a whole text whose solids fill this box (textured in solid.hpp,
+///                                      in em), or none
 ///     e.refit(s)                       adapts the options to a planned solid of the text, if all its solids must agree
 ///                                      in something; returns whether an option changed. It is called for each solid;
 ///                                      if one call returned true, all solids are planned again
@@ -169,6 +174,12 @@ concept has_outline = extruder<E> && requires(const E& e, const solid_of<E>& s) 
 template <class E>
 concept refitting_extruder = extruder<E> && requires(E& e, const solid_of<E>& s) {
     { e.refit(s) } noexcept -> std::same_as<bool>;
+};
+
+/// An extruder that may refuse a whole text for its size.
+template <class E>
+concept refuses_texts = extruder<E> && requires(const E& e, const box& text) {
+    { e.refused_text(text) } noexcept -> std::same_as<error>;
 };
 
 /// An extruder whose plan() takes a cap_maker, to make caps of further regions.
@@ -228,6 +239,16 @@ template <extruder E>
         return how.has_own_caps();
     else
         return has_front_triangles<E>;
+}
+
+/// Whether an extruder's solids differ from place to place.
+template <extruder E>
+[[nodiscard]] bool plans_in_place([[maybe_unused]] const E& how) noexcept
+{
+    if constexpr (requires { how.plans_in_place(); })
+        return how.plans_in_place();
+    else
+        return false;
 }
 
 /// The triangles that seen_from_front() reports for a solid, or the region's triangles.

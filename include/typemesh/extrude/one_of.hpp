@@ -167,6 +167,10 @@ public:
     {
         return visit([](auto, const auto& how) noexcept { return heights_name_of(how); });
     }
+    [[nodiscard]] bool plans_in_place() const noexcept
+    {
+        return visit([](auto, const auto& how) noexcept { return typemesh::plans_in_place(how); });
+    }
     /// Whether the triangles of the chosen extruder are not the region's own.
     [[nodiscard]] bool has_own_caps() const noexcept
     {

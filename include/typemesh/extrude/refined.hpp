@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <typemesh/core/buffer.hpp>
 #include <typemesh/core/impl/option_hash.hpp>
 #include <typemesh/core/policy_key.hpp>
 #include <typemesh/extrude/extruded.hpp>
 #include <typemesh/extrude/extruder.hpp>
-#include <typemesh/extrude/impl/inner_solid.hpp>
+#include <typemesh/extrude/impl/refined_solid.hpp>
 #include <typemesh/refine/delaunay_refined.hpp>
 #include <typemesh/refine/refiner.hpp>
 
@@ -15,25 +14,12 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// An extruder that accepts points inside the region. In solid::points they follow the points of the loops, and the
-/// caps' triangles may use them.
-template <class E>
-concept refinable_extruder = extruder<E> && takes_inner_points<E>;
-
 /// The plan data of refined: the solid of the refined region.
 template <class Solid, class Refiner>
-struct refined_data : inner_solid<Solid> {
+struct refined_data : refined_solid<Solid> {
     typename Refiner::scratch working;  ///< the refiner's memory, which is not stored with the glyph
-    buffer<grid_point> inner;           ///< the points inside, before they follow the loops'
 
-    explicit refined_data(memory source = heap()) noexcept : inner_solid<Solid>{source}, working{source}, inner{source}
-    {
-    }
-    void clear() noexcept
-    {
-        inner_solid<Solid>::clear();
-        inner.clear();
-    }
+    explicit refined_data(memory source = heap()) noexcept : refined_solid<Solid>{source}, working{source} {}
 };
 
 /// An extruder that refines each glyph's triangles before another extruder makes the solid. Use it for meshes that will
@@ -71,19 +57,8 @@ struct refined {
         if (error e = how.refused_options()) return e;
         if (filled.points().empty()) return data.plan(solid, filled, caps);
         std::uint32_t kept = 0;
-        if (error e = how(filled, caps.triangles(), data.working, {data.loops, data.inner, data.triangles, kept}))
-            return e;
-        auto made =
-            data.plan(solid, region::proven(data.loops, filled.holes(), filled.outers(), filled.is_touching()), caps);
-        if (!made) return made;
-        // The caps get the inner points as well. Each adds two triangles.
-        const auto added = static_cast<std::uint32_t>(data.inner.size());
-        for (const part p : {part::front, part::back}) {
-            if (made->sizes.vertices[p] != 0) made->sizes.vertices[p] += added;
-            if (made->sizes.triangles[p] != 0) made->sizes.triangles[p] += 2 * added;
-        }
-        if (!data.loops.points.append(data.inner.view())) return error::out_of_memory;
-        return made;
+        if (error e = how(filled, caps.triangles(), data.working, data.out(kept))) return e;
+        return data.plan_refined(solid, filled, caps);
     }
 
     // The reports of the other extruder.

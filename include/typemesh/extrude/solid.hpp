@@ -34,6 +34,7 @@ struct solid_with : solid {
 struct solid_plan {
     part_sizes sizes;
     box around = {};
+    box textured = {};                ///< the box that textures span, in cells, if it is not that box
     bool narrowed = false;            ///< whether its edges moved less than wanted, because at the full distance they
                                       ///< were not proven simple, or less than half as far in order to fit
     bool touching = false;            ///< whether corners touch that should have been separated or joined

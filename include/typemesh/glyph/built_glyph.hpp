@@ -94,6 +94,12 @@ public:
     {
         return {font_units_per_cell_ * plan_.around.low, font_units_per_cell_ * plan_.around.high};
     }
+    /// The box that textures span, in font units.
+    [[nodiscard]] box textured() const noexcept
+    {
+        const box& own = plan_.textured.empty() ? plan_.around : plan_.textured;
+        return {font_units_per_cell_ * own.low, font_units_per_cell_ * own.high};
+    }
     /// The bounding box of its points as drawn, in cells.
     [[nodiscard]] grid_point low() const noexcept { return low_; }
     [[nodiscard]] grid_point high() const noexcept { return high_; }

@@ -55,18 +55,19 @@ public:
     explicit glyph_builder(memory source = heap()) noexcept : outline_{source}, caps_{source}, planner_{source} {}
 
     /// The glyph's draft, which is stored in this builder until its next call. A glyph that cannot be built is no
-    /// failure here: its draft is empty and carries the reason.
+    /// failure here: its draft is empty and carries the reason. `place` matters only for extruders that plan in place
+    /// (extruder.hpp).
     ///
     /// Fails  with errors that do not concern the glyph alone: error::out_of_memory, bad_option, bad_tolerance,
     ///        too_large
     template <recordable Font>
-    [[nodiscard]] result<glyph_draft> build(Font& font, glyph_id id, const glyph_settings& how,
-                                            const policies& with) noexcept
+    [[nodiscard]] result<glyph_draft> build(Font& font, glyph_id id, const glyph_settings& how, const policies& with,
+                                            const solid_place& place = {}) noexcept
     {
         glyph_draft made;
         with.observe(stage::outline);
         error e = record(font, id, outline_, how.max_points).error();
-        if (!e) e = try_to_build(font.units_per_em(), how, with, made);
+        if (!e) e = try_to_build(font.units_per_em(), how, with, place, made);
         if (e && !concerns_the_glyph_alone(e)) return e;
         if (e) made = {};
         made.refusal = e;
@@ -123,14 +124,15 @@ private:
         return made ? caps_.part(*made, outline_.curves, filled, with, parting_) : made;
     }
 
-    error try_to_build(double units_per_em, const glyph_settings& how, const policies& with, glyph_draft& made) noexcept
+    error try_to_build(double units_per_em, const glyph_settings& how, const policies& with, const solid_place& place,
+                       glyph_draft& made) noexcept
     {
         const auto filled = fill_outline(units_per_em, how, with);
         if (!filled) return filled.error();
         if (filled->points().empty()) return {};
 
         with.observe(stage::extrude);
-        const auto planned = planner_.plan(*filled, caps_, with, parting_);
+        const auto planned = planner_.plan(*filled, caps_, with, parting_, place);
         if (!planned) return planned.error();
         made = planned->draft;
         return {};

@@ -18,9 +18,9 @@ public:
     {
     }
     /// Makes caps for another region, which has these triangles.
-    region_caps(cap_builder& caps, cap_builder& further, triangulator_ref cut,
-                array_view<const triangle> triangles) noexcept
-        : caps_{caps}, further_{further}, cut_{cut}, triangles_{triangles}
+    region_caps(cap_builder& caps, cap_builder& further, triangulator_ref cut, array_view<const triangle> triangles,
+                const solid_place& place = {}) noexcept
+        : caps_{caps}, further_{further}, cut_{cut}, triangles_{triangles}, place_{place}
     {
     }
 
@@ -40,6 +40,7 @@ public:
     }
     /// Scratch memory, shared with the stages.
     [[nodiscard]] workspace& space() noexcept { return caps_.space(); }
+    [[nodiscard]] solid_place place() const noexcept { return place_; }
 
 private:
     [[nodiscard]] static bool is_on_grid(array_view<const grid_point> points) noexcept
@@ -54,6 +55,7 @@ private:
     cap_builder& further_;
     triangulator_ref cut_;
     array_view<const triangle> triangles_;
+    solid_place place_;
 };
 static_assert(cap_maker<region_caps>);
 

@@ -44,10 +44,11 @@ public:
     ///     caps      the builder that made the region
     ///     parted    the number of its corners that were separated or joined so far, and whether some corners still
     ///               touch
+    ///     place     its place in the text, for extruders whose solids differ from place to place
     ///
     /// Fails  as the step and the extruder do
     [[nodiscard]] result<planned_draft> plan(const region& drawn, cap_builder& caps, const policies& with,
-                                             const corner_parting& parted) noexcept
+                                             const corner_parting& parted, const solid_place& place) noexcept
     {
         stepped_region made{drawn, caps.triangles().view()};
         if (!with.step.is_none()) {
@@ -56,7 +57,7 @@ public:
             if (!stepped) return stepped.error();
             made = *stepped;
         }
-        const auto plan = with.raise.plan(made.filled, plan_, {caps, further_, with.cut, made.triangles});
+        const auto plan = with.raise.plan(made.filled, plan_, {caps, further_, with.cut, made.triangles, place});
         if (!plan) return plan.error();
         planned_draft out;
         out.filled = made.filled;

@@ -311,6 +311,8 @@ private:
     {
         if (!planner_.font) return error::no_font;
         if (error e = planner_.plan(run, options, all_policies(), team)) return e;
+        if constexpr (refuses_texts<Solid>)
+            if (error e = solid_.refused_text(planner_.glyphs().textured_in_em())) return e;
         if constexpr (refitting_extruder<Solid>) {
             const Solid wanted = solid_;
             bool refitted = false;

@@ -32,6 +32,7 @@ public:
     [[nodiscard]] contours& loops() noexcept { return caps_.loops(); }
     result<region> fill(triangle_list& out) noexcept { return caps_.fill(out); }
     [[nodiscard]] workspace& space() noexcept { return caps_.space(); }
+    [[nodiscard]] solid_place place() const noexcept { return solid_place_of(caps_); }
 
 private:
     Caps& caps_;

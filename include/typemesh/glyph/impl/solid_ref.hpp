@@ -24,6 +24,7 @@ public:
                                                                                           // solids
         solid_outline (*outline_of)(const void* how, const built_glyph& built) noexcept;  // null: the region's own
         const char* (*heights_name)(const void* how) noexcept;
+        bool (*plans_in_place)(const void* how) noexcept;
     };
     template <extruder E>
     struct table {
@@ -63,6 +64,9 @@ public:
         return drawn.points.empty() || covers(box_of(grown), box_of(drawn)) ? grown : drawn;
     }
 
+    /// Whether its solids differ from place to place.
+    [[nodiscard]] bool plans_in_place() const noexcept { return does_->plans_in_place(how_); }
+
     /// The name of the option that causes heights that cannot be written.
     [[nodiscard]] const char* heights_name() const noexcept { return does_->heights_name(how_); }
 
@@ -95,7 +99,8 @@ constinit const solid_ref::calls solid_ref::table<E>::of = [] {
                [](const void* how) noexcept { return static_cast<const E*>(how)->heights(); },
                nullptr,
                nullptr,
-               [](const void* how) noexcept { return heights_name_of(*static_cast<const E*>(how)); }};
+               [](const void* how) noexcept { return heights_name_of(*static_cast<const E*>(how)); },
+               [](const void* how) noexcept { return typemesh::plans_in_place(*static_cast<const E*>(how)); }};
     if constexpr (has_heights<E>)
         made.heights_of = [](const void* how, const built_glyph& built) noexcept {
             return static_cast<const E*>(how)->heights(built.planned<E>().form);

@@ -10,10 +10,11 @@
 #include <typemesh/core/region.hpp>
 #include <typemesh/core/result.hpp>
 #include <typemesh/core/triangle.hpp>
-#include <typemesh/refine/impl/boundary_buckets.hpp>
+#include <typemesh/refine/impl/boundary_cutter.hpp>
 #include <typemesh/refine/impl/off_centre.hpp>
 #include <typemesh/refine/impl/refinable_mesh.hpp>
 #include <typemesh/refine/impl/triangle_queue.hpp>
+#include <typemesh/refine/impl/write_cap.hpp>
 #include <typemesh/refine/refiner.hpp>
 
 #include <bit>
@@ -53,7 +54,7 @@ struct refinement_limits {
 class delaunay_refinement {
 public:
     explicit delaunay_refinement(memory source = heap()) noexcept
-        : mesh_{source}, near_{source}, edges_{source}, waiting_{source}, cavity_{source}, numbers_{source}
+        : mesh_{source}, cut_{source}, edges_{source}, waiting_{source}, cavity_{source}, numbers_{source}
     {
     }
 
@@ -63,7 +64,7 @@ public:
     {
         region_ = &r;
         limits_ = limits;
-        near_.clear();
+        cut_.open(r);
         edges_.clear();
         waiting_.clear();
         kept_ = 0;
@@ -84,43 +85,7 @@ public:
     }
 
     /// Writes the refined cap. Fails with error::out_of_memory.
-    [[nodiscard]] error write(const refined_cap& out) noexcept
-    {
-        numbers_.clear();
-        std::uint32_t* const number = numbers_.append(mesh_.vertex_count());
-        if (number == nullptr) return error::out_of_memory;
-        out.loops.clear();
-        out.inner.clear();
-        out.triangles.clear();
-        std::uint32_t count = 0;
-        const auto all = region_->starts();
-        for (std::size_t loop = 0; loop + 1 < all.size(); ++loop) {
-            if (!out.loops.starts.push_back(count)) return error::out_of_memory;
-            std::uint32_t v = all[loop];
-            do {
-                const refinable_mesh::vertex& at = mesh_.at(v);
-                if (!out.loops.points.push_back(at.place) || !out.loops.edges.push_back(at.edge))
-                    return error::out_of_memory;
-                number[v] = count++;
-                v = mesh_.next_on_boundary(v);
-            } while (v != all[loop]);
-        }
-        if (!out.loops.starts.push_back(count)) return error::out_of_memory;
-        for (std::uint32_t v = 0; v < mesh_.vertex_count(); ++v) {
-            if (mesh_.at(v).boundary != none) continue;
-            if (!out.inner.push_back(mesh_.place(v))) return error::out_of_memory;
-            number[v] = count++;
-        }
-        triangle* to = out.triangles.append(mesh_.triangle_count());
-        if (to == nullptr) return error::out_of_memory;
-        for (std::uint32_t h = 0; h < mesh_.end(); h += 4)
-            *to++ = {number[mesh_.origin(h)], number[mesh_.origin(h + 1)], number[mesh_.origin(h + 2)]};
-        out.loops.curves = region_->curves();
-        out.loops.grid = region_->grid();
-        out.loops.tolerance = region_->tolerance();
-        out.loops.corners = region_->corners();
-        return {};
-    }
+    [[nodiscard]] error write(const refined_cap& out) noexcept { return write_cap(mesh_, *region_, numbers_, out); }
 
     [[nodiscard]] const refinable_mesh& mesh() const noexcept { return mesh_; }
 
@@ -130,7 +95,7 @@ public:
 private:
     static constexpr std::uint32_t none = refinable_mesh::none;
     static constexpr std::uint32_t good = triangle_queue::ranks;
-    static constexpr std::int64_t spacing = 4;  // cells
+    static constexpr std::int64_t spacing = refinable_mesh::spacing;
 
     [[nodiscard]] static std::int64_t dot(grid_point at, grid_point p, grid_point q) noexcept
     {
@@ -199,21 +164,12 @@ private:
         const double share = from_a == from_b ? 0.5 : from_a ? shell_in(square) : 1.0 - shell_in(square);
         const contour_edge edge = mesh_.at(a).edge;
         double t = as_double(edge.t0) + share * (as_double(edge.t1) - as_double(edge.t0));
-        const point on_chord = lerp(as_point(p), as_point(q), share);
-        if (ends_on_curve(mesh_.at(a).source)) {
-            const double length = std::sqrt(static_cast<double>(square));
-            if (from_a != from_b) t = parameter_at(edge, from_a, (from_a ? share : 1.0 - share) * length);
-            const point on_curve = place_on(edge.curve, t), off = on_curve - on_chord;
-            if (typemesh::dot(off, off) < 0.09 * length * length) {
-                const auto done = try_split(a, rounded(on_curve, 0), static_cast<float>(t));
-                if (!done || *done) return done.error();
-            }
-        }
-        for (const int next_best : {0, 1, 2, 3}) {
-            const auto done = try_split(a, rounded(on_chord, next_best), static_cast<float>(t));
-            if (!done || *done) return done.error();
-        }
-        return {};
+        if (from_a != from_b && cut_.ends_on_curve(mesh_.at(a).source))
+            t = cut_.parameter_at(edge, from_a,
+                                  (from_a ? share : 1.0 - share) * std::sqrt(static_cast<double>(square)));
+        const auto v = cut_(mesh_, a, share, t);
+        if (!v) return v.error();
+        return *v == none || check_changed() ? error{} : error{error::out_of_memory};
     }
 
     /// The share of an edge at a sharp corner that is cut off: a power of two cells, a third to two thirds of the edge.
@@ -222,68 +178,6 @@ private:
         const int power = (static_cast<int>(std::bit_width(static_cast<std::uint64_t>(square))) - 1) / 2;
         const double length = std::sqrt(static_cast<double>(square)), shell = std::ldexp(1.0, power);
         return (3.0 * shell > 2.0 * length ? 0.5 * shell : shell) / length;
-    }
-
-    [[nodiscard]] static point as_point(grid_point p) noexcept
-    {
-        return {static_cast<double>(p.x), static_cast<double>(p.y)};
-    }
-
-    /// The place of a curve at t, in cells.
-    [[nodiscard]] point place_on(std::uint32_t curve, double t) const noexcept
-    {
-        return region_->grid().cells * region_->curves()[curve].at(t);
-    }
-
-    /// Whether both ends of a region's edge lie on its curve. If not, the edge ends at a crossing, or it has moved
-    /// away from the curve, which then says nothing about the places of its points.
-    [[nodiscard]] bool ends_on_curve(std::uint32_t source) const noexcept
-    {
-        const contour_edge edge = region_->edges()[source];
-        if (edge.curve >= region_->curves().size() || region_->curves()[edge.curve].degree == 1) return false;
-        const point first = place_on(edge.curve, as_double(edge.t0)) - as_point(region_->points()[source]),
-                    last = place_on(edge.curve, as_double(edge.t1)) - as_point(region_->points()[next_point(source)]);
-        return typemesh::dot(first, first) < 4.0 && typemesh::dot(last, last) < 4.0;
-    }
-
-    /// Where an edge's curve is so far from the edge's first or last point, by bisection.
-    [[nodiscard]] double parameter_at(const contour_edge& edge, bool from_first, double distance) const noexcept
-    {
-        double nearer = as_double(from_first ? edge.t0 : edge.t1), farther = as_double(from_first ? edge.t1 : edge.t0);
-        const point from = place_on(edge.curve, nearer);
-        for (int halvings = 0; halvings < 40; ++halvings) {
-            const double middle = 0.5 * (nearer + farther);
-            const point off = place_on(edge.curve, middle) - from;
-            (typemesh::dot(off, off) < distance * distance ? nearer : farther) = middle;
-        }
-        return nearer;
-    }
-
-    /// A corner of the grid's cell around a place, the nearest one first.
-    [[nodiscard]] static grid_point rounded(point at, int corner) noexcept
-    {
-        const double x = std::floor(at.x), y = std::floor(at.y);
-        const bool right = (at.x - x < 0.5) == ((corner & 1) != 0), up = (at.y - y < 0.5) == ((corner & 2) != 0);
-        return {static_cast<std::int32_t>(x) + right, static_cast<std::int32_t>(y) + up};
-    }
-
-    /// Splits the edge that leaves a at p if that keeps the mesh valid; returns whether it did.
-    [[nodiscard]] result<bool> try_split(std::uint32_t a, grid_point p, float t) noexcept
-    {
-        const std::uint32_t h = mesh_.at(a).boundary;
-        const grid_point from = mesh_.place(a), to = mesh_.place(mesh_.target(h)), c = mesh_.place(mesh_.apex(h));
-        if (orientation(from, p, c) <= 0 || orientation(p, to, c) <= 0) return false;
-        if (dot(p, from, to) >= 0) return false;  // beyond an end
-        constexpr std::int64_t nearest = spacing * spacing;
-        if (squared_distance(p, from) < nearest || squared_distance(p, to) < nearest) return false;
-        if (orientation(from, to, p) < 0) {
-            if (near_.is_stale(mesh_) && !near_.open(mesh_)) return error::out_of_memory;
-            if (!near_.is_free(mesh_, a, p)) return false;
-        }
-        const std::uint32_t v = mesh_.split(a, p, t);
-        if (v == none) return error::out_of_memory;
-        if (!near_.is_stale(mesh_) && (!near_.add(mesh_, a) || !near_.add(mesh_, v))) return error::out_of_memory;
-        return check_changed() ? result<bool>{true} : result<bool>{error::out_of_memory};
     }
 
     // ---- triangles
@@ -328,7 +222,7 @@ private:
         if (u < n || v < n) return false;
         const std::uint32_t edge_u = mesh_.at(u).source, edge_v = mesh_.at(v).source;
         if (edge_u == none || edge_v == none || edge_u == edge_v) return false;
-        const std::uint32_t after_u = next_point(edge_u), after_v = next_point(edge_v);
+        const std::uint32_t after_u = cut_.next_point(edge_u), after_v = cut_.next_point(edge_v);
         const std::uint32_t between = after_u == edge_v ? edge_v : after_v == edge_u ? edge_u : none;
         if (between == none) return false;
         const corner c = corner_at(between);
@@ -339,18 +233,6 @@ private:
                    far_v = static_cast<double>(squared_distance(mesh_.place(between), mesh_.place(v)));
         const double difference = std::sqrt(far_u) - std::sqrt(far_v);
         return difference < 4.0 && difference > -4.0;
-    }
-
-    /// The region's point after another.
-    [[nodiscard]] std::uint32_t next_point(std::uint32_t v) const noexcept
-    {
-        const array_view<const std::uint32_t> starts = region_->starts();
-        std::size_t low = 0, high = starts.size() - 1;
-        while (high - low > 1) {
-            const std::size_t middle = (low + high) / 2;
-            (starts[middle] <= v ? low : high) = middle;
-        }
-        return v + 1 < starts[high] ? v + 1 : starts[low];
     }
 
     /// Lists a triangle if it is bad. False if out of memory.
@@ -368,8 +250,8 @@ private:
         const std::uint32_t short_edge = shortest_edge(bad.t);
         const grid_point p = detail::off_centre(mesh_.start(short_edge), mesh_.place(mesh_.target(short_edge)),
                                                 mesh_.place(mesh_.apex(short_edge)), limits_.off_centre);
-        const std::uint32_t t = locate(bad.t, p);
-        if (blocked_ != none) return force(blocked_, bad);
+        const auto [t, blocked] = mesh_.locate(bad.t, p);
+        if (blocked != none) return force(blocked, bad);
         bool is_far = false;
         if (t != none) {
             const auto entered = enter(t, p);
@@ -404,33 +286,6 @@ private:
         for (std::uint32_t h = least + 1; h < 4 * t + 3; ++h)
             if (squared_length(h) < squared_length(least)) least = h;
         return least;
-    }
-
-    /// The triangle that holds p, found by a walk from t. none if p is a point of the mesh, or behind a boundary edge:
-    /// blocked_ is then the first point of that edge.
-    [[nodiscard]] std::uint32_t locate(std::uint32_t t, grid_point p) noexcept
-    {
-        blocked_ = none;
-        std::uint32_t came = none;
-        for (std::uint32_t steps = mesh_.triangle_count() + 3; steps != 0; --steps) {
-            std::uint32_t across = none;
-            for (std::uint32_t h = 4 * t; h < 4 * t + 3; ++h) {
-                if (h == came) continue;
-                const std::int64_t side = orientation(mesh_.start(h), mesh_.place(mesh_.target(h)), p);
-                if (side < 0 || (side == 0 && mesh_.is_boundary(h))) {
-                    across = h;
-                    break;
-                }
-            }
-            if (across == none) return t;
-            if (mesh_.is_boundary(across)) {
-                blocked_ = mesh_.origin(across);
-                return none;
-            }
-            came = mesh_.twin(across);
-            t = came / 4;
-        }
-        return none;
     }
 
     /// Visits the triangles whose circles hold p. Returns whether p is far enough from all their corners. encroached_
@@ -469,7 +324,7 @@ private:
     }
 
     refinable_mesh mesh_;
-    boundary_buckets near_;
+    boundary_cutter cut_;
     buffer<std::uint32_t> edges_;  // first points of boundary edges to be split
     triangle_queue waiting_;
     buffer<std::uint32_t> cavity_;
@@ -478,7 +333,7 @@ private:
     refinement_limits limits_;
     std::uint32_t stamp_ = 0;
     std::uint32_t kept_ = 0;
-    std::uint32_t blocked_ = none, encroached_ = none;
+    std::uint32_t encroached_ = none;
 };
 
 }  // namespace typemesh::inline TYPEMESH_ABI::detail

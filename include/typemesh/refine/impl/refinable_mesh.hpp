@@ -28,6 +28,10 @@ class refinable_mesh {
 public:
     static constexpr std::uint32_t none = ~std::uint32_t{0};
 
+    /// In cells: refiners add no point nearer than this to another one. Rounding could otherwise make them go on for
+    /// ever.
+    static constexpr std::int64_t spacing = 4;
+
     /// A point. The last three members matter for boundary points.
     struct vertex {
         grid_point place;
@@ -122,6 +126,35 @@ public:
 
     /// The triangles that the last call of split() or insert() has made or changed; some may occur twice.
     [[nodiscard]] array_view<const std::uint32_t> changed() const noexcept { return changed_.view(); }
+
+    /// Where a place lies: in a triangle, or on or beyond the boundary edge that leaves `behind`. Both are none for a
+    /// point of the mesh.
+    struct location {
+        std::uint32_t triangle = none;
+        std::uint32_t behind = none;
+    };
+
+    /// Finds a place by a walk from triangle t.
+    [[nodiscard]] location locate(std::uint32_t t, grid_point p) const noexcept
+    {
+        std::uint32_t came = none;
+        for (std::uint32_t steps = triangle_count() + 3; steps != 0; --steps) {
+            std::uint32_t across = none;
+            for (std::uint32_t h = 4 * t; h < 4 * t + 3; ++h) {
+                if (h == came) continue;
+                const std::int64_t side = orientation(start(h), place(target(h)), p);
+                if (side < 0 || (side == 0 && is_boundary(h))) {
+                    across = h;
+                    break;
+                }
+            }
+            if (across == none) return {t, none};
+            if (is_boundary(across)) return {none, origin(across)};
+            came = twin(across);
+            t = came / 4;
+        }
+        return {};
+    }
 
     /// Adds the point p on the boundary edge that leaves a, which becomes two edges, a p and p b.
     /// The edge's triangle a, b, c becomes a, p, c and p, b, c, which must be counter-clockwise.

@@ -42,6 +42,20 @@ inline void bound(text_glyphs& all, solid_ref how) noexcept
 
 }  // namespace detail
 
+/// Output units per font unit; `ink` matters only for a unit_box.
+[[nodiscard]] inline double unit_per_font_unit(const text_options& options, double units_per_em,
+                                               const box& ink) noexcept
+{
+    switch (options.unit) {
+    case output_unit::em: return options.size * (1.0 / units_per_em);
+    case output_unit::font_units: return options.size;
+    case output_unit::pixels: return options.size * (options.pixels_per_em / units_per_em);
+    case output_unit::unit_box: break;
+    }
+    const double longer = ink.width() > ink.height() ? ink.width() : ink.height();
+    return options.size * (longer > 0.0 ? 2.0 / longer : 1.0);
+}
+
 /// Computes the data of a text that need all its glyphs: the bounding boxes of its ink and of its lines, its unit, and
 /// the bounds of its vertices.
 ///
@@ -57,9 +71,10 @@ inline error arrange(text_glyphs& all, const glyph_run& run, const text_options&
         for (std::size_t i = 0; i < lines; ++i) boxes[i] = {};
     }
     for (const drawn_glyph& s : all.records) {
-        const box ink = text_glyphs::ink_of(s);
-        all.ink.merge(ink);
-        if (by_line) all.line_boxes[s.line].merge(ink);
+        const box textured = text_glyphs::textured_of(s);
+        all.ink.merge(text_glyphs::ink_of(s));
+        all.textured.merge(textured);
+        if (by_line) all.line_boxes[s.line].merge(textured);
     }
 
     text_placement& placed = all.placed;
@@ -68,22 +83,12 @@ inline error arrange(text_glyphs& all, const glyph_run& run, const text_options&
     placed.em_per_font_unit = 1.0 / units_per_em;
     placed.texture_over = options.texture_over;
     placed.frame = options.frame;
-    switch (options.unit) {
-    case output_unit::em: placed.unit_per_font_unit = 1.0 / units_per_em; break;
-    case output_unit::font_units: placed.unit_per_font_unit = 1.0; break;
-    case output_unit::pixels: placed.unit_per_font_unit = options.pixels_per_em / units_per_em; break;
-    case output_unit::unit_box:
-        const double longer = all.ink.width() > all.ink.height() ? all.ink.width() : all.ink.height();
-        placed.unit_per_font_unit = longer > 0.0 ? 2.0 / longer : 1.0;
-        if (!all.ink.empty()) placed.centre = lerp(all.ink.low, all.ink.high, 0.5);
-        break;
-    }
-
-    placed.unit_per_font_unit *= options.size;
+    placed.unit_per_font_unit = unit_per_font_unit(options, units_per_em, all.ink);
+    if (options.unit == output_unit::unit_box && !all.ink.empty()) placed.centre = lerp(all.ink.low, all.ink.high, 0.5);
     placed.unit_per_em = placed.unit_per_font_unit * units_per_em;
     placed.unit_per_depth = options.depth_in == depth_unit::output ? 1.0 : placed.unit_per_em;
     placed.em_per_depth = options.depth_in == depth_unit::output ? 1.0 / placed.unit_per_em : 1.0;
-    placed.texture_per_font_unit = text_glyphs::texture_over(all.ink);
+    placed.texture_per_font_unit = text_glyphs::texture_over(all.textured);
 
     detail::bound(all, how);
     return {};

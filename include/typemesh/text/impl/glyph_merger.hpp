@@ -205,11 +205,11 @@ private:
         if (const auto done = caps_.cap(*joined, with.cut); !done) return done.error();
         with.observe(stage::extrude);
         parting.corners += corners;
-        const auto planned = planner_.plan(*joined, caps_, with, parting);
+        made.origin = {static_cast<double>(first.x) / onto->cells, static_cast<double>(first.y) / onto->cells};
+        const auto planned = planner_.plan(*joined, caps_, with, parting, all.place_at(made.origin));
         if (!planned) return planned.error();
 
         made.built = all.store.keep(planned->draft);
-        made.origin = {static_cast<double>(first.x) / onto->cells, static_cast<double>(first.y) / onto->cells};
         made.first_owner = static_cast<std::uint32_t>(all.merged.owners.size());
         const auto edges = planned->filled.edges();
         std::uint32_t* owners = all.merged.owners.append(edges.size());

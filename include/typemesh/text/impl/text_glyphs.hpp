@@ -4,6 +4,7 @@
 #include <typemesh/core/array_view.hpp>
 #include <typemesh/core/buffer.hpp>
 #include <typemesh/core/impl/first_where.hpp>
+#include <typemesh/extrude/cap_maker.hpp>
 #include <typemesh/extrude/placement.hpp>
 #include <typemesh/glyph/built_glyph.hpp>
 #include <typemesh/glyph/impl/glyph_store.hpp>
@@ -61,9 +62,13 @@ struct lent_glyphs {
 /// All data of one text: its different glyphs, each built once, and its drawn glyphs, each at its position. A plan
 /// measures them and write() reads them.
 struct text_glyphs {
-    glyph_set different;              ///< the glyphs that the text needs
-    pinned_glyphs pinned;             ///< the built glyphs, blank and refused ones included
-    buffer<std::uint32_t> numbers;    ///< for each glyph of the run, its number among the different glyphs
+    glyph_set different;            ///< the glyphs that the text needs
+    pinned_glyphs pinned;           ///< the built glyphs, blank and refused ones included
+    buffer<std::uint32_t> numbers;  ///< for each glyph of the run, its number among the different glyphs
+    buffer<solid_place> places;     ///< of the different glyphs, if their solids differ from place to place
+    double em_per_depth = 1.0;      ///< for these places
+    double em_per_font_unit = 0.0;
+    bool in_place = false;            ///< whether they do; then no glyph is drawn twice
     glyph_store store;                ///< holds the glyphs that neither a cache nor a glyph_workers keeps
     lent_glyphs lent;                 ///< the glyphs that a glyph_workers keeps
     merged_glyphs merged;             ///< glyphs that are drawn together
@@ -74,6 +79,7 @@ struct text_glyphs {
     buffer<style_id> several_styles;  ///< the styles of the records, ascending; empty if there is at most one
     buffer<box> line_boxes;           ///< in font units; only for texture_box::line
     box ink;                          ///< of all records, in font units
+    box textured;                     ///< the box that textures span, in font units; differs from ink for bent letters
     part_sizes totals;
     text_placement placed;
     text_report report;
@@ -84,6 +90,7 @@ struct text_glyphs {
         : different{source},
           pinned{source},
           numbers{source},
+          places{source},
           store{source},
           merged{source},
           mesh_of{source},
@@ -100,6 +107,7 @@ struct text_glyphs {
         different.clear();
         pinned.clear();
         numbers.clear();
+        places.clear();
         store.clear();
         lent = {};
         merged.clear();
@@ -110,6 +118,7 @@ struct text_glyphs {
         several_styles.clear();
         line_boxes.clear();
         ink = {};
+        textured = {};
         totals = {};
         report = {};
         bounds = {};
@@ -197,11 +206,30 @@ struct text_glyphs {
         return {s.origin + own.low, s.origin + own.high};
     }
 
+    /// A glyph's own box that textures span, likewise.
+    [[nodiscard]] static box textured_of(const drawn_glyph& s) noexcept
+    {
+        const box own = s.built->textured();
+        return {s.origin + own.low, s.origin + own.high};
+    }
+
+    /// The box that textures span, in em.
+    [[nodiscard]] box textured_in_em() const noexcept
+    {
+        return {placed.em_per_font_unit * textured.low, placed.em_per_font_unit * textured.high};
+    }
+
+    /// The place for a solid with this origin, in font units.
+    [[nodiscard]] solid_place place_at(point origin) const noexcept
+    {
+        return {em_per_font_unit * origin, em_per_depth};
+    }
+
     [[nodiscard]] placement place(const drawn_glyph& s) const noexcept
     {
-        point low = ink.low, per_font_unit = placed.texture_per_font_unit;
+        point low = textured.low, per_font_unit = placed.texture_per_font_unit;
         if (placed.texture_over != texture_box::text) {
-            const box over = placed.texture_over == texture_box::line ? line_boxes[s.line] : ink_of(s);
+            const box over = placed.texture_over == texture_box::line ? line_boxes[s.line] : textured_of(s);
             low = over.low;
             per_font_unit = texture_over(over);
         }
@@ -212,9 +240,11 @@ struct text_glyphs {
         return at;
     }
 
-    /// A mesh by itself, at the output's origin: textures span its own box.
+    /// A mesh by itself, at the output's origin: textures span its own box. Solids that were planned in place stay
+    /// there.
     [[nodiscard]] placement place(const glyph_mesh& m) const noexcept
     {
+        if (in_place) return place(records[m.first_glyph]);
         const box own = m.built->ink();
         placement at = place(*m.built, {}, {}, own.low, texture_over(own));
         at.glyph = m.id;
@@ -230,6 +260,7 @@ struct text_glyphs {
     /// The translation of a record's glyph from the place of its separate mesh.
     [[nodiscard]] vec3 translation_of(const drawn_glyph& s) const noexcept
     {
+        if (in_place) return {};
         placement at;
         at.unit_per_cell = placed.unit_per_font_unit;
         at.pen = s.origin - placed.centre;

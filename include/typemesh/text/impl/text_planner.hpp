@@ -86,6 +86,11 @@ private:
     /// Copies the run's reports.
     void report(const glyph_run& run) noexcept;
 
+    /// Prepares the places of solids that differ from place to place.
+    ///
+    /// Fails  error::bad_option "depth_in": in a unit_box, a depth in output units depends on the box of all solids
+    error find_places(const call& now) noexcept;
+
     /// Numbers the run's different glyphs; glyphs that are not drawn get no_room.
     error collect(const glyph_run& run, const text_options& options) noexcept;
 
@@ -125,8 +130,9 @@ error text_planner::each_glyph(const call& now, const glyph_settings& how, const
         const built_glyph* built = find(keys[k]);
         if (built == nullptr) {
             drawn_face face = glyphs_.glyph_styles.face_of(from, keys[k].glyph_style);
-            const auto draft = builder.build(face, keys[k].id, how, with);
-            if (!draft) return draft.error();
+            const solid_place place = glyphs_.in_place ? glyphs_.places[k] : solid_place{};
+            const auto draft = builder.build(face, keys[k].id, how, with, place);
+            if (!draft) return glyphs_.in_place ? draft.error().at(keys[k].id, no_cluster) : draft.error();
             built = keep(keys[k], *draft, store);
             if (built == nullptr) return error::out_of_memory;
         }
@@ -173,6 +179,7 @@ inline error text_planner::plan_once(const call& now, double reach) noexcept
     report(run);
     e = with.step.refused_options();
     if (!e) e = with.raise.refused_options();
+    if (!e) e = find_places(now);
     if (!e) e = glyphs_.glyph_styles.read(run, font);
     if (!e) e = collect(run, options);
     const glyph_settings how = settings_of(options, reach);
@@ -218,6 +225,20 @@ inline void text_planner::report(const glyph_run& run) noexcept
     report.first_unbroken = run.first_unbroken;
 }
 
+inline error text_planner::find_places(const call& now) noexcept
+{
+    glyphs_.in_place = now.with.raise.plans_in_place();
+    if (!glyphs_.in_place) return {};
+    const text_options& options = now.options;
+    const double units_per_em = font.units_per_em();
+    glyphs_.em_per_font_unit = 1.0 / units_per_em;
+    glyphs_.em_per_depth = 1.0;
+    if (options.depth_in == depth_unit::em) return {};
+    if (options.unit == output_unit::unit_box) return error::bad("depth_in");
+    glyphs_.em_per_depth = 1.0 / (unit_per_font_unit(options, units_per_em, {}) * units_per_em);
+    return {};
+}
+
 inline error text_planner::collect(const glyph_run& run, const text_options& options) noexcept
 {
     const std::size_t count = run.glyphs.size();
@@ -232,7 +253,9 @@ inline error text_planner::collect(const glyph_run& run, const text_options& opt
             return error{error::no_such_glyph_style, run.glyph_styles.size()}.at(glyph.id, glyph.cluster);
         if (glyph.missing && !options.draw_missing) continue;
         const glyph_key key{glyph.id, glyphs_.glyph_styles.outlines_of(glyph.glyph_style)};
-        numbers[i] = options.reuse ? glyphs_.different.number_of(key) : glyphs_.different.append(key);
+        if (glyphs_.in_place && !glyphs_.places.push_back(glyphs_.place_at(glyph.origin))) return error::out_of_memory;
+        const bool is_repeated = options.reuse && !glyphs_.in_place;
+        numbers[i] = is_repeated ? glyphs_.different.number_of(key) : glyphs_.different.append(key);
         if (numbers[i] == glyph_set::no_room) return error::out_of_memory;
     }
     return {};
@@ -254,7 +277,7 @@ inline error text_planner::build_glyphs(const call& now, const glyph_settings& h
 {
     const std::size_t count = glyphs_.different.keys().size();
     if (now.team != nullptr) now.with.observe(stage::outline);
-    if (cache.cache && now.options.reuse) {
+    if (cache.cache && now.options.reuse && !glyphs_.in_place) {
         const cache_ref kept = cache.cache;
         if (!glyphs_.pinned.reserve(count, kept)) return error::out_of_memory;
         const glyph_context plain = context_of(cache.font, font.variation(), how, now.with);

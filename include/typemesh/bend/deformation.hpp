@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <typemesh/bend/double3.hpp>
+#include <typemesh/core/error.hpp>
+
+#include <concepts>
+
+namespace typemesh::inline TYPEMESH_ABI {
+
+/// Where a deformation moves a point, and how it moves the points around it: the columns of its Jacobian matrix.
+struct deformed_point {
+    double3 at;  ///< the point's image
+    double3 x;   ///< the derivative of the image by x
+    double3 y;   ///< by y
+    double3 z;   ///< by z
+};
+
+/// Upper bounds of the lengths of a deformation's second derivatives: xy is the bound of the derivative by x and by y.
+struct bend_bounds {
+    double xx = 0.0;
+    double yy = 0.0;
+    double zz = 0.0;
+    double xy = 0.0;
+    double xz = 0.0;
+    double yz = 0.0;
+};
+
+/// A smooth map of space that bends flat text: x along the text, y up, z towards the reader, in em, relative to the
+/// text's own origin. The text is at z = 0, and behind it if it has a depth.
+///
+///     d(p)                 the image of a point, with the derivatives there: deformed_point
+///     d.bend(box)          bounds of the second derivatives at all points of a box: bend_bounds. All promises about
+///                          bent meshes rest on it
+///     d.refused_options()  the error with which it refuses its options, or none
+///     d.refused_text(box)  optional: the error for a text that fills this box, or none; for deformations that bring
+///                          two places of a long text together although they do not fold it
+///     d.cache_key()        not needed: bent letters are not cached
+///
+/// Its second derivatives need not be continuous, but its first derivatives must be. Where its Jacobian determinant is
+/// not positive, it turns letters inside out: such letters are refused (error::folds_over).
+template <class D>
+concept deformation = std::copyable<D> && requires(const D& d, const double3& p, const box3& b) {
+    { d(p) } noexcept -> std::same_as<deformed_point>;
+    { d.bend(b) } noexcept -> std::same_as<bend_bounds>;
+    { d.refused_options() } noexcept -> std::same_as<error>;
+};
+
+/// The error for a whole text that fills a box, or none.
+template <deformation D>
+[[nodiscard]] error refused_text([[maybe_unused]] const D& d, [[maybe_unused]] const box3& text) noexcept
+{
+    if constexpr (requires { d.refused_text(text); })
+        return d.refused_text(text);
+    else
+        return {};
+}
+
+}  // namespace typemesh::inline TYPEMESH_ABI

@@ -1,0 +1,291 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <typemesh/bend/bend_error.hpp>
+#include <typemesh/bend/deformation.hpp>
+#include <typemesh/bend/double3.hpp>
+#include <typemesh/bend/unfolded.hpp>
+#include <typemesh/core/box.hpp>
+#include <typemesh/core/buffer.hpp>
+#include <typemesh/core/finite.hpp>
+#include <typemesh/core/max_pieces.hpp>
+#include <typemesh/discretise/quality.hpp>
+#include <typemesh/extrude/extruded.hpp>
+#include <typemesh/extrude/extruder.hpp>
+#include <typemesh/extrude/impl/bent_measure.hpp>
+#include <typemesh/extrude/impl/bent_surface.hpp>
+#include <typemesh/extrude/impl/refined_solid.hpp>
+#include <typemesh/extrude/plan_arrays.hpp>
+#include <typemesh/refine/impl/edge_bisection.hpp>
+
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+
+namespace typemesh::inline TYPEMESH_ABI {
+
+/// What a bent solid needs when it is written.
+struct bent_form {
+    double low = 0.0;  ///< its heights after it is bent, in the extruder's unit
+    double high = 0.0;
+    std::uint32_t segments = 1;  ///< of its walls
+    std::uint32_t unused = 0;
+};
+
+/// The plan data of bent: the solid of the refined region, which is not bent yet.
+template <class Solid>
+struct bent_data {
+    using arrays = plan_arrays<bent_form>;
+    struct view {
+        typename arrays::view form;
+        solid_of<Solid> flat;
+    };
+
+    arrays form;
+    refined_solid<Solid> flat;
+    detail::edge_bisection working;  // not stored with the glyph
+    buffer<double3> places;          // likewise
+
+    explicit bent_data(memory source = heap()) noexcept : form{source}, flat{source}, working{source}, places{source} {}
+    void clear() noexcept
+    {
+        form.clear();
+        flat.clear();
+        places.clear();
+    }
+    [[nodiscard]] view read() const noexcept { return {form.read(), flat.read()}; }
+
+    // --- as bytes: see plan_arrays
+
+    [[nodiscard]] std::size_t bytes() const noexcept { return form.bytes() + flat.bytes(); }
+    ///     block   [ form ][ flat ]
+    void copy_to(std::byte* block) const noexcept
+    {
+        form.copy_to(block);
+        flat.copy_to(block + form.bytes());
+    }
+    [[nodiscard]] static view read_from(const std::byte* block) noexcept
+    {
+        view all;
+        all.form = arrays::read_from(block);
+        // As many bytes as plan_arrays use for one bent_form, or for none.
+        all.flat = refined_solid<Solid>::read_from(block + 8 + all.form.template of<bent_form>().size_bytes());
+        return all;
+    }
+};
+
+/// An extruder that bends the solid of another extruder: around a cup, along a wave, twisted, or by a deformation of
+/// your own (bend/deformation.hpp). Letters are bent where they stand in the text.
+///
+///     bent<on_cylinder>{.how = {.radius = 1.5}}
+///     bent<displaced<wave>, extruded<>>{.solid = {.depth = 0.1f}, .how = {{.height = 0.2}}}
+///
+/// Caps and walls get as many points as they need, so that no point of the mesh is farther than `tolerance` from its
+/// place on the bent solid. The promise rests on bounds of the deformation's second derivatives (bend_error.hpp), not on
+/// samples. Three further differences from the ideal shape come in addition: the text's own tolerance for curves, times
+/// the greatest stretch; the rounding of points to the grid, likewise; and the rounding of positions to floats. Normals
+/// and tangents are exact: those of the flat solid, mapped by the deformation's derivatives. Texture coordinates are
+/// those of the flat text.
+///
+/// The deformation works in em, relative to the text's own origin: x along the text, y up, z towards the reader. The
+/// bent text is then scaled and placed like any other (text_options).
+///
+/// Every occurrence of a glyph is planned at its own place, without a cache. write_meshes() writes each letter where it
+/// stands, and write_instances() then moves nothing.
+///
+/// Fails  error::bad_option: tolerance is not positive and finite, or so small that points would come within a few cells
+///        of each other ("tolerance"); or as the deformation and the other extruder do
+///        error::folds_over: the deformation turns letters inside out; error::goes_around: see the deformation
+///        error::too_many_points: a glyph needs more than max_points; error::out_of_memory
+/// Cost   O(1) for each point
+template <deformation Deformation, refinable_extruder Solid = extruded<>>
+struct bent {
+    Solid solid = {};
+    Deformation how = {};
+    double tolerance = quality::high;               ///< the largest distance from the bent solid, in em
+    std::uint32_t max_points = default_max_points;  ///< the greatest number of points of one glyph's cap
+
+    static constexpr std::size_t part_count = part_count_of<Solid>;
+    using plan_data = bent_data<Solid>;
+    using planned = solid_with<plan_data>;
+
+    /// See option_bits. Solids that are planned in place are not cached; this key names the policy.
+    [[nodiscard]] option_bits cache_key() const noexcept { return {}; }
+
+    /// See extruder.hpp.
+    [[nodiscard]] bool plans_in_place() const noexcept { return true; }
+    [[nodiscard]] error refused_text(const box& text) const noexcept
+    {
+        return typemesh::refused_text(how, {{text.low.x, text.low.y, 0.0}, {text.high.x, text.high.y, 0.0}});
+    }
+
+    template <cap_maker Caps>
+    [[nodiscard]] result<solid_plan> plan(const region& filled, plan_data& data, Caps& caps) const noexcept
+    {
+        if (error e = how.refused_options()) return e;
+        if (!is_finite(tolerance) || !(tolerance > 0.0)) return error::bad("tolerance");
+        if (filled.points().empty()) return data.flat.plan(solid, filled, caps);
+        const solid_place place = solid_place_of(caps);
+        if (!is_finite(place.origin.x) || !is_finite(place.origin.y)) return error::outline_not_finite;
+        const double em = filled.grid().cells * filled.grid().units_per_em;
+        if (!(em > 0.0)) return error::bad("units_per_em");
+        const height_range heights = solid.heights();
+        detail::bent_measure<Deformation> measure{how,
+                                                  place.origin,
+                                                  1.0 / em,
+                                                  heights.low * place.em_per_depth,
+                                                  heights.high * place.em_per_depth,
+                                                  0.0,
+                                                  (1.0 - 0x1p-10) * tolerance};
+        const box3 around = box_of(filled, measure);
+        if (!is_unfolded(how, around)) return error::folds_over;
+        bent_form form;
+        form.segments = segments_for(around, measure.tolerance);
+        measure.step = (measure.high - measure.low) / form.segments;
+        if (error e = data.working.run(filled, caps.triangles(), measure, max_points)) return e;
+        std::uint32_t kept = 0;
+        if (error e = data.working.write(data.flat.out(kept))) return e;
+        auto made = data.flat.plan_refined(in_segments(form.segments), filled, caps);
+        if (!made) return made;
+
+        const planned s{{}, {{}, data.flat.read()}};
+        const placement at = flat_placement(measure, place);
+        detail::bent_surface<Deformation> surface{how, data.places};
+        const Solid own = in_segments(form.segments);
+        if (error e = surface.read(own, s.data.flat, *made, at)) return e;
+        if (!(surface.greatest_error() <= tolerance)) return error::bad("tolerance");
+        for (const triangle t : data.flat.triangles) {
+            const auto& points = data.flat.loops.points;
+            for (const double height : {measure.low, measure.high})
+                if (measure.turns(points[t.a], points[t.b], points[t.c], height)) return error::folds_over;
+        }
+        made->textured = made->around;
+        const box3 bounds = surface.bounds();
+        const double margin = 0x1p-10;  // cells; more than the rounding of the sums below
+        made->around = {
+            {(bounds.low.x - place.origin.x) * em - margin, (bounds.low.y - place.origin.y) * em - margin},
+            {(bounds.high.x - place.origin.x) * em + margin, (bounds.high.y - place.origin.y) * em + margin}};
+        form.low = (bounds.low.z - margin * measure.em_per_cell) / place.em_per_depth;
+        form.high = (bounds.high.z + margin * measure.em_per_cell) / place.em_per_depth;
+        if (!data.form.template of<bent_form>().push_back(form)) return error::out_of_memory;
+        return made;
+    }
+
+    /// The heights before the solid is bent.
+    [[nodiscard]] height_range heights() const noexcept { return solid.heights(); }
+    /// The heights of a bent solid.
+    [[nodiscard]] height_range heights(const planned& s) const noexcept
+    {
+        const auto form = s.data.form.template of<bent_form>();
+        return form.empty() ? solid.heights() : height_range{form[0].low, form[0].high};
+    }
+    /// The name of the other extruder's option that is at fault if the heights cannot be written.
+    [[nodiscard]] const char* heights_name() const noexcept { return heights_name_of(solid); }
+
+    /// The triangles before the solid is bent.
+    template <class Put>
+    void seen_from_front(const planned& s, Put&& put) const noexcept
+    {
+        each_seen_from_front(solid, s.data.flat, put);
+    }
+
+    /// The number of hard edges that the other extruder counts.
+    [[nodiscard]] std::uint64_t hard_edges(const planned& s) const noexcept
+        requires has_hard_edges<Solid>
+    {
+        return solid.hard_edges(s.data.flat);
+    }
+
+    template <attribute Wants, class Put>
+    void vertices(part p, const planned& s, const placement& at, Put&& put) const noexcept
+    {
+        const auto form = s.data.form.template of<bent_form>();
+        if (form.empty()) return;
+        const detail::bent_axes<Deformation> axes{how, at};
+        constexpr attribute needs = Wants | attribute::position;
+        in_segments(form[0].segments)
+            .template vertices<needs>(p, s.data.flat, axes.flat(), [&](const surface_point<needs>& v) noexcept {
+                put(axes.template bend<Wants>(v));
+            });
+    }
+
+    template <class Put>
+    void triangles(part p, const planned& s, const first_vertices& first, Put&& put) const noexcept
+    {
+        const auto form = s.data.form.template of<bent_form>();
+        if (!form.empty()) in_segments(form[0].segments).triangles(p, s.data.flat, first, put);
+    }
+
+private:
+    static constexpr bool has_segments = requires(Solid s) { s.segments; };
+
+    [[nodiscard]] Solid in_segments([[maybe_unused]] std::uint32_t segments) const noexcept
+    {
+        Solid own = solid;
+        if constexpr (has_segments) own.segments = segments;
+        return own;
+    }
+
+    [[nodiscard]] static box3 box_of(const region& filled, const detail::bent_measure<Deformation>& measure) noexcept
+    {
+        box around;
+        for (const grid_point p : filled.points()) around.add(placement::exact(p));
+        const point low = measure.em_per_cell * around.low + measure.origin,
+                    high = measure.em_per_cell * around.high + measure.origin;
+        return {{low.x, low.y, measure.low}, {high.x, high.y, measure.high}};
+    }
+
+    /// The number of segments that needs the fewest points. More segments make longer edges possible, because the error
+    /// of a wall grows with the product of both. The cost of n segments is taken as n + 2, for walls and two caps, per
+    /// unit of edges along x and along y.
+    [[nodiscard]] std::uint32_t segments_for([[maybe_unused]] const box3& around,
+                                             [[maybe_unused]] double limit) const noexcept
+    {
+        if constexpr (!has_segments) {
+            return 1;
+        } else {
+            const double height = around.high.z - around.low.z;
+            if (!(height > 0.0)) return solid.segments;
+            const bend_bounds by = how.bend(around);
+            const double longest = (around.high.x - around.low.x) + (around.high.y - around.low.y);
+            std::uint32_t best = solid.segments;
+            double least = -1.0;
+            for (std::uint32_t n = solid.segments; n <= max_segments; n += 1 + n / 8) {
+                const double step = height / n, width = edge_for(by.xx, by.xz, by.zz, step, longest, limit),
+                             rise = edge_for(by.yy, by.yz, by.zz, step, longest, limit);
+                if (!(width > 0.0 && rise > 0.0)) continue;
+                const double cost = (n + 2.0) * (1.0 / width + 1.0 / rise);
+                if (least >= 0.0 && cost >= least) break;
+                best = n;
+                least = cost;
+            }
+            return best;
+        }
+    }
+    static constexpr std::uint32_t max_segments = 1024;
+
+    /// The length of the longest edge whose wall bends by no more than the limit; 0 if there is none.
+    [[nodiscard]] static double edge_for(double alone, double mixed, double upright, double step, double longest,
+                                         double limit) noexcept
+    {
+        // alone e^2 + 2 mixed step e + upright step^2 <= 8 limit
+        const double rest = 8.0 * limit - upright * step * step, half = mixed * step;
+        if (!(rest > 0.0)) return 0.0;
+        const double divisor = half + std::sqrt(half * half + alone * rest);
+        return divisor * longest > rest ? rest / divisor : longest;
+    }
+
+    /// The placement of the flat solid in the deformation's space.
+    [[nodiscard]] static placement flat_placement(const detail::bent_measure<Deformation>& measure,
+                                                  const solid_place& place) noexcept
+    {
+        placement at;
+        at.unit_per_cell = at.em_per_cell = measure.em_per_cell;
+        at.unit_per_depth = at.em_per_depth = place.em_per_depth;
+        at.pen = at.em_pen = (1.0 / measure.em_per_cell) * place.origin;
+        return at;
+    }
+};
+
+}  // namespace typemesh::inline TYPEMESH_ABI

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <typemesh/bend/bend_error.hpp>
+#include <typemesh/bend/deformation.hpp>
+#include <typemesh/bend/double3.hpp>
+#include <typemesh/core/point.hpp>
+#include <typemesh/extrude/placement.hpp>
+
+#include <cmath>
+
+namespace typemesh::inline TYPEMESH_ABI::detail {
+
+/// Measures how much the edges and triangles of a glyph at its place in the text bend: see edge_bisection. The unit is
+/// the tolerance.
+template <deformation D>
+struct bent_measure {
+    const D& bends;
+    point origin;  ///< the glyph's origin, in em
+    double em_per_cell = 0.0;
+    double low = 0.0;  ///< the solid's heights, in em
+    double high = 0.0;
+    double step = 0.0;       ///< the height of one segment of its walls, in em; 0 without walls
+    double tolerance = 0.0;  ///< in em
+
+    [[nodiscard]] double edge(grid_point p, grid_point q) const noexcept { return size_of({around(p, q)}, step); }
+    [[nodiscard]] double length(grid_point p, grid_point q) const noexcept { return size_of({around(p, q)}, 0.0); }
+
+    /// Triangles that turn when they are bent are too large as well.
+    [[nodiscard]] double triangle(grid_point p, grid_point q, grid_point r) const noexcept
+    {
+        box3 b = around(p, q);
+        const double3 c = at(r, low);
+        b.low = {c.x < b.low.x ? c.x : b.low.x, c.y < b.low.y ? c.y : b.low.y, low};
+        b.high = {c.x > b.high.x ? c.x : b.high.x, c.y > b.high.y ? c.y : b.high.y, high};
+        const double size = size_of(b, 0.0);
+        if (size > 1.0) return size;
+        return turns(p, q, r, low) || turns(p, q, r, high) ? 2.0 : size;
+    }
+
+    /// Whether the image of a triangle at a height faces away from the direction in which the bent surface faces.
+    [[nodiscard]] bool turns(grid_point p, grid_point q, grid_point r, double height) const noexcept
+    {
+        const double3 a = at(p, height), b = at(q, height), c = at(r, height);
+        const double third = 1.0 / 3.0;
+        const deformed_point middle = bends(third * (a + b + c));
+        const double3 from = bends(a).at, facing = cross(bends(b).at - from, bends(c).at - from);
+        return !(dot(facing, cross(middle.x, middle.y)) > 0.0);
+    }
+
+    /// A grid point at a height, in em.
+    [[nodiscard]] double3 at(grid_point p, double height) const noexcept
+    {
+        const point place = em_per_cell * placement::exact(p) + origin;
+        return {place.x, place.y, height};
+    }
+
+private:
+    [[nodiscard]] box3 around(grid_point p, grid_point q) const noexcept
+    {
+        const double3 a = at(p, low), b = at(q, low);
+        return {{a.x < b.x ? a.x : b.x, a.y < b.y ? a.y : b.y, low},
+                {a.x < b.x ? b.x : a.x, a.y < b.y ? b.y : a.y, high}};
+    }
+    [[nodiscard]] double size_of(const box3& b, double height) const noexcept
+    {
+        return bend_error(bends.bend(b), {b.high.x - b.low.x, b.high.y - b.low.y, height}) / tolerance;
+    }
+};
+
+}  // namespace typemesh::inline TYPEMESH_ABI::detail

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <typemesh/core/buffer.hpp>
+#include <typemesh/core/region.hpp>
+#include <typemesh/core/result.hpp>
+#include <typemesh/extrude/extruder.hpp>
+#include <typemesh/extrude/impl/inner_solid.hpp>
+#include <typemesh/refine/refiner.hpp>
+
+#include <cstdint>
+
+namespace typemesh::inline TYPEMESH_ABI {
+
+/// An extruder that accepts points inside the region. In solid::points they follow the points of the loops, and the
+/// caps' triangles may use them.
+template <class E>
+concept refinable_extruder = extruder<E> && takes_inner_points<E>;
+
+/// A solid over a cap that has been refined: all or part of an extruder's plan data.
+///
+///     refine(..., solid.out(kept))      in plan(): a refiner writes the cap here
+///     solid.plan_refined(extruder, filled, caps)
+template <class E>
+struct refined_solid : inner_solid<E> {
+    buffer<grid_point> inner;  ///< the points inside, before they follow the loops' points
+
+    explicit refined_solid(memory source = heap()) noexcept : inner_solid<E>{source}, inner{source} {}
+    void clear() noexcept
+    {
+        inner_solid<E>::clear();
+        inner.clear();
+    }
+
+    /// For a refiner to write to. Both references must outlive the result.
+    [[nodiscard]] refined_cap out(std::uint32_t& kept) noexcept { return {this->loops, inner, this->triangles, kept}; }
+
+    /// The other extruder's plan for the refined cap of the region `filled`.
+    template <cap_maker Caps>
+    [[nodiscard]] result<solid_plan> plan_refined(const E& how, const region& filled, Caps& caps) noexcept
+    {
+        auto made =
+            this->plan(how, region::proven(this->loops, filled.holes(), filled.outers(), filled.is_touching()), caps);
+        if (!made) return made;
+        // The caps get the inner points as well. Each adds two triangles.
+        const auto added = static_cast<std::uint32_t>(inner.size());
+        for (const part p : {part::front, part::back}) {
+            if (made->sizes.vertices[p] != 0) made->sizes.vertices[p] += added;
+            if (made->sizes.triangles[p] != 0) made->sizes.triangles[p] += 2 * added;
+        }
+        if (!this->loops.points.append(inner.view())) return error::out_of_memory;
+        return made;
+    }
+};
+
+}  // namespace typemesh::inline TYPEMESH_ABI

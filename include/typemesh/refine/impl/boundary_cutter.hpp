@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <typemesh/core/array_view.hpp>
+#include <typemesh/core/contours.hpp>
+#include <typemesh/core/curve.hpp>
+#include <typemesh/core/grid.hpp>
+#include <typemesh/core/orientation.hpp>
+#include <typemesh/core/region.hpp>
+#include <typemesh/core/result.hpp>
+#include <typemesh/refine/impl/boundary_buckets.hpp>
+#include <typemesh/refine/impl/refinable_mesh.hpp>
+
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+
+namespace typemesh::inline TYPEMESH_ABI::detail {
+
+/// Splits boundary edges of a refinable_mesh. The new point lies on the edge's curve if the region's edge ends on the
+/// curve and the new point keeps the mesh valid; otherwise it lies on the edge itself.
+///
+///           c                p must lie to the left of c a and to the right of c b. Beyond a b, the triangle a, p, b
+///         /   \              must meet no other boundary edge. Both are decided exactly.
+///       a-------b
+///        '--p--'  curve
+class boundary_cutter {
+public:
+    static constexpr std::uint32_t none = refinable_mesh::none;
+
+    explicit boundary_cutter(memory source = heap()) noexcept : near_{source} {}
+
+    /// Begins with a region, which must outlive the calls that follow.
+    void open(const region& r) noexcept
+    {
+        region_ = &r;
+        near_.clear();
+    }
+
+    /// Splits the boundary edge that leaves a at the parameter t of its curve, or at a share of its length. Returns the
+    /// new point; none if there is no valid one.
+    ///
+    /// Fails  error::out_of_memory
+    [[nodiscard]] result<std::uint32_t> operator()(refinable_mesh& mesh, std::uint32_t a, double share,
+                                                   double t) noexcept
+    {
+        const grid_point p = mesh.place(a), q = mesh.place(mesh.next_on_boundary(a));
+        const point on_chord = lerp(as_point(p), as_point(q), share);
+        if (ends_on_curve(mesh.at(a).source)) {
+            const auto square = static_cast<double>(squared_distance(p, q));
+            const point on_curve = place_on(mesh.at(a).edge.curve, t), off = on_curve - on_chord;
+            if (typemesh::dot(off, off) < 0.09 * square) {
+                const auto made = try_split(mesh, a, rounded(on_curve, 0), static_cast<float>(t));
+                if (!made || *made != none) return made;
+            }
+        }
+        for (const int next_best : {0, 1, 2, 3}) {
+            const auto made = try_split(mesh, a, rounded(on_chord, next_best), static_cast<float>(t));
+            if (!made || *made != none) return made;
+        }
+        return none;
+    }
+
+    /// Whether both ends of a region's edge lie on its curve. If not, the edge ends at a crossing, or it has moved
+    /// away from the curve, which then says nothing about the places of its points.
+    [[nodiscard]] bool ends_on_curve(std::uint32_t source) const noexcept
+    {
+        const contour_edge edge = region_->edges()[source];
+        if (edge.curve >= region_->curves().size() || region_->curves()[edge.curve].degree == 1) return false;
+        const point first = place_on(edge.curve, as_double(edge.t0)) - as_point(region_->points()[source]),
+                    last = place_on(edge.curve, as_double(edge.t1)) - as_point(region_->points()[next_point(source)]);
+        return typemesh::dot(first, first) < 4.0 && typemesh::dot(last, last) < 4.0;
+    }
+
+    /// Where an edge's curve is so far from the edge's first or last point, by bisection.
+    [[nodiscard]] double parameter_at(const contour_edge& edge, bool from_first, double distance) const noexcept
+    {
+        double nearer = as_double(from_first ? edge.t0 : edge.t1), farther = as_double(from_first ? edge.t1 : edge.t0);
+        const point from = place_on(edge.curve, nearer);
+        for (int halvings = 0; halvings < 40; ++halvings) {
+            const double middle = 0.5 * (nearer + farther);
+            const point off = place_on(edge.curve, middle) - from;
+            (typemesh::dot(off, off) < distance * distance ? nearer : farther) = middle;
+        }
+        return nearer;
+    }
+
+    /// The region's point after another.
+    [[nodiscard]] std::uint32_t next_point(std::uint32_t v) const noexcept
+    {
+        const array_view<const std::uint32_t> starts = region_->starts();
+        std::size_t low = 0, high = starts.size() - 1;
+        while (high - low > 1) {
+            const std::size_t middle = (low + high) / 2;
+            (starts[middle] <= v ? low : high) = middle;
+        }
+        return v + 1 < starts[high] ? v + 1 : starts[low];
+    }
+
+private:
+    [[nodiscard]] static point as_point(grid_point p) noexcept
+    {
+        return {static_cast<double>(p.x), static_cast<double>(p.y)};
+    }
+
+    /// The place of a curve at t, in cells.
+    [[nodiscard]] point place_on(std::uint32_t curve, double t) const noexcept
+    {
+        return region_->grid().cells * region_->curves()[curve].at(t);
+    }
+
+    /// A corner of the grid's cell around a place, the nearest one first.
+    [[nodiscard]] static grid_point rounded(point at, int corner) noexcept
+    {
+        const double x = std::floor(at.x), y = std::floor(at.y);
+        const bool right = (at.x - x < 0.5) == ((corner & 1) != 0), up = (at.y - y < 0.5) == ((corner & 2) != 0);
+        return {static_cast<std::int32_t>(x) + right, static_cast<std::int32_t>(y) + up};
+    }
+
+    [[nodiscard]] static std::int64_t dot(grid_point at, grid_point p, grid_point q) noexcept
+    {
+        return (std::int64_t{p.x} - at.x) * (std::int64_t{q.x} - at.x) +
+               (std::int64_t{p.y} - at.y) * (std::int64_t{q.y} - at.y);
+    }
+
+    /// Splits the edge that leaves a at p if that keeps the mesh valid. Returns the new point, or none.
+    [[nodiscard]] result<std::uint32_t> try_split(refinable_mesh& mesh, std::uint32_t a, grid_point p, float t) noexcept
+    {
+        const std::uint32_t h = mesh.at(a).boundary;
+        const grid_point from = mesh.place(a), to = mesh.place(mesh.target(h)), c = mesh.place(mesh.apex(h));
+        if (orientation(from, p, c) <= 0 || orientation(p, to, c) <= 0) return none;
+        if (dot(p, from, to) >= 0) return none;  // beyond an end
+        constexpr std::int64_t nearest = refinable_mesh::spacing * refinable_mesh::spacing;
+        if (squared_distance(p, from) < nearest || squared_distance(p, to) < nearest) return none;
+        if (orientation(from, to, p) < 0) {
+            if (near_.is_stale(mesh) && !near_.open(mesh)) return error::out_of_memory;
+            if (!near_.is_free(mesh, a, p)) return none;
+        }
+        const std::uint32_t v = mesh.split(a, p, t);
+        if (v == none) return error::out_of_memory;
+        if (!near_.is_stale(mesh) && (!near_.add(mesh, a) || !near_.add(mesh, v))) return error::out_of_memory;
+        return v;
+    }
+
+    const region* region_ = nullptr;
+    boundary_buckets near_;
+};
+
+}  // namespace typemesh::inline TYPEMESH_ABI::detail
