@@ -5,8 +5,12 @@
 #include <typemesh/core/error.hpp>
 
 #include <concepts>
+#include <cstdint>
 
 namespace typemesh::inline TYPEMESH_ABI {
+
+/// One of the text's axes in its plane: along the text (x) or up (y).
+enum class text_axis : std::uint8_t { along, up };
 
 /// Where a deformation moves a point, and how it moves the points around it: the columns of its Jacobian matrix.
 struct deformed_point {

@@ -3,7 +3,6 @@
 
 #include <typemesh/bend/deformation.hpp>
 #include <typemesh/bend/double3.hpp>
-#include <typemesh/bend/text_axis.hpp>
 #include <typemesh/core/error.hpp>
 #include <typemesh/core/finite.hpp>
 

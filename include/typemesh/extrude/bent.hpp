@@ -82,8 +82,8 @@ struct bent_data {
 ///     bent<displaced<wave>, extruded<>>{.solid = {.depth = 0.1f}, .how = {{.height = 0.2}}}
 ///
 /// Caps and walls get as many points as they need, so that no point of the mesh is farther than `tolerance` from its
-/// place on the bent solid. The promise rests on bounds of the deformation's second derivatives (bend_error.hpp), not on
-/// samples. Three further differences from the ideal shape come in addition: the text's own tolerance for curves, times
+/// place on the bent solid. The promise rests on bounds of the deformation's second derivatives (bend_error.hpp), not
+/// on samples. Three further differences from the ideal shape come in addition: the text's own tolerance for curves, times
 /// the greatest stretch; the rounding of points to the grid, likewise; and the rounding of positions to floats. Normals
 /// and tangents are exact: those of the flat solid, mapped by the deformation's derivatives. Texture coordinates are
 /// those of the flat text.
@@ -94,8 +94,8 @@ struct bent_data {
 /// Every occurrence of a glyph is planned at its own place, without a cache. write_meshes() writes each letter where it
 /// stands, and write_instances() then moves nothing.
 ///
-/// Fails  error::bad_option: tolerance is not positive and finite, or so small that points would come within a few cells
-///        of each other ("tolerance"); or as the deformation and the other extruder do
+/// Fails  error::bad_option: tolerance is not positive and finite, or so small that points would come within a few
+///        cells of each other ("tolerance"); or as the deformation and the other extruder do
 ///        error::folds_over: the deformation turns letters inside out; error::goes_around: see the deformation
 ///        error::too_many_points: a glyph needs more than max_points; error::out_of_memory
 /// Cost   O(1) for each point
@@ -204,10 +204,8 @@ struct bent {
         if (form.empty()) return;
         const detail::bent_axes<Deformation> axes{how, at};
         constexpr attribute needs = Wants | attribute::position;
-        in_segments(form[0].segments)
-            .template vertices<needs>(p, s.data.flat, axes.flat(), [&](const surface_point<needs>& v) noexcept {
-                put(axes.template bend<Wants>(v));
-            });
+        const auto bend = [&](const surface_point<needs>& v) noexcept { put(axes.template bend<Wants>(v)); };
+        in_segments(form[0].segments).template vertices<needs>(p, s.data.flat, axes.flat(), bend);
     }
 
     template <class Put>

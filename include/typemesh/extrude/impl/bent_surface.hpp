@@ -18,8 +18,8 @@ namespace typemesh::inline TYPEMESH_ABI::detail {
 
 [[nodiscard]] constexpr double3 as_double3(vec3 v) noexcept { return {as_double(v.x), as_double(v.y), as_double(v.z)}; }
 
-/// Bends the vertices of a solid that has been placed flat in the deformation's space: in em, relative to the text's own
-/// origin, with the text's own axes.
+/// Bends the vertices of a solid that has been placed flat in the deformation's space: in em, relative to the text's
+/// own origin, with the text's own axes.
 template <deformation D>
 class bent_axes {
 public:
@@ -99,11 +99,10 @@ public:
     {
         places_.clear();
         bool fits = true;
-        for (const part p : parts_of<E>)
-            solid.template vertices<attribute::position>(p, s, at,
-                                                         [&](const surface_point<attribute::position>& v) noexcept {
-                                                             fits = fits && places_.push_back(as_double3(v.position));
-                                                         });
+        const auto keep = [&](const surface_point<attribute::position>& v) noexcept {
+            fits = fits && places_.push_back(as_double3(v.position));
+        };
+        for (const part p : parts_of<E>) solid.template vertices<attribute::position>(p, s, at, keep);
         if (!fits) return error::out_of_memory;
         for (const double3& p : places_) add(how_(p).at);
         const part_counts first = plan.sizes.vertices.starts();
