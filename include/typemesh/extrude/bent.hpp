@@ -83,10 +83,10 @@ struct bent_data {
 ///
 /// Caps and walls get as many points as they need, so that no point of the mesh is farther than `tolerance` from its
 /// place on the bent solid. The promise rests on bounds of the deformation's second derivatives (bend_error.hpp), not
-/// on samples. Three further differences from the ideal shape come in addition: the text's own tolerance for curves, times
-/// the greatest stretch; the rounding of points to the grid, likewise; and the rounding of positions to floats. Normals
-/// and tangents are exact: those of the flat solid, mapped by the deformation's derivatives. Texture coordinates are
-/// those of the flat text.
+/// on samples. Three further differences from the ideal shape come in addition: the text's own tolerance for curves,
+/// times the greatest stretch; the rounding of points to the grid, likewise; and the rounding of positions to floats.
+/// Normals and tangents are exact: they are the flat solid's, mapped by the deformation's derivatives. Texture
+/// coordinates are the flat text's.
 ///
 /// The deformation works in em, relative to the text's own origin: x along the text, y up, z towards the reader. The
 /// bent text is then scaled and placed like any other (text_options).
