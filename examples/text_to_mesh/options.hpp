@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "chosen_bend.hpp"
 #include "file_kind.hpp"
 #include "picture/picture_options.hpp"
 #include "placing.hpp"
@@ -49,6 +50,12 @@ struct refine_options {
     float max_edge = 0.0f;    ///< em; 0: any length
 };
 
+/// Bent letters, as bent.hpp has them.
+struct bend_options {
+    bool is_on = false;
+    chosen_bend how;
+};
+
 /// What the command line requests.
 struct options {
     std::string who = "text_to_mesh: ";  ///< begins a sentence on standard error; of a batch it names the line
@@ -80,6 +87,7 @@ struct options {
     float embolden = 0.0f;  ///< em; how far edges move outwards
     outline_options outline;
     refine_options refine;
+    bend_options bend;
     preset quality = preset::high;
     double tolerance = typemesh::quality::high;
     bool quality_given = false;  ///< by --quality or --tolerance

@@ -49,6 +49,7 @@ plain_solid plain_of(const options& o)
 
 chosen_solid solid_of(const options& o)
 {
+    if (o.bend.is_on) return bent_solid{.solid = plain_of(o), .how = o.bend.how, .tolerance = o.tolerance};
     if (o.refine.is_on)
         return refined_solid{.solid = plain_of(o),
                              .how = {.min_angle = o.refine.min_angle, .max_edge = o.refine.max_edge}};

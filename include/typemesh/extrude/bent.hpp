@@ -139,6 +139,7 @@ struct bent {
                                                   0.0,
                                                   (1.0 - 0x1p-10) * tolerance};
         const box3 around = box_of(filled, measure);
+        if (error e = typemesh::refused_text(how, around)) return e;
         if (!is_unfolded(how, around)) return error::folds_over;
         bent_form form;
         form.segments = segments_for(around, measure.tolerance);
