@@ -267,6 +267,11 @@ void add_mesh_options(CLI::App& app, options& out, raw_values& raw)
         "a number from 0 to 1000", [](double n) { return n >= 0.0 && n <= 1000.0; },
         [&out](double n) { out.depth = static_cast<float>(n); })
         ->type_name("EM");
+    add_number(
+        app, "--segments", "divide the sides into this many equal pieces along the depth, for meshes to be bent",
+        "a whole number from 1 to 1024", [](double n) { return n >= 1.0 && n <= 1024.0 && n == std::floor(n); },
+        [&out](double n) { out.segments = static_cast<std::uint32_t>(n); })
+        ->type_name("N");
     auto* named = add_named<preset>(
         app, "--quality", out.quality,
         "the largest distance to the curve: 1/100, 1/160, 1/800 (high, default) or 1/16000 em",
@@ -677,6 +682,8 @@ std::string settle(options& out, const raw_values& raw)
     if (std::string trouble = settle_font(out, raw); !trouble.empty()) return trouble;
     if (std::string trouble = settle_lines(out, raw); !trouble.empty()) return trouble;
     if (std::string trouble = refused_columns(out, raw); !trouble.empty()) return trouble;
+    if (out.depth == 0.0f && out.segments != 1)
+        return "--segments needs a solid, but --depth 0 makes a flat mesh: give a larger --depth";
     if (std::string trouble = settle_bevel(out, raw); !trouble.empty()) return trouble;
     if (std::string trouble = settle_weight(out, raw); !trouble.empty()) return trouble;
     if (std::string trouble = settle_refine(out, raw); !trouble.empty()) return trouble;

@@ -12,6 +12,7 @@
 #include <typemesh/layout/layout_options.hpp>
 #include <typemesh/typemesh.hpp>
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -82,7 +83,8 @@ struct options {
 
     double size = 1.0;  ///< of an em in the file
     placing place;
-    float depth = 0.2f;  ///< em; 0 makes a flat mesh
+    float depth = 0.2f;          ///< em; 0 makes a flat mesh
+    std::uint32_t segments = 1;  ///< of the sides, along the depth
     bevel_options bevel;
     float embolden = 0.0f;  ///< em; how far edges move outwards
     outline_options outline;
