@@ -183,8 +183,8 @@ private:
 
     /// Bounds over one piece; false if the curve nearly stops or the frame nearly flips there.
     ///
-    /// Within a piece the splines' third derivatives are constant. With v the spline of `up` directions, s = v . tangent
-    /// and q the length of v across the tangent, the frame turns about the tangent at the rate
+    /// Within a piece the splines' third derivatives are constant. Let v be the spline of `up` directions, s = v .
+    /// tangent, and q the length of v across the tangent. The frame turns about the tangent at the rate
     /// twist = (v' . toward - s tangent' . toward) / q. First derivatives are bounded by their value in the middle, and
     /// by how much they can change up to the ends.
     [[nodiscard]] bool bound(std::size_t i, bounds& out) const noexcept

@@ -97,7 +97,7 @@ struct bevelled {
     texture_mapping texture = texture_mapping::em;
     bevel_profile profile = {};
     std::uint32_t segments = 1;  ///< the number of equal pieces into which walls are divided along the depth: 1 to 1024
-    float wanted = 0.0f;  ///< the width before refit() reduced it; leave this at 0
+    float wanted = 0.0f;         ///< the width before refit() reduced it; leave this at 0
 
     static constexpr std::size_t part_count = 5;
     using plan_data = bevel_data;

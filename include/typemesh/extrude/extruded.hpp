@@ -184,8 +184,8 @@ private:
         all.vertices[part::front] = has_front() ? n : 0;
         all.vertices[part::back] = has_back() ? n : 0;
         if (side)
-            all.vertices[part::side] = Normals::shares_caps ? (segments - 1) * n
-                                                            : upright_walls::vertex_count(n, doubled, segments);
+            all.vertices[part::side] =
+                Normals::shares_caps ? (segments - 1) * n : upright_walls::vertex_count(n, doubled, segments);
         all.triangles[part::front] = front ? filled.triangle_count() : 0;
         all.triangles[part::back] = back ? filled.triangle_count() : 0;
         all.triangles[part::side] = side ? 2 * segments * n : 0;

@@ -4,6 +4,7 @@
 #include <typemesh/core/impl/option_hash.hpp>
 #include <typemesh/core/policy_key.hpp>
 #include <typemesh/extrude/extruder.hpp>
+#include <typemesh/extrude/impl/wall_segments.hpp>
 
 #include <algorithm>
 #include <concepts>
@@ -134,6 +135,16 @@ public:
     [[nodiscard]] Solid* get() noexcept
     {
         return std::get_if<Solid>(&choice_);
+    }
+
+    /// The number of segments of the chosen extruder's walls, and the option to change it: see wall_segments.hpp.
+    [[nodiscard]] std::uint32_t wall_segments() const noexcept
+    {
+        return visit([](auto, const auto& how) noexcept { return segments_of(how); });
+    }
+    void set_wall_segments(std::uint32_t segments) noexcept
+    {
+        visit([segments](auto, auto& how) noexcept { set_segments(how, segments); });
     }
 
     // --- an extruder: see extruder.hpp
