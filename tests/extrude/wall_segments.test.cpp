@@ -35,7 +35,8 @@ bool lies_between(const row_vertex& v, const row_vertex& upper, const row_vertex
     };
     return is_between(v.position.x, upper.position.x, lower.position.x) &&
            is_between(v.position.y, upper.position.y, lower.position.y) &&
-           is_between(v.position.z, upper.position.z, lower.position.z) && v.uv.x == upper.uv.x &&  // NOLINT: to the bit
+           is_between(v.position.z, upper.position.z, lower.position.z) &&
+           v.uv.x == upper.uv.x &&  // NOLINT: to the bit
            is_between(v.uv.y, upper.uv.y, lower.uv.y);
 }
 
@@ -99,8 +100,8 @@ bool is_on_edge(const built& b, const std::array<std::uint32_t, 3>& t, vec3 from
 
 }  // namespace
 
-TEMPLATE_TEST_CASE("walls in segments are the same walls, closed, with exact counts", "[extrude][segments]", cap_normals,
-                   shared_normals, averaged_normals, creased_normals, curve_normals)
+TEMPLATE_TEST_CASE("walls in segments are the same walls, closed, with exact counts", "[extrude][segments]",
+                   cap_normals, shared_normals, averaged_normals, creased_normals, curve_normals)
 {
     for (const auto& s : shapes::all())
         for (const auto texture : texture_mappings)
@@ -129,8 +130,8 @@ TEMPLATE_TEST_CASE("walls in segments are the same walls, closed, with exact cou
                     std::size_t on_other_edges = 0;
                     for (std::uint32_t i = 0; i < n; ++i)
                         for (std::uint32_t t = 0; t < 2 * segments; ++t)
-                            on_other_edges += !is_on_edge(b, side_triangles(b)[2 * segments * i + t], b.vertices[i].position,
-                                                          b.vertices[s.next(i)].position);
+                            on_other_edges += !is_on_edge(b, side_triangles(b)[2 * segments * i + t],
+                                                          b.vertices[i].position, b.vertices[s.next(i)].position);
                     CHECK(on_other_edges == 0);
 
                     if constexpr (!TestType::shares_caps) {

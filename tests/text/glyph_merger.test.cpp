@@ -228,7 +228,8 @@ TEST_CASE("the triangles of a merged wall in segments all have the owner of the 
             others += many->hit(part::side, t).of_run != whose;
             for (std::uint32_t c = 0; c < 3; ++c) {  // each corner is above one of the wall's two points
                 const auto at = corner(b, pieces.first_index + 3 * t + c);
-                const auto from = corner(a, walls.first_index + 6 * wall), to = corner(a, walls.first_index + 6 * wall + 2);
+                const auto from = corner(a, walls.first_index + 6 * wall),
+                           to = corner(a, walls.first_index + 6 * wall + 2);
                 astray += !(at == from) && !(at == to);
             }
         }

@@ -33,8 +33,8 @@ namespace typemesh::inline TYPEMESH_ABI {
 ///       +----------+  back  z = -depth
 ///
 /// With several segments, the walls are divided along the depth, for meshes that will be bent, twisted or displaced.
-/// They have segments + 1 rows of vertices at equal distances and 2 * segments triangles per edge. Normal, tangent and u
-/// are equal along the depth. With shared_normals and cap_normals the rows between the caps are vertices of the side,
+/// They have segments + 1 rows of vertices at equal distances, and 2 * segments triangles per edge. Normal, tangent and
+/// u are equal along the depth. With shared_normals and cap_normals the rows between the caps are vertices of the side,
 /// one per point and row. Their normals are the normalised sums of their two walls' normals; their texture coordinates
 /// are the caps'.
 ///
@@ -184,8 +184,8 @@ private:
         all.vertices[part::front] = has_front() ? n : 0;
         all.vertices[part::back] = has_back() ? n : 0;
         if (side)
-            all.vertices[part::side] = Normals::shares_caps ? (segments - 1) * n
-                                                            : upright_walls::vertex_count(n, doubled, segments);
+            all.vertices[part::side] =
+                Normals::shares_caps ? (segments - 1) * n : upright_walls::vertex_count(n, doubled, segments);
         all.triangles[part::front] = front ? filled.triangle_count() : 0;
         all.triangles[part::back] = back ? filled.triangle_count() : 0;
         all.triangles[part::side] = side ? 2 * segments * n : 0;

@@ -177,8 +177,7 @@ private:
     /// The triangles of an outward bevel's walls in several segments. The plan has a pair of vertices for each column,
     /// and two triangles for each edge; each of them stands for one triangle per segment.
     template <class Put>
-    void outer_wall_triangles(array_view<const bevel_triangle> triangles, std::uint32_t first,
-                              Put& put) const noexcept
+    void outer_wall_triangles(array_view<const bevel_triangle> triangles, std::uint32_t first, Put& put) const noexcept
     {
         const auto lowest = [&](std::uint32_t planned) noexcept {
             const std::uint32_t v = planned - rims_.vertices;
