@@ -62,6 +62,8 @@ enum class bevel_mode : std::uint8_t {
 ///     bevelled{.profile = round_profile(4)}                                bevel_profile.hpp
 ///     bevelled{.profile = {{0, 0}, {0.2f, 0.8f}, {1, 1}}}
 ///
+/// With several segments, the walls between the bevels are divided along the depth, as in extruded.
+///
 /// If a glyph's bevel is not proven simple at its full width, it becomes narrower. The plan reports this as
 /// solid_plan::narrowed. It also reports bevels that had to be less than half as wide to fit.
 ///

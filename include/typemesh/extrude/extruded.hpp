@@ -33,8 +33,8 @@ namespace typemesh::inline TYPEMESH_ABI {
 ///       +----------+  back  z = -depth
 ///
 /// With several segments, the walls are divided along the depth, for meshes that will be bent, twisted or displaced.
-/// They have segments + 1 rows of vertices at equal distances and 2 * segments triangles per edge. Normal, tangent and u
-/// are equal along the depth. With shared_normals and cap_normals the rows between the caps are vertices of the side,
+/// They have segments + 1 rows of vertices at equal distances, and 2 * segments triangles per edge. Normal, tangent and
+/// u are equal along the depth. With shared_normals and cap_normals the rows between the caps are vertices of the side,
 /// one per point and row. Their normals are the normalised sums of their two walls' normals; their texture coordinates
 /// are the caps'.
 ///
