@@ -509,7 +509,6 @@ std::string settle_bend(options& out, const raw_values& raw)
     out.bend.is_on = !raw.bend.empty();
     if (!out.bend.is_on) return {};
     if (const std::string trouble = read_bend(raw.bend, out.bend.how); !trouble.empty()) return "--bend " + trouble;
-    if (out.bevel.width > 0.0f) return "--bend does not work with --bevel";
     if (out.outline.width > 0.0f) return "--bend does not work with --outline";
     if (out.refine.is_on) return "--bend does not work with --refine, because it adds the points that it needs";
     if (out.instances) return "--bend does not work with --instances, because every bent letter is another mesh";

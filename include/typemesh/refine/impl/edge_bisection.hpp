@@ -32,11 +32,15 @@ namespace typemesh::inline TYPEMESH_ABI::detail {
 ///     measure.triangle(p, q, r)   the size of a triangle
 ///     measure.length(p, q)        for the choice: the edge of a triangle with the greatest length is halved
 ///
+/// With `boundary::keep`, boundary edges stay as they are, however large.
+///
 /// Sizes above 1 are too large. New points on the boundary lie on the curves, see boundary_cutter. All inner edges stay
 /// Delaunay. The middle of an edge is decided exactly; where it would come within four cells of another point, the edge
 /// stays.
 class edge_bisection {
 public:
+    enum class boundary : bool { keep, cut };
+
     explicit edge_bisection(memory source = heap()) noexcept
         : mesh_{source}, cut_{source}, edges_{source}, waiting_{source}, numbers_{source}
     {
@@ -45,9 +49,10 @@ public:
     /// Fails  error::out_of_memory, error::too_many_points
     template <class Measure>
     [[nodiscard]] error run(const region& r, array_view<const triangle> triangles, const Measure& measure,
-                            std::uint32_t max_points) noexcept
+                            std::uint32_t max_points, boundary edges = boundary::cut) noexcept
     {
         region_ = &r;
+        cuts_boundary_ = edges == boundary::cut;
         cut_.open(r);
         edges_.clear();
         waiting_.clear();
@@ -90,7 +95,7 @@ private:
     template <class Measure>
     [[nodiscard]] bool is_too_large(const Measure& measure, std::uint32_t v) const noexcept
     {
-        return measure.edge(mesh_.place(v), mesh_.place(mesh_.next_on_boundary(v))) > 1.0;
+        return cuts_boundary_ && measure.edge(mesh_.place(v), mesh_.place(mesh_.next_on_boundary(v))) > 1.0;
     }
 
     /// Lists a triangle if it is too large. False if out of memory.
@@ -130,17 +135,19 @@ private:
         std::uint32_t h = none;
         double greatest = -1.0;
         for (std::uint32_t k = 4 * t; k < 4 * t + 3; ++k) {
+            if (!cuts_boundary_ && mesh_.is_boundary(k)) continue;
             const double length = measure.length(mesh_.start(k), mesh_.place(mesh_.target(k)));
             if (length > greatest) {
                 greatest = length;
                 h = k;
             }
         }
+        if (h == none) return {};
         if (mesh_.is_boundary(h)) return halve_boundary(measure, mesh_.origin(h));
         const grid_point p = mesh_.start(h), q = mesh_.place(mesh_.target(h));
         const grid_point middle{halved(std::int64_t{p.x} + q.x), halved(std::int64_t{p.y} + q.y)};
         const auto [in, behind] = mesh_.locate(t, middle);
-        if (behind != none) return halve_boundary(measure, behind);
+        if (behind != none && cuts_boundary_) return halve_boundary(measure, behind);
         if (in == none) return {};
         for (std::uint32_t k = 4 * in; k < 4 * in + 3; ++k)
             if (squared_distance(mesh_.start(k), middle) < refinable_mesh::spacing * refinable_mesh::spacing) return {};
@@ -156,6 +163,7 @@ private:
     buffer<listed> waiting_;
     buffer<std::uint32_t> numbers_;
     const region* region_ = nullptr;
+    bool cuts_boundary_ = true;
 };
 
 }  // namespace typemesh::inline TYPEMESH_ABI::detail
