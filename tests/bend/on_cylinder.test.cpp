@@ -92,7 +92,7 @@ TEST_CASE("on a cylinder of a huge radius, text is flat", "[bend]")
                                     std::fabs(q.y - p.y) - 31.0 / std::fabs(radius)});
             }
             CHECK(worst < 1e-9);
-            CHECK(d.bend(all).xx <= 1.0000001 / std::fabs(radius));
+            CHECK(d.bend(all).xx <= 1.000001 / std::fabs(radius));
         }
     }
 }

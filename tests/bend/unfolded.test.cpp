@@ -94,7 +94,7 @@ TEST_CASE("no determinant in a box is below the bound", "[bend]")
                 best = (std::max)(best, lowest);
                 if (axis == bound.longest) named = lowest;
             }
-            if (round % 2 == 1 && best > 0.0) CHECK_QUICKLY(named > bound.lowest);
+            if (bound.lowest < bound.middle - 1e-6 && best > bound.lowest) CHECK_QUICKLY(named > bound.lowest);
         }
     });
 }
@@ -107,7 +107,7 @@ TEST_CASE("what is called unfolded has a positive determinant everywhere", "[ben
         const double least = least_determinant(d, b);
         const bool proven = is_unfolded(d, b);
         CHECK_QUICKLY(!proven || least > 0.0);
-        ++(proven ? unfolded : least > 0.0 ? unproven : folded);
+        ++(proven ? unfolded : least > 0.01 ? unproven : folded);  // a square may touch 0 between the samples
     };
     bending::each_ready([&](const auto& d, const box3& all) {
         for (int round = 0; round < 6; ++round) {
