@@ -95,7 +95,7 @@ std::string version()
 /// Words of the command line that become something else after parsing.
 struct raw_values {
     std::vector<std::string> variations, features, show;
-    std::string uv, fill, fit, profile = "chamfer", refine, family, format, anchor, origin;
+    std::string uv, fill, fit, profile = "chamfer", refine, bend, family, format, anchor, origin;
     std::optional<typemesh::touching> corners;
     std::optional<double> size, bevel_depth, bevel_steps, letter_spacing;
     bool text_given = false, no_merge = false, tolerance_given = false, shading_given = false, normals_given = false,
@@ -267,6 +267,11 @@ void add_mesh_options(CLI::App& app, options& out, raw_values& raw)
         "a number from 0 to 1000", [](double n) { return n >= 0.0 && n <= 1000.0; },
         [&out](double n) { out.depth = static_cast<float>(n); })
         ->type_name("EM");
+    add_number(
+        app, "--segments", "divide the sides into this many equal pieces along the depth, for meshes to be bent",
+        "a whole number from 1 to 1024", [](double n) { return n >= 1.0 && n <= 1024.0 && n == std::floor(n); },
+        [&out](double n) { out.segments = static_cast<std::uint32_t>(n); })
+        ->type_name("N");
     auto* named = add_named<preset>(
         app, "--quality", out.quality,
         "the largest distance to the curve: 1/100, 1/160, 1/800 (high, default) or 1/16000 em",
@@ -381,6 +386,9 @@ void add_refine_options(CLI::App& app, options& out, raw_values& raw)
         "a number from 0 to 1000", [](double n) { return n >= 0.0 && n <= 1000.0; },
         [&out](double n) { out.refine.max_edge = static_cast<float>(n); })
         ->type_name("EM");
+    app.add_option("--bend", raw.bend,
+                   "bend the text: cylinder:RADIUS, sphere:RADIUS, twist:DEGREES, taper:GROWTH or wave:HEIGHT,LENGTH")
+        ->type_name("SHAPE");
 }
 
 void add_output_options(CLI::App& app, options& out, raw_values& raw)
@@ -492,6 +500,19 @@ std::string settle_refine(options& out, const raw_values& raw)
         return raw.of_refining.empty() ? std::string{} : raw.of_refining + " needs --refine delaunay";
     if (out.bevel.width > 0.0f) return "--refine does not work with --bevel";
     if (out.outline.width > 0.0f) return "--refine does not work with --outline";
+    return {};
+}
+
+/// Finishes bent letters. Gives an empty string, or one sentence of what is wrong.
+std::string settle_bend(options& out, const raw_values& raw)
+{
+    out.bend.is_on = !raw.bend.empty();
+    if (!out.bend.is_on) return {};
+    if (const std::string trouble = read_bend(raw.bend, out.bend.how); !trouble.empty()) return "--bend " + trouble;
+    if (out.bevel.width > 0.0f) return "--bend does not work with --bevel";
+    if (out.outline.width > 0.0f) return "--bend does not work with --outline";
+    if (out.refine.is_on) return "--bend does not work with --refine, because it adds the points that it needs";
+    if (out.instances) return "--bend does not work with --instances, because every bent letter is another mesh";
     return {};
 }
 
@@ -661,9 +682,12 @@ std::string settle(options& out, const raw_values& raw)
     if (std::string trouble = settle_font(out, raw); !trouble.empty()) return trouble;
     if (std::string trouble = settle_lines(out, raw); !trouble.empty()) return trouble;
     if (std::string trouble = refused_columns(out, raw); !trouble.empty()) return trouble;
+    if (out.depth == 0.0f && out.segments != 1)
+        return "--segments needs a solid, but --depth 0 makes a flat mesh: give a larger --depth";
     if (std::string trouble = settle_bevel(out, raw); !trouble.empty()) return trouble;
     if (std::string trouble = settle_weight(out, raw); !trouble.empty()) return trouble;
     if (std::string trouble = settle_refine(out, raw); !trouble.empty()) return trouble;
+    if (std::string trouble = settle_bend(out, raw); !trouble.empty()) return trouble;
 
     if (std::string trouble = settle_files(out, raw); !trouble.empty()) return trouble;
     if (std::string trouble = settle_place(out, raw); !trouble.empty()) return trouble;

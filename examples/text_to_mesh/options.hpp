@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "chosen_bend.hpp"
 #include "file_kind.hpp"
 #include "picture/picture_options.hpp"
 #include "placing.hpp"
@@ -11,6 +12,7 @@
 #include <typemesh/layout/layout_options.hpp>
 #include <typemesh/typemesh.hpp>
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -49,6 +51,12 @@ struct refine_options {
     float max_edge = 0.0f;    ///< em; 0: any length
 };
 
+/// Bent letters, as bent.hpp has them.
+struct bend_options {
+    bool is_on = false;
+    chosen_bend how;
+};
+
 /// What the command line requests.
 struct options {
     std::string who = "text_to_mesh: ";  ///< begins a sentence on standard error; of a batch it names the line
@@ -75,11 +83,13 @@ struct options {
 
     double size = 1.0;  ///< of an em in the file
     placing place;
-    float depth = 0.2f;  ///< em; 0 makes a flat mesh
+    float depth = 0.2f;          ///< em; 0 makes a flat mesh
+    std::uint32_t segments = 1;  ///< of the sides, along the depth
     bevel_options bevel;
     float embolden = 0.0f;  ///< em; how far edges move outwards
     outline_options outline;
     refine_options refine;
+    bend_options bend;
     preset quality = preset::high;
     double tolerance = typemesh::quality::high;
     bool quality_given = false;  ///< by --quality or --tolerance

@@ -24,6 +24,7 @@ typemesh::bevelled bevelled_of(const options& o)
     solid.mode = o.bevel.mode;
     solid.outward = o.bevel.outward;
     solid.texture = o.uv;
+    solid.segments = o.segments;
     solid.profile = profile_of(o.bevel);
     if (o.crease) solid.crease_degrees = *o.crease;
     return solid;
@@ -34,7 +35,8 @@ plain_solid plain_of(const options& o)
     using namespace typemesh;
     if (o.depth == 0.0f) return flat{.texture = o.uv};
     const auto with = [&](auto normals) -> plain_solid {
-        return extruded<decltype(normals)>{.depth = o.depth, .texture = o.uv, .normals = normals};
+        return extruded<decltype(normals)>{
+            .depth = o.depth, .texture = o.uv, .normals = normals, .segments = o.segments};
     };
     switch (o.normals) {
     case normals_name::cap: return with(cap_normals{});
@@ -49,6 +51,7 @@ plain_solid plain_of(const options& o)
 
 chosen_solid solid_of(const options& o)
 {
+    if (o.bend.is_on) return bent_solid{.solid = plain_of(o), .how = o.bend.how, .tolerance = o.tolerance};
     if (o.refine.is_on)
         return refined_solid{.solid = plain_of(o),
                              .how = {.min_angle = o.refine.min_angle, .max_edge = o.refine.max_edge}};

@@ -809,6 +809,23 @@ expect 2 "outline-place must be inner, center or outer, not top" x --font $sans 
 expect 2 "^text_to_mesh: --bevel-out does not work with --outline-letter, because the ring would grow into the letter\.$" x --font $sans --output x.glb --outline 0.02 --outline-letter --bevel 0.01 --bevel-out
 expect 0 "" "ab" --font $sans --output ring.obj --outline 0.02 --outline-letter --style 0..1:colour=red --style 1..2:colour=white
 that "a letter within a coloured ring has another colour" [ "$(grep '^Kd' ring.mtl | sort -u | wc -l)" = 8 ]
+# Walls in segments: each wall has that many times its two triangles, and the caps are unchanged.
+whole() { sed -n 's/.*"vertices":[0-9]*,"triangles":\([0-9]*\),.*/\1/p' "$1"; }
+for number in 1 2 5; do
+    expect 0 "" "Rag" --font $sans --output segments.stl --stats --segments $number && cp out segments$number.stats
+done
+one=$(whole segments1.stats) two=$(whole segments2.stats) five=$(whole segments5.stats)
+that "each segment adds as many triangles: $one, $two, $five" [ $((five - one)) = $((4 * (two - one))) ]
+that "a segment adds triangles" [ "$two" -gt "$one" ]
+alike "one segment is the default" glb "Rag" --font $sans / "Rag" --font $sans --segments 1
+for option in "--bevel 0.02" "--bevel 0.02 --bevel-out" "--outline 0.02 --outline-letter" "--refine delaunay" "--normals cap" "--normals shared"; do
+    # shellcheck disable=SC2086  # words
+    expect 0 "" "Rag" --font $sans --output segments.glb $option --segments 3
+done
+for number in 0 1025 -1 2.5 nan many; do
+    expect 2 "^text_to_mesh: --segments must be a whole number from 1 to 1024, not $number\.$" x --font $sans --output x.glb --segments $number
+done
+expect 2 "^text_to_mesh: --segments needs a solid, but --depth 0 makes a flat mesh: give a larger --depth\.$" x --font $sans --output x.glb --depth 0 --segments 2
 # Refined letters: more triangles, none with a small angle, no long edge; the solid stays closed (external/admesh.sh).
 triangles() { sed -n 's/.*"triangles": *\([0-9]*\).*/\1/p' "$1"; }
 expect 0 "" "Rag" --font $sans --output plain.stl --stats && cp out plain.stats

@@ -79,7 +79,7 @@ void check_keys(const option_change<Solid> (&all)[N])
     }
 }
 
-/// Those of all extruded solids; `normals` changes the last member.
+/// Those of all extruded solids; `normals` changes the member of this name.
 template <class Normals>
 void check_extruded(void (*normals)(extruded<Normals>&))
 {
@@ -90,7 +90,8 @@ void check_extruded(void (*normals)(extruded<Normals>&))
                        {"back", seen_by::plan, [](solid& s) { s.back = false; }},
                        {"side", seen_by::plan, [](solid& s) { s.side = false; }},
                        {"texture", seen_by::plan, [](solid& s) { s.texture = texture_mapping::box; }},
-                       {"normals", seen_by::plan, normals}});
+                       {"normals", seen_by::plan, normals},
+                       {"segments", seen_by::plan, [](solid& s) { s.segments = 2; }}});
 }
 
 }  // namespace
@@ -126,6 +127,7 @@ TEST_CASE("every option of bevelled is in the key, or changes the mesh with the 
          {"side", seen_by::plan, [](bevelled& s) { s.side = false; }},
          {"texture", seen_by::plan, [](bevelled& s) { s.texture = texture_mapping::box; }},
          {"profile", seen_by::plan, [](bevelled& s) { s.profile = round_profile(); }},
+         {"segments", seen_by::plan, [](bevelled& s) { s.segments = 2; }},
          {"wanted", seen_by::plan, [](bevelled& s) { s.wanted = 1.0f; }}});
 }
 

@@ -7,6 +7,8 @@
 #include "support/toy_font.hpp"
 #include "support/written_mesh.hpp"
 
+#include <typemesh/extrude/cap_normals.hpp>
+#include <typemesh/extrude/shared_normals.hpp>
 #include <typemesh/typemesh.hpp>
 
 #include <algorithm>
@@ -197,6 +199,49 @@ TEST_CASE("a triangle's owner has its corners on its outline, and what two share
     }
     CHECK(shared > 0);
     CHECK(owned > shared);
+}
+
+TEST_CASE("the triangles of a merged wall in segments all have the owner of the whole wall", "[text][merge]")
+{
+    const glyph_run run = run_of({{ring, 0, {0, 0}}, {ring, 0, {400, 30}}, {bars, 0, {700, 20}}});
+    const auto check = [&run]<class Normals>(Normals normals, std::uint32_t segments) {
+        CAPTURE(segments);
+        test::toy_font font;
+        text_mesher whole{font, extruded<Normals>{.normals = normals}};
+        text_mesher divided{font, extruded<Normals>{.normals = normals, .segments = segments}};
+        const text_options merged{.unit = output_unit::font_units, .merge = true};
+        auto one = test::required(whole.plan(run, merged)), many = test::required(divided.plan(run, merged));
+        REQUIRE(many->glyphs().size() == 1);
+        const full_mesh a = test::written<full_mesh>(*one), b = test::written<full_mesh>(*many);
+        const auto corner = [](const full_mesh& m, std::uint32_t index) {
+            const auto p = m.vertices[m.indices[index]].position;
+            return typemesh::point{p.x, p.y};
+        };
+        const mesh_range walls = one->range(0, part::side), pieces = many->range(0, part::side);
+        REQUIRE(pieces.index_count == segments * walls.index_count);
+        std::uint32_t owners[3] = {}, astray = 0, others = 0;
+        for (std::uint32_t t = 0; t < pieces.index_count / 3; ++t) {
+            const std::uint32_t wall = t / (2 * segments), whose = many->owner(0, part::side, t);
+            REQUIRE(whose < 3);
+            ++owners[whose];
+            others += whose != one->owner(0, part::side, 2 * wall) || whose != one->owner(0, part::side, 2 * wall + 1);
+            others += many->hit(part::side, t).of_run != whose;
+            for (std::uint32_t c = 0; c < 3; ++c) {  // each corner is above one of the wall's two points
+                const auto at = corner(b, pieces.first_index + 3 * t + c);
+                const auto from = corner(a, walls.first_index + 6 * wall),
+                           to = corner(a, walls.first_index + 6 * wall + 2);
+                astray += !(at == from) && !(at == to);
+            }
+        }
+        CHECK(astray == 0);
+        CHECK(others == 0);
+        for (const std::uint32_t triangles : owners) CHECK(triangles != 0);
+    };
+    for (const std::uint32_t segments : {1u, 2u, 5u}) {
+        check(curve_normals{}, segments);
+        check(shared_normals{}, segments);
+        check(cap_normals{}, segments);
+    }
 }
 
 TEST_CASE("merging far from the origin gives the same solid, moved", "[text][merge]")

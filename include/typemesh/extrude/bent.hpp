@@ -15,6 +15,8 @@
 #include <typemesh/extrude/impl/bent_measure.hpp>
 #include <typemesh/extrude/impl/bent_surface.hpp>
 #include <typemesh/extrude/impl/refined_solid.hpp>
+#include <typemesh/extrude/impl/wall_rows.hpp>
+#include <typemesh/extrude/impl/wall_segments.hpp>
 #include <typemesh/extrude/plan_arrays.hpp>
 #include <typemesh/refine/impl/edge_bisection.hpp>
 
@@ -83,10 +85,10 @@ struct bent_data {
 ///
 /// Caps and walls get as many points as they need, so that no point of the mesh is farther than `tolerance` from its
 /// place on the bent solid. The promise rests on bounds of the deformation's second derivatives (bend_error.hpp), not
-/// on samples. Three further differences from the ideal shape come in addition: the text's own tolerance for curves, times
-/// the greatest stretch; the rounding of points to the grid, likewise; and the rounding of positions to floats. Normals
-/// and tangents are exact: those of the flat solid, mapped by the deformation's derivatives. Texture coordinates are
-/// those of the flat text.
+/// on samples. Three further differences from the ideal shape come in addition: the text's own tolerance for curves,
+/// times the greatest stretch; the rounding of points to the grid, likewise; and the rounding of positions to floats.
+/// Normals and tangents are exact: they are the flat solid's, mapped by the deformation's derivatives. Texture
+/// coordinates are the flat text's.
 ///
 /// The deformation works in em, relative to the text's own origin: x along the text, y up, z towards the reader. The
 /// bent text is then scaled and placed like any other (text_options).
@@ -139,9 +141,10 @@ struct bent {
                                                   0.0,
                                                   (1.0 - 0x1p-10) * tolerance};
         const box3 around = box_of(filled, measure);
+        if (error e = typemesh::refused_text(how, around)) return e;
         if (!is_unfolded(how, around)) return error::folds_over;
         bent_form form;
-        form.segments = segments_for(around, measure.tolerance);
+        form.segments = segments_for(filled, measure, around);
         measure.step = (measure.high - measure.low) / form.segments;
         if (error e = data.working.run(filled, caps.triangles(), measure, max_points)) return e;
         std::uint32_t kept = 0;
@@ -216,12 +219,10 @@ struct bent {
     }
 
 private:
-    static constexpr bool has_segments = requires(Solid s) { s.segments; };
-
-    [[nodiscard]] Solid in_segments([[maybe_unused]] std::uint32_t segments) const noexcept
+    [[nodiscard]] Solid in_segments(std::uint32_t segments) const noexcept
     {
         Solid own = solid;
-        if constexpr (has_segments) own.segments = segments;
+        set_segments(own, segments);
         return own;
     }
 
@@ -234,44 +235,56 @@ private:
         return {{low.x, low.y, measure.low}, {high.x, high.y, measure.high}};
     }
 
-    /// The number of segments that needs the fewest points. More segments make longer edges possible, because the error
-    /// of a wall grows with the product of both. The cost of n segments is taken as n + 2, for walls and two caps, per
-    /// unit of edges along x and along y.
-    [[nodiscard]] std::uint32_t segments_for([[maybe_unused]] const box3& around,
-                                             [[maybe_unused]] double limit) const noexcept
+    /// The number of segments that needs the fewest vertices. More segments make longer edges possible, because the
+    /// error of a wall grows with the product of both.
+    [[nodiscard]] std::uint32_t segments_for([[maybe_unused]] const region& filled,
+                                             [[maybe_unused]] const detail::bent_measure<Deformation>& measure,
+                                             [[maybe_unused]] const box3& around) const noexcept
     {
-        if constexpr (!has_segments) {
-            return 1;
-        } else {
-            const double height = around.high.z - around.low.z;
-            if (!(height > 0.0)) return solid.segments;
+        const std::uint32_t fewest = segments_of(solid);
+        if constexpr (has_segments<Solid>) {
+            const double height = measure.high - measure.low;
+            if (!(height > 0.0)) return fewest;
             const bend_bounds by = how.bend(around);
-            const double longest = (around.high.x - around.low.x) + (around.high.y - around.low.y);
-            std::uint32_t best = solid.segments;
+            std::uint32_t best = fewest;
             double least = -1.0;
-            for (std::uint32_t n = solid.segments; n <= max_segments; n += 1 + n / 8) {
-                const double step = height / n, width = edge_for(by.xx, by.xz, by.zz, step, longest, limit),
-                             rise = edge_for(by.yy, by.yz, by.zz, step, longest, limit);
-                if (!(width > 0.0 && rise > 0.0)) continue;
-                const double cost = (n + 2.0) * (1.0 / width + 1.0 / rise);
-                if (least >= 0.0 && cost >= least) break;
+            for (std::uint32_t n = fewest; n <= wall_rows::most; n += 1 + n / 8) {
+                const double points = points_for(filled, measure, by, height / n);
+                const double cost = points * (n + 3.0);  // the rows of the walls, and two caps
+                if (least >= 0.0 && points > 0.0 && cost >= least) break;
+                if (!(points > 0.0)) continue;
                 best = n;
                 least = cost;
             }
             return best;
+        } else {
+            return fewest;
         }
     }
-    static constexpr std::uint32_t max_segments = 1024;
 
-    /// The length of the longest edge whose wall bends by no more than the limit; 0 if there is none.
-    [[nodiscard]] static double edge_for(double alone, double mixed, double upright, double step, double longest,
-                                         double limit) noexcept
+    /// About how many points the boundary needs if its walls have segments of this height; 0 if no number suffices.
+    [[nodiscard]] static double points_for(const region& filled, const detail::bent_measure<Deformation>& measure,
+                                           const bend_bounds& by, double step) noexcept
     {
-        // alone e^2 + 2 mixed step e + upright step^2 <= 8 limit
-        const double rest = 8.0 * limit - upright * step * step, half = mixed * step;
+        // A piece of 1/k of an edge bends by 1/8 (alone / k^2 + 2 mixed / k + upright).
+        const double rest = 8.0 * measure.tolerance - by.zz * step * step, scale = measure.em_per_cell;
         if (!(rest > 0.0)) return 0.0;
-        const double divisor = half + std::sqrt(half * half + alone * rest);
-        return divisor * longest > rest ? rest / divisor : longest;
+        double points = 0.0;
+        const auto starts = filled.starts();
+        for (std::size_t loop = 0; loop + 1 < starts.size(); ++loop) {
+            grid_point from = filled.points()[starts[loop + 1] - 1];
+            for (std::uint32_t i = starts[loop]; i < starts[loop + 1]; ++i) {
+                const grid_point to = filled.points()[i];
+                const double x = scale * std::fabs(static_cast<double>(to.x) - static_cast<double>(from.x)),
+                             y = scale * std::fabs(static_cast<double>(to.y) - static_cast<double>(from.y));
+                const double alone = by.xx * x * x + 2.0 * by.xy * x * y + by.yy * y * y,
+                             mixed = (by.xz * x + by.yz * y) * step;
+                const double pieces = (mixed + std::sqrt(mixed * mixed + alone * rest)) / rest;
+                points += pieces > 1.0 ? std::ceil(pieces) : 1.0;
+                from = to;
+            }
+        }
+        return points;
     }
 
     /// The placement of the flat solid in the deformation's space.

@@ -19,6 +19,7 @@
 #include <typemesh/extrude/impl/exact_fill.hpp>
 #include <typemesh/extrude/impl/surroundings.hpp>
 #include <typemesh/extrude/impl/upright_walls.hpp>
+#include <typemesh/extrude/impl/wall_rows.hpp>
 #include <typemesh/extrude/texture.hpp>
 #include <typemesh/offset/impl/touching_walls.hpp>
 
@@ -61,6 +62,8 @@ enum class bevel_mode : std::uint8_t {
 ///     bevelled{.profile = round_profile(4)}                                bevel_profile.hpp
 ///     bevelled{.profile = {{0, 0}, {0.2f, 0.8f}, {1, 1}}}
 ///
+/// With several segments, the walls between the bevels are divided along the depth, as in extruded.
+///
 /// If a glyph's bevel is not proven simple at its full width, it becomes narrower. The plan reports this as
 /// solid_plan::narrowed. It also reports bevels that had to be less than half as wide to fit.
 ///
@@ -95,7 +98,8 @@ struct bevelled {
     bool side = true;
     texture_mapping texture = texture_mapping::em;
     bevel_profile profile = {};
-    float wanted = 0.0f;  ///< the width before refit() reduced it; leave this at 0
+    std::uint32_t segments = 1;  ///< the number of equal pieces into which walls are divided along the depth: 1 to 1024
+    float wanted = 0.0f;         ///< the width before refit() reduced it; leave this at 0
 
     static constexpr std::size_t part_count = 5;
     using plan_data = bevel_data;
@@ -117,6 +121,7 @@ struct bevelled {
         option_hash rest;
         rest.add(option_bits{crease_degrees, profile_crease_degrees});
         rest.add(option_bits{wanted > width ? wanted : 0.0f}.words[0]);  // joins are computed for the wanted width
+        rest.add(std::uint64_t{segments});
         rest.add_key_of(profile);
         bits.words[2] = rest.first;
         bits.words[3] = rest.second;
@@ -151,7 +156,11 @@ struct bevelled {
         if (mode != bevel_mode::clip && takes_all && data.swept.lost != 0 && filled.corners() != touching::keep)
             made.touching = true;
         const auto within = data.of<grid_point>().size();
-        if (data.of<bevel_vertex>().size() > 0x3FFF'FFFFu || within > 0x3FFF'FFFFu) return error::too_large;
+        const std::uint64_t vertices = data.of<bevel_vertex>().size();
+        if (vertices > 0x3FFF'FFFFu || within > 0x3FFF'FFFFu) return error::too_large;
+        const bevel_rims& rims = data.of<bevel_rims>()[0];
+        const std::uint64_t of_walls = !side ? 0 : rims.outward ? vertices - rims.vertices : n;
+        if (of_walls * segments > 0x3FFF'FFFFu) return error::too_large;
         return made;
     }
 
@@ -214,7 +223,7 @@ struct bevelled {
     void vertices(part p, const solid_with<plan_data>& s, const placement& at, Put&& put) const noexcept
     {
         if (s.points.empty()) return;
-        const bevel_writer writer{s, {own_heights(), texture, shading}};
+        const bevel_writer writer{s, {own_heights(), texture, shading, segments}};
         with_axes(at, [&](const auto& axes) noexcept {
             if (p == part::front && front) writer.cap<Wants>(axes, at, true, put);
             if (p == part::back && back) writer.cap<Wants>(axes, at, false, put);
@@ -228,7 +237,7 @@ struct bevelled {
     void triangles(part p, const solid_with<plan_data>& s, const first_vertices& first, Put&& put) const noexcept
     {
         if (s.points.empty()) return;
-        const bevel_writer writer{s, {own_heights(), texture, shading}};
+        const bevel_writer writer{s, {own_heights(), texture, shading, segments}};
         const std::uint32_t base = first[p];
         if (p == part::front && front)
             for (const triangle t : writer.cap_triangles(true)) put(base + t.a, base + t.b, base + t.c);
@@ -255,6 +264,7 @@ private:
         const auto is_length = [](float v) noexcept { return is_finite(as_double(v)) && v >= 0.0f; };
         if (!is_length(depth) || !(depth > 0.0f)) return error::bad("depth");
         if (!is_length(width)) return error::bad("width");
+        if (!wall_rows::is_valid(segments)) return error::bad("segments");
         const double bevels = sides == bevel_sides::both ? 2.0 : 1.0;
         if (!is_length(bevel_depth) || bevels * as_double(bevel_depth) > as_double(depth))
             return error::bad("bevel_depth");
@@ -421,11 +431,13 @@ private:
             all.triangles[bevel] = rims.triangles;
         }
         if (rims.outward) {
-            all.vertices[part::side] = static_cast<std::uint32_t>(data.of<bevel_vertex>().size()) - rims.vertices;
-            all.triangles[part::side] = static_cast<std::uint32_t>(data.of<bevel_triangle>().size()) - rims.triangles;
+            const std::uint32_t of_walls = static_cast<std::uint32_t>(data.of<bevel_vertex>().size()) - rims.vertices;
+            all.vertices[part::side] = of_walls / 2 * (segments + 1);  // a column for each pair
+            all.triangles[part::side] =
+                segments * (static_cast<std::uint32_t>(data.of<bevel_triangle>().size()) - rims.triangles);
         } else if (side && own_heights().has_walls(rims.wall)) {
-            all.vertices[part::side] = upright_walls::vertex_count(n, doubled);
-            all.triangles[part::side] = 2 * n;
+            all.vertices[part::side] = upright_walls::vertex_count(n, doubled, segments);
+            all.triangles[part::side] = 2 * segments * n;
         }
         return all;
     }

@@ -4,6 +4,7 @@
 #include <typemesh/core/impl/option_hash.hpp>
 #include <typemesh/core/policy_key.hpp>
 #include <typemesh/extrude/extruder.hpp>
+#include <typemesh/extrude/impl/wall_segments.hpp>
 
 #include <algorithm>
 #include <concepts>
@@ -136,6 +137,16 @@ public:
         return std::get_if<Solid>(&choice_);
     }
 
+    /// The number of segments of the chosen extruder's walls, and the option to change it: see wall_segments.hpp.
+    [[nodiscard]] std::uint32_t wall_segments() const noexcept
+    {
+        return visit([](auto, const auto& how) noexcept { return segments_of(how); });
+    }
+    void set_wall_segments(std::uint32_t segments) noexcept
+    {
+        visit([segments](auto, auto& how) noexcept { set_segments(how, segments); });
+    }
+
     // --- an extruder: see extruder.hpp
 
     [[nodiscard]] option_bits cache_key() const noexcept
@@ -170,6 +181,16 @@ public:
     [[nodiscard]] bool plans_in_place() const noexcept
     {
         return visit([](auto, const auto& how) noexcept { return typemesh::plans_in_place(how); });
+    }
+    [[nodiscard]] error refused_text(const box& text) const noexcept
+        requires(refuses_texts<Solids> || ...)
+    {
+        return visit([&text]<class Solid>(auto, const Solid& how) noexcept {
+            if constexpr (refuses_texts<Solid>)
+                return how.refused_text(text);
+            else
+                return error{};
+        });
     }
     /// Whether the triangles of the chosen extruder are not the region's own.
     [[nodiscard]] bool has_own_caps() const noexcept

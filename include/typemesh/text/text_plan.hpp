@@ -144,8 +144,9 @@ public:
     /// The owner of a triangle, as an index in the run. A wall's triangle belongs to the glyph on whose outline the
     /// wall stands. A cap's triangle belongs to the glyph to whose outline all contour edges at its corners belong. If
     /// these edges belong to several glyphs, the owner is shared_glyph. This requires an extruder that writes caps in
-    /// the order of the region's triangles and walls as two triangles per edge, such as flat and extruded. If an
-    /// extruder makes its own caps (bevelled), all triangles of merged glyphs are shared.
+    /// the order of the region's triangles and walls edge by edge, with equally many triangles for each edge, such as
+    /// flat and extruded. If an extruder makes its own caps (bevelled), all triangles of merged glyphs are shared. So
+    /// are all walls if their triangles cannot be divided equally among the edges.
     ///
     ///     triangle    its position in range(glyph, p), below index_count / 3
     [[nodiscard]] std::uint32_t owner(std::size_t glyph, part p, std::uint32_t triangle) const noexcept
@@ -154,7 +155,12 @@ public:
         if (s.merged == drawn_glyph::none) return s.glyph;
         if (has_own_caps(extruder_)) return shared_glyph;
         const merged_group& group = glyphs_->merged.groups[s.merged];
-        if (p == part::side) return glyphs_->merged.owners_of(group)[triangle / 2];
+        if (p == part::side) {
+            const auto owners = glyphs_->merged.owners_of(group);  // one for each edge
+            const auto triangles = static_cast<std::size_t>(s.built->sizes().triangles[part::side]);
+            if (triangles % owners.size() != 0) return shared_glyph;
+            return owners[triangle / (triangles / owners.size())];
+        }
         if (p > part::side) return shared_glyph;
         return glyphs_->merged.owner_of(group, s.built->form().triangles[triangle]);
     }

@@ -38,14 +38,15 @@ struct bent_measure {
         return turns(p, q, r, low) || turns(p, q, r, high) ? 2.0 : size;
     }
 
-    /// Whether the image of a triangle at a height faces away from the direction in which the bent surface faces.
+    /// Whether the image of a triangle at a height faces away from the direction in which the bent surface faces at one
+    /// of its corners.
     [[nodiscard]] bool turns(grid_point p, grid_point q, grid_point r, double height) const noexcept
     {
-        const double3 a = at(p, height), b = at(q, height), c = at(r, height);
-        const double third = 1.0 / 3.0;
-        const deformed_point middle = bends(third * (a + b + c));
-        const double3 from = bends(a).at, facing = cross(bends(b).at - from, bends(c).at - from);
-        return !(dot(facing, cross(middle.x, middle.y)) > 0.0);
+        const deformed_point corners[] = {bends(at(p, height)), bends(at(q, height)), bends(at(r, height))};
+        const double3 facing = cross(corners[1].at - corners[0].at, corners[2].at - corners[0].at);
+        for (const deformed_point& c : corners)
+            if (!(dot(facing, cross(c.x, c.y)) > 0.0)) return true;
+        return false;
     }
 
     /// A grid point at a height, in em.

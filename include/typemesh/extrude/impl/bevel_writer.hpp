@@ -7,6 +7,7 @@
 #include <typemesh/extrude/impl/bevel_heights.hpp>
 #include <typemesh/extrude/impl/bevel_strips.hpp>
 #include <typemesh/extrude/impl/upright_walls.hpp>
+#include <typemesh/extrude/impl/wall_rows.hpp>
 #include <typemesh/extrude/solid.hpp>
 #include <typemesh/extrude/texture.hpp>
 #include <typemesh/extrude/texture_tangent.hpp>
@@ -21,6 +22,7 @@ struct bevel_style {
     bevel_heights heights;
     texture_mapping texture = texture_mapping::em;
     bevel_shading shading = bevel_shading::by_slope;
+    std::uint32_t segments = 1;  ///< of the walls, along the depth
 };
 
 /// Writes the caps, walls and bevels of a planned solid. `in_front` selects one of its two sides.
@@ -31,7 +33,8 @@ public:
           rims_{s.data.of<bevel_rims>()[0]},
           heights_{style.heights},
           texture_{style.texture},
-          shading_{style.shading}
+          shading_{style.shading},
+          segments_{style.segments}
     {
     }
 
@@ -67,12 +70,13 @@ public:
     {
         if (!rims_.outward) {
             if (heights_.has_walls(rims_.wall))
-                upright_walls::triangles(solid_.starts, solid_.data.of<side_point>(), first, put);
+                upright_walls::triangles(solid_.starts, solid_.data.of<side_point>(), segments_, first, put);
             return;
         }
+        const auto triangles = solid_.data.of<bevel_triangle>().subspan(rims_.triangles);
+        if (segments_ != 1) return outer_wall_triangles(triangles, first, put);
         const std::uint32_t own = first - rims_.vertices;  // may wrap; the sums wrap back
-        for (const auto& [t] : solid_.data.of<bevel_triangle>().subspan(rims_.triangles))
-            put(own + t.a, own + t.b, own + t.c);
+        for (const auto& [t] : triangles) put(own + t.a, own + t.b, own + t.c);
     }
 
     template <attribute Wants, class Axes, class Put>
@@ -81,7 +85,7 @@ public:
         if (rims_.outward) return outer_walls<Wants>(axes, at, put);
         if (!heights_.has_walls(rims_.wall)) return;
         const upright_walls upright{heights_.rim(true, rims_.wall), heights_.rim(false, rims_.wall), heights_.high(),
-                                    texture_};
+                                    texture_, segments_};
         upright.vertices<Wants>(solid_.points, solid_.data.of<side_point>(), axes, at, put);
     }
 
@@ -170,6 +174,21 @@ private:
         float facing_;
     };
 
+    /// The triangles of an outward bevel's walls in several segments. The plan has a pair of vertices for each column,
+    /// and two triangles for each edge; each of them stands for one triangle per segment.
+    template <class Put>
+    void outer_wall_triangles(array_view<const bevel_triangle> triangles, std::uint32_t first, Put& put) const noexcept
+    {
+        const auto lowest = [&](std::uint32_t planned) noexcept {
+            const std::uint32_t v = planned - rims_.vertices;
+            return first + v / 2 * (segments_ + 1) + v % 2;
+        };
+        for (std::size_t i = 0; i + 1 < triangles.size(); i += 2)
+            for (std::uint32_t k = 0; k < segments_; ++k)
+                for (const triangle& t : {triangles[i].corners, triangles[i + 1].corners})
+                    put(lowest(t.a) + k, lowest(t.b) + k, lowest(t.c) + k);
+    }
+
     /// The walls of an outward bevel.
     template <attribute Wants, class Axes, class Put>
     void outer_walls(const Axes& axes, const placement& at, Put& put) const noexcept
@@ -183,10 +202,9 @@ private:
     template <attribute Wants, class Mapping, class Axes, class Put>
     void mapped_outer_walls(const Mapping& mapping, const Axes& axes, const placement& at, Put& put) const noexcept
     {
-        const double ends[] = {heights_.rim(false, rims_.wall), heights_.rim(true, rims_.wall)};
+        const double back = heights_.rim(false, rims_.wall), front = heights_.rim(true, rims_.wall);
         const wall_texture walls{at};
-        for (const bevel_vertex& b : solid_.data.of<bevel_vertex>().subspan(rims_.vertices)) {
-            const double z = ends[b.share > 0.0f ? 1 : 0];
+        const auto put_at = [&](const bevel_vertex& b, double z) noexcept {
             surface_point<Wants> v;
             if constexpr (has(Wants, attribute::position)) v.position = axes.position(axes.foot(b.at), at.height(z));
             if constexpr (has(Wants, attribute::normal)) v.normal = axes.direction(b.outward.x, b.outward.y, 0.0f);
@@ -195,7 +213,15 @@ private:
             if constexpr (has(Wants, attribute::uv)) v.uv = mapping.uv(place);
             if constexpr (has(Wants, attribute::tangent)) v.tangent = mapping.tangent(axes, place);
             put(v);
+        };
+        const auto vertices = solid_.data.of<bevel_vertex>().subspan(rims_.vertices);
+        if (segments_ == 1) {
+            for (const bevel_vertex& b : vertices) put_at(b, b.share > 0.0f ? front : back);
+            return;
         }
+        const wall_rows rows{back, front, segments_};
+        for (std::size_t i = 0; i + 1 < vertices.size(); i += 2)
+            for (std::uint32_t k = 0; k <= segments_; ++k) put_at(vertices[i], rows.height(k));
     }
 
     [[nodiscard]] bool has_own_cap(bool in_front) const noexcept
@@ -208,6 +234,7 @@ private:
     bevel_heights heights_;
     texture_mapping texture_;
     bevel_shading shading_;
+    std::uint32_t segments_;
 };
 
 }  // namespace typemesh::inline TYPEMESH_ABI

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <typemesh/bend/deformation.hpp>
+#include <typemesh/bend/double3.hpp>
+#include <typemesh/bend/text_path.hpp>
+#include <typemesh/core/error.hpp>
+#include <typemesh/core/finite.hpp>
+
+#include <cmath>
+
+namespace typemesh::inline TYPEMESH_ABI {
+
+/// The deformation that bends text along a curve in space: x becomes the distance along the curve, y and z are kept in
+/// the curve's moving frame (text_path.hpp). The letters themselves are bent.
+///
+///     text_path path;
+///     if (error e = path.through(points)) ...
+///     bent<along_curve>{.how = {.path = &path, .start = 0.5}}      x = 0 is half an em behind the first point
+///
+/// Fails  error::bad_option: there is no path, or it is empty ("path"), or start is not finite ("start");
+///        error::goes_around: the text reaches beyond an end of the curve; error::folds_over: the curve bends more
+///        tightly than the letters are high or deep
+struct along_curve {
+    const text_path* path = nullptr;  ///< must outlive the plan
+    double start = 0.0;               ///< the distance along the curve of the text's origin, in em
+
+    [[nodiscard]] error refused_options() const noexcept
+    {
+        if (path == nullptr || path->empty()) return error::bad("path");
+        return is_finite(start) ? error{} : error::bad("start");
+    }
+
+    [[nodiscard]] error refused_text(const box3& text) const noexcept
+    {
+        const bool fits = start + text.low.x >= 0.0 && start + text.high.x <= path->length();
+        return fits ? error{} : error{error::goes_around};
+    }
+
+    [[nodiscard]] deformed_point operator()(const double3& p) const noexcept
+    {
+        const text_path::frame f = path->at(start + p.x);
+        return {f.at + p.y * f.up + p.z * f.toward, f.speed + p.y * f.up_by + p.z * f.toward_by, f.up, f.toward};
+    }
+
+    [[nodiscard]] bend_bounds bend(const box3& b) const noexcept
+    {
+        const text_path::bounds by = path->between(start + b.low.x, start + b.high.x);
+        const auto farthest = [](double low, double high) noexcept {
+            return std::fabs(low) > std::fabs(high) ? std::fabs(low) : std::fabs(high);
+        };
+        const double across = farthest(b.low.y, b.high.y) + farthest(b.low.z, b.high.z);
+        return {.xx = by.bend + across * by.turn_2, .xy = by.turn, .xz = by.turn};
+    }
+};
+static_assert(deformation<along_curve>);
+
+}  // namespace typemesh::inline TYPEMESH_ABI
