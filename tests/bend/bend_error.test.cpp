@@ -71,9 +71,9 @@ double greatest_ratio(const D& d, const box3& all, test::dice& dice, int triangl
     for (int round = 0; round < triangles; ++round) {
         const box3 place = bending::box_within(dice, all, 1e-3, round % 3 == 0 ? 1.0 : 0.1);
         double3 v[] = {bending::within(dice, place), bending::within(dice, place), bending::within(dice, place)};
-        if (round % 4 == 0) v[2] = v[1];                                // an edge
-        if (round % 4 == 1) v[1].z = v[2].z = v[0].z;                   // a cap's
-        if (round % 4 == 2) v[1] = {v[0].x, v[0].y, place.high.z};      // a wall's
+        if (round % 4 == 0) v[2] = v[1];                            // an edge
+        if (round % 4 == 1) v[1].z = v[2].z = v[0].z;               // a cap's
+        if (round % 4 == 2) v[1] = {v[0].x, v[0].y, place.high.z};  // a wall's
         const box3 b = box_around(v);
         const double bound = bend_error(d.bend(b), b.high - b.low);
         const double3 image[] = {d(v[0]).at, d(v[1]).at, d(v[2]).at};
@@ -100,9 +100,8 @@ TEST_CASE("no point of a bent triangle is farther from the flat one than the bou
 {
     test::dice dice{31};
     std::size_t samples = 0;
-    bending::each_ready([&](const auto& d, const box3& all) {
-        CHECK(greatest_ratio(d, all, dice, 120, 60, samples) <= 1.0);
-    });
+    bending::each_ready(
+        [&](const auto& d, const box3& all) { CHECK(greatest_ratio(d, all, dice, 120, 60, samples) <= 1.0); });
     for (int map = 0; map < 200; ++map) {
         const smooth_map d{dice};
         CHECK_QUICKLY(greatest_ratio(d, {{-1.0, -1.0, -0.5}, {1.0, 1.0, 0.5}}, dice, 60, 40, samples) <= 1.0);

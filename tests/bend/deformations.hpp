@@ -24,10 +24,7 @@ namespace bending {
 
 using namespace typemesh;
 
-inline double within(test::dice& d, double low, double high)
-{
-    return low + (high - low) * d.fraction();
-}
+inline double within(test::dice& d, double low, double high) { return low + (high - low) * d.fraction(); }
 inline double3 within(test::dice& d, const box3& b)
 {
     return {within(d, b.low.x, b.high.x), within(d, b.low.y, b.high.y), within(d, b.low.z, b.high.z)};
@@ -51,23 +48,14 @@ inline double3 step_along(int axis, double by)
 {
     return {axis == 0 ? by : 0.0, axis == 1 ? by : 0.0, axis == 2 ? by : 0.0};
 }
-inline double3 column(const deformed_point& p, int axis)
-{
-    return axis == 0 ? p.x : axis == 1 ? p.y : p.z;
-}
+inline double3 column(const deformed_point& p, int axis) { return axis == 0 ? p.x : axis == 1 ? p.y : p.z; }
 inline double bound_of(const bend_bounds& b, int i, int j)
 {
     const double all[3][3] = {{b.xx, b.xy, b.xz}, {b.xy, b.yy, b.yz}, {b.xz, b.yz, b.zz}};
     return all[i][j];
 }
-inline double determinant(const deformed_point& p)
-{
-    return dot(p.x, cross(p.y, p.z));
-}
-inline double farthest(double3 a, double3 b)
-{
-    return length(a - b);
-}
+inline double determinant(const deformed_point& p) { return dot(p.x, cross(p.y, p.z)); }
+inline double farthest(double3 a, double3 b) { return length(a - b); }
 
 // Each of these calls use(deformation, box in which text may stand) for many options.
 
@@ -119,8 +107,7 @@ void each_wave(const Use& use)
             for (const double direction : {0.0, 90.0, 37.0, -200.0})
                 for (const double phase : {0.0, 110.0}) {
                     INFO("wave, " << height << ' ' << size << ' ' << direction << ' ' << phase);
-                    use(displaced<wave>{
-                            {.height = height, .length = size, .direction = direction, .phase = phase}},
+                    use(displaced<wave>{{.height = height, .length = size, .direction = direction, .phase = phase}},
                         box3{{-4.0, -2.0, -1.0}, {4.0, 2.0, 0.5}});
                 }
 }

@@ -15,10 +15,7 @@ struct saddle {
     double c = 0.1;
     const char* refuses = nullptr;
 
-    [[nodiscard]] error refused_options() const noexcept
-    {
-        return refuses == nullptr ? error{} : error::bad(refuses);
-    }
+    [[nodiscard]] error refused_options() const noexcept { return refuses == nullptr ? error{} : error::bad(refuses); }
     [[nodiscard]] surface_height operator()(double x, double y) const noexcept
     {
         return {a * x * x + b * x * y + c * y * y, 2.0 * a * x + b * y, b * x + 2.0 * c * y};
@@ -26,7 +23,8 @@ struct saddle {
     [[nodiscard]] bend_bounds bend(const box3&) const noexcept
     {
         // The rest of a surface's bounds does not matter.
-        return {.xx = 2.0 * std::fabs(a), .yy = 2.0 * std::fabs(c), .zz = 7.0, .xy = std::fabs(b), .xz = 8.0, .yz = 9.0};
+        return {
+            .xx = 2.0 * std::fabs(a), .yy = 2.0 * std::fabs(c), .zz = 7.0, .xy = std::fabs(b), .xz = 8.0, .yz = 9.0};
     }
 };
 struct throwing_saddle : saddle {

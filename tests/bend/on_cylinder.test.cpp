@@ -88,8 +88,9 @@ TEST_CASE("on a cylinder of a huge radius, text is flat", "[bend]")
             for (int round = 0; round < 100; ++round) {
                 const double3 p = bending::within(dice, all), q = d(p).at;
                 const double s = axis == text_axis::up ? p.x : p.y, sag = 0.5 * s * (s / radius);
-                worst = (std::max)({worst, std::fabs(q.z - (p.z - sag)), std::fabs(q.x - p.x) - 31.0 / std::fabs(radius),
-                                    std::fabs(q.y - p.y) - 31.0 / std::fabs(radius)});
+                worst =
+                    (std::max)({worst, std::fabs(q.z - (p.z - sag)), std::fabs(q.x - p.x) - 31.0 / std::fabs(radius),
+                                std::fabs(q.y - p.y) - 31.0 / std::fabs(radius)});
             }
             CHECK(worst < 1e-9);
             CHECK(d.bend(all).xx <= 1.000001 / std::fabs(radius));

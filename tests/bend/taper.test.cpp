@@ -52,10 +52,15 @@ TEST_CASE("a taper's growth must be finite, and its factor positive in the whole
         text_axis axis;
         bool folds;
     };
-    for (const row& r :
-         {row{-0.24, text_axis::along, false}, {-0.25, text_axis::along, true}, {-0.3, text_axis::along, true},
-          {0.99, text_axis::along, false}, {1.0, text_axis::along, true}, {-0.9, text_axis::up, false},
-          {-1.1, text_axis::up, true}, {1.9, text_axis::up, false}, {2.0, text_axis::up, true}}) {
+    for (const row& r : {row{-0.24, text_axis::along, false},
+                         {-0.25, text_axis::along, true},
+                         {-0.3, text_axis::along, true},
+                         {0.99, text_axis::along, false},
+                         {1.0, text_axis::along, true},
+                         {-0.9, text_axis::up, false},
+                         {-1.1, text_axis::up, true},
+                         {1.9, text_axis::up, false},
+                         {2.0, text_axis::up, true}}) {
         CAPTURE(r.growth, int(r.axis));
         CHECK(refused_text(taper{.growth = r.growth, .axis = r.axis}, text) ==
               (r.folds ? error::folds_over : error::none));

@@ -52,8 +52,8 @@ TEST_CASE("a twist turns each place by its angle around the axis, which stays", 
         const double x = bending::within(dice, -3.0, 3.0), y = bending::within(dice, -1.0, 1.0),
                      z = bending::within(dice, -1.0, 1.0);
         const double3 first = quarter({x, y, z}).at;
-        CHECK_QUICKLY(length(quarter({1.0, first.y, first.z}).at - quarter({x + 1.0, y, z}).at -
-                             double3{-x, 0.0, 0.0}) < 1e-13);
+        CHECK_QUICKLY(
+            length(quarter({1.0, first.y, first.z}).at - quarter({x + 1.0, y, z}).at - double3{-x, 0.0, 0.0}) < 1e-13);
     }
 }
 

@@ -190,13 +190,15 @@ TEST_CASE("determinants of 0 or almost 0 are never proven to be positive", "[ben
         const double radius = bending::within(dice, 0.1, 3.0);
         CHECK_QUICKLY(!is_unfolded(on_cylinder{.radius = radius},
                                    {{0.0, 0.0, round % 2 == 0 ? -radius : -radius - past}, {0.0, 0.5, 0.0}}));
-        CHECK_QUICKLY(!is_unfolded(taper{.growth = -a}, {{0.0, 0.0, 0.0}, {1.0 / a + (round % 2 == 0 ? 0.0 : past), 0.1, 0.0}}));
+        CHECK_QUICKLY(
+            !is_unfolded(taper{.growth = -a}, {{0.0, 0.0, 0.0}, {1.0 / a + (round % 2 == 0 ? 0.0 : past), 0.1, 0.0}}));
     }
     CHECK_FALSE(is_unfolded(flat_spot{}, {{-1.0, 0.0, 0.0}, {0.7, 1.0, 1.0}}));
     CHECK_FALSE(is_unfolded(flat_spot{}, {{0.0, 0.0, 0.0}, {0.7, 1.0, 1.0}}));
     CHECK_FALSE(is_unfolded(flat_spot{}, {{0.0, 0.0, 0.0}, {0.0, 0.0, 0.0}}));
     CHECK(is_unfolded(flat_spot{.lift = 1e-3}, {{-1.0, 0.0, 0.0}, {0.7, 1.0, 1.0}}));
-    CHECK_FALSE(is_unfolded(creased_paper{.lift = -2.0}, {{-0.1, 0.0, 0.0}, {0.1, 1.0, 1.0}}));  // inside out everywhere
+    CHECK_FALSE(
+        is_unfolded(creased_paper{.lift = -2.0}, {{-0.1, 0.0, 0.0}, {0.1, 1.0, 1.0}}));  // inside out everywhere
 }
 
 TEST_CASE("numbers that are none prove nothing", "[bend]")

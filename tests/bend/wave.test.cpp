@@ -48,8 +48,8 @@ TEST_CASE("a wave repeats along its direction, is even across it, and moves by i
         later.phase -= 90.0;
         double highest = 0.0;
         for (int round = 0; round < 200; ++round) {
-            const double x = bending::within(dice, -4.0, 4.0), y = bending::within(dice, -4.0, 4.0),
-                         z = w(x, y).z, across = bending::within(dice, -3.0, 3.0);
+            const double x = bending::within(dice, -4.0, 4.0), y = bending::within(dice, -4.0, 4.0), z = w(x, y).z,
+                         across = bending::within(dice, -3.0, 3.0);
             CHECK_QUICKLY(std::fabs(w(x + 1.7 * c, y + 1.7 * s).z - z) < 1e-13);
             CHECK_QUICKLY(std::fabs(w(x - across * s, y + across * c).z - z) < 1e-13);
             CHECK_QUICKLY(std::fabs(later(x + 0.425 * c, y + 0.425 * s).z - z) < 1e-13);

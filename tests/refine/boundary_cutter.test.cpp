@@ -100,11 +100,11 @@ TEST_CASE("a cut edge that does not end on its curve, or whose curve is not free
         const grid_point p = c.mesh.place(c.made);
         return std::abs(p.x - 200 * 512) <= 1 && p.y == y;
     };
-    CHECK(is_on_chord(one_cut{bowl{30.0, 3}, 0.5, 0.5}, 3));    // moved by three cells: bold letters
+    CHECK(is_on_chord(one_cut{bowl{30.0, 3}, 0.5, 0.5}, 3));        // moved by three cells: bold letters
     CHECK_FALSE(is_on_chord(one_cut{bowl{30.0, 1}, 0.5, 0.5}, 1));  // moved by a cell: rounding
     CHECK(is_on_chord(one_cut{bowl{30.0, 0, 20.0}, 0.5, 0.5}, 0));  // the slot's wall lies between chord and curve
     CHECK_FALSE(is_on_chord(one_cut{bowl{30.0, 0, 40.0}, 0.5, 0.5}, 0));
-    CHECK(is_on_chord(one_cut{bowl{130.0}, 0.5, 0.5}, 0));          // more than 0.3 of the chord away
+    CHECK(is_on_chord(one_cut{bowl{130.0}, 0.5, 0.5}, 0));  // more than 0.3 of the chord away
     CHECK(is_on_chord(one_cut{bowl{-290.0}, 0.5, 0.5}, 0));
 }
 

@@ -122,7 +122,8 @@ TEST_CASE("bisection keeps every law for measures of width, height and both, in 
                     REQUIRE_FALSE(bisection.write(out.out()));
                     CHECK(test::broken_refinement(shape.filled, out) == "");
                     CHECK(test::is_delaunay(out));
-                    const std::size_t found = of_box ? needlessly_large(out, boxes, kept) : needlessly_large(out, m, kept);
+                    const std::size_t found =
+                        of_box ? needlessly_large(out, boxes, kept) : needlessly_large(out, m, kept);
                     CHECK(found == 0);
                     needless += found;
                     triangles += out.triangles.size();
@@ -143,7 +144,8 @@ TEST_CASE("random polygons are bisected lawfully, however narrow they are", "[re
     std::size_t needless = 0, kept = 0, triangles = 0, too_near = 0;
     for (int round = 0; round < 300; ++round) {
         const int width = 5 + d.roll(60);
-        test::shape s{"random polygon", {test::random_polygon(6 + d.roll((std::min)(width * width / 4, 120)), width, d)}};
+        test::shape s{"random polygon",
+                      {test::random_polygon(6 + d.roll((std::min)(width * width / 4, 120)), width, d)}};
         const std::int32_t factor = 1 + d.roll(3) * d.roll(3000);
         for (grid_point& p : s.loops[0]) p = {factor * p.x, factor * p.y};
         if (!inspect::is_region(test::loops_of(s))) continue;
