@@ -54,6 +54,20 @@ struct broken_map {
     [[nodiscard]] error refused_options() const noexcept { return {}; }
 };
 
+/// Changes nothing, but claims that it bends; counts its calls.
+struct cautious_paper {
+    double claimed = 0.0;
+    int* calls = nullptr;
+
+    [[nodiscard]] deformed_point operator()(const double3& p) const noexcept
+    {
+        ++*calls;
+        return {p, {1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, {0.0, 0.0, 1.0}};
+    }
+    [[nodiscard]] bend_bounds bend(const box3&) const noexcept { return {.xx = claimed, .yy = claimed}; }
+    [[nodiscard]] error refused_options() const noexcept { return {}; }
+};
+
 template <deformation D>
 double least_determinant(const D& d, const box3& b, int n = 12)
 {
@@ -199,6 +213,21 @@ TEST_CASE("determinants of 0 or almost 0 are never proven to be positive", "[ben
     CHECK(is_unfolded(flat_spot{.lift = 1e-3}, {{-1.0, 0.0, 0.0}, {0.7, 1.0, 1.0}}));
     CHECK_FALSE(
         is_unfolded(creased_paper{.lift = -2.0}, {{-0.1, 0.0, 0.0}, {0.1, 1.0, 1.0}}));  // inside out everywhere
+}
+
+TEST_CASE("a proof ends after 4096 pieces, whatever it finds in the last one", "[bend]")
+{
+    int ended = 0;
+    for (double claimed = 0.5; claimed < 400.0; claimed *= 1.3) {
+        int calls = 0;
+        const bool proven = is_unfolded(cautious_paper{.claimed = claimed, .calls = &calls}, {{0, 0, 0}, {1, 1, 0}});
+        CAPTURE(claimed, calls);
+        CHECK(calls <= 4097 + 48);  // the pieces that wait may still be proven
+        CHECK((proven || calls > 4096));
+        ended += !proven;
+    }
+    CHECK(ended > 4);
+    CHECK(ended < 20);
 }
 
 TEST_CASE("numbers that are none prove nothing", "[bend]")
