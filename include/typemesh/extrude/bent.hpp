@@ -10,7 +10,6 @@
 #include <typemesh/core/contours.hpp>
 #include <typemesh/core/finite.hpp>
 #include <typemesh/core/max_pieces.hpp>
-#include <typemesh/discretise/quality.hpp>
 #include <typemesh/extrude/extruded.hpp>
 #include <typemesh/extrude/extruder.hpp>
 #include <typemesh/extrude/impl/bent_measure.hpp>
@@ -205,7 +204,7 @@ template <deformation Deformation, bendable Solid = extruded<>>
 struct bent {
     Solid solid = {};
     Deformation how = {};
-    double tolerance = quality::high;               ///< the largest distance from the bent solid, in em
+    double tolerance = 1.0 / 800;                   ///< the largest distance from the bent solid, in em
     std::uint32_t max_points = default_max_points;  ///< the greatest number of points of one glyph's cap
 
     static constexpr std::size_t part_count = part_count_of<Solid>;
