@@ -37,10 +37,7 @@ shapes::shape with_tolerance(shapes::shape&& s)
 }
 
 /// A square of 600 units around (300, 300).
-shapes::shape carved_square()
-{
-    return {"square", {shapes::polygon({{0, 0}, {600, 0}, {600, 600}, {0, 600}})}};
-}
+shapes::shape carved_square() { return {"square", {shapes::polygon({{0, 0}, {600, 0}, {600, 600}, {0, 600}})}}; }
 /// A cross of strokes 200 wide, with four reflex corners.
 shapes::shape carved_cross()
 {
@@ -60,8 +57,8 @@ shapes::shape carved_cross()
 }
 std::vector<shapes::shape> carved_shapes()
 {
-    auto all = shapes::several(carved_square(), carved_cross(), shapes::rectangle(), shapes::letter_e(), shapes::ring(8),
-                               shapes::letter_d(8));
+    auto all = shapes::several(carved_square(), carved_cross(), shapes::rectangle(), shapes::letter_e(),
+                               shapes::ring(8), shapes::letter_d(8));
     for (auto& s : all) s.loops.tolerance = cells_per_em / 800.0;
     return all;
 }
@@ -205,8 +202,9 @@ TEST_CASE("the heights of a carved solid are what it has, and end at z = 0", "[e
         }
 }
 
-TEST_CASE("the ridges of a carved shape are its own, its floor's outlines come last, and without the option none are kept",
-          "[extrude][carved]")
+TEST_CASE(
+    "the ridges of a carved shape are its own, its floor's outlines come last, and without the option none are kept",
+    "[extrude][carved]")
 {
     for (const auto& s : carved_shapes())
         for (const float depth : {0.0f, 0.03f}) {
@@ -248,13 +246,10 @@ TEST_CASE("carved options are refused by name, and have keys", "[extrude][carved
     CHECK(std::string{heights_name_of(carved{})} == "max_depth");
     check_unknown_em<carved>();
     check_empty_region(carved{});
-    const carved plain, others[] = {{.tool_angle = 60.0f},
-                                    {.max_depth = 0.1f},
-                                    {.as = carving::groove},
-                                    {.as = carving::cutter},
-                                    {.ridges = true},
-                                    {.crease_degrees = 20.0f},
-                                    {.texture = texture_mapping::box}};
+    const carved plain,
+        others[] = {
+            {.tool_angle = 60.0f}, {.max_depth = 0.1f},       {.as = carving::groove},          {.as = carving::cutter},
+            {.ridges = true},      {.crease_degrees = 20.0f}, {.texture = texture_mapping::box}};
     for (const carved& other : others) CHECK_FALSE(other.cache_key() == plain.cache_key());
     CHECK(carved{}.cache_key() == plain.cache_key());
 }
@@ -295,7 +290,8 @@ TEST_CASE("the bytes of a carved plan are read back as they were", "[extrude][ca
     const auto made = plan_solid_of(carved_cross(), carved{.max_depth = 0.03f, .ridges = true});
     std::vector<std::uint64_t> block(made.data.bytes() / 8);
     made.data.copy_to(reinterpret_cast<std::byte*>(block.data()));
-    const auto there = carved_data::read_from(reinterpret_cast<const std::byte*>(block.data())), here = made.data.read();
+    const auto there = carved_data::read_from(reinterpret_cast<const std::byte*>(block.data())),
+               here = made.data.read();
     REQUIRE(there.own.of<ridge_point>().size() == here.own.of<ridge_point>().size());
     for (std::size_t i = 0; i < here.own.of<ridge_point>().size(); ++i) {
         CHECK(there.own.of<ridge_point>()[i].at == here.own.of<ridge_point>()[i].at);

@@ -57,7 +57,8 @@ struct found_ridges {
         std::size_t k = 0;
         while (i >= made.filled.starts()[k + 1]) ++k;
         const std::uint32_t first = made.filled.starts()[k], end = made.filled.starts()[k + 1];
-        const grid_point a = points[i == first ? end - 1 : i - 1], b = points[i], c = points[i + 1 == end ? first : i + 1];
+        const grid_point a = points[i == first ? end - 1 : i - 1], b = points[i],
+                         c = points[i + 1 == end ? first : i + 1];
         const double x = double(b.x) - a.x, y = double(b.y) - a.y, u = double(c.x) - b.x, v = double(c.y) - b.y;
         return std::atan2(std::fabs(x * v - y * u), x * u + y * v) * 360 / test::turn_once;
     }
@@ -91,13 +92,11 @@ double all_of(const test::shape& s)
 
 std::vector<test::shape> ridge_lawful_shapes()
 {
-    std::vector<test::shape> all{{"square", {test::square(0, 0, 300'000)}},
-                                 {"T", {test::letter_tee(100'000)}},
-                                 {"H", {test::letter_aitch(100'000)}},
-                                 {"disc", {test::circle(64, 200'000)}},
-                                 {"star", {test::star(14, 400'000, 5)}},
-                                 {"wild star", {test::star(40, 900'000, 8)}},
-                                 {"spiral", {test::spiral(60, 2.3, 60'000)}}};
+    std::vector<test::shape> all{
+        {"square", {test::square(0, 0, 300'000)}},  {"T", {test::letter_tee(100'000)}},
+        {"H", {test::letter_aitch(100'000)}},       {"disc", {test::circle(64, 200'000)}},
+        {"star", {test::star(14, 400'000, 5)}},     {"wild star", {test::star(40, 900'000, 8)}},
+        {"spiral", {test::spiral(60, 2.3, 60'000)}}};
     all.push_back(test::square_with_holes(2, 12, 200'000));
     all.push_back({"frame", {test::square(0, 0, 300'000), test::reversed(test::square(90'000, 80'000, 100'000))}});
     all.push_back({"two", {test::square(0, 0, 300'000), test::circle(20, 90'000, 600'000, 0)}});
@@ -112,10 +111,10 @@ TEST_CASE("ridges of simple shapes are the known ones", "[offset][ridges]")
     const auto lines_of = [](const test::polyline& l, double width) {
         return found_ridges{{"shape", {l}}, width, 0.0}.count();
     };
-    CHECK(lines_of(test::square(0, 0, 300'000), 150'016) == 4);                                // to its middle
-    CHECK(lines_of({{0, 0}, {500'000, 0}, {500'000, 300'000}, {0, 300'000}}, 150'016) == 5);   // a roof
-    CHECK(lines_of({{0, 0}, {500'000, 0}, {100'000, 400'000}}, 200'016) == 3);                 // a triangle
-    CHECK(lines_of({{0, 0}, {500'000, 0}, {500'000, 300'000}, {0, 300'000}}, 50'000) == 4);    // up to the floor
+    CHECK(lines_of(test::square(0, 0, 300'000), 150'016) == 4);                               // to its middle
+    CHECK(lines_of({{0, 0}, {500'000, 0}, {500'000, 300'000}, {0, 300'000}}, 150'016) == 5);  // a roof
+    CHECK(lines_of({{0, 0}, {500'000, 0}, {100'000, 400'000}}, 200'016) == 3);                // a triangle
+    CHECK(lines_of({{0, 0}, {500'000, 0}, {500'000, 300'000}, {0, 300'000}}, 50'000) == 4);   // up to the floor
     // An L as wide as high: two strokes, which meet in the ridge from the outer corner, with two corners at each end.
     CHECK(lines_of({{0, 0}, {400'000, 0}, {400'000, 100'000}, {100'000, 100'000}, {100'000, 400'000}, {0, 400'000}},
                    50'016) == 7);

@@ -76,7 +76,7 @@ TEST_CASE("a square has a ridge from each corner, in the order of its nodes", "[
     CHECK(ridge_chains(hand_swept_square{true}, all) == chains{{0, 4}, {1, 5}, {2, 6}, {3, 7}});
     const auto none = [](std::uint32_t) noexcept { return false; };
     CHECK(ridge_chains(hand_swept_square{false}, none) == chains{{4}});  // the deepest point
-    CHECK(ridge_chains(hand_swept_square{true}, none).empty());         // the floor is there instead
+    CHECK(ridge_chains(hand_swept_square{true}, none).empty());          // the floor is there instead
     const auto two = [](std::uint32_t i) noexcept { return i < 2; };
     CHECK(ridge_chains(hand_swept_square{false}, two) == chains{{0, 4, 1}});  // one line through the middle
     const auto one = [](std::uint32_t i) noexcept { return i == 3; };

@@ -85,9 +85,9 @@ public:
     static constexpr double slack = 4.0;  ///< cells
 
     std::size_t points = 0, lines = 0, lone = 0, valleys = 0, closed = 0;
-    std::size_t soft_ends = 0;    ///< ends inside the region with no other line
-    double too_deep = 0.0;        ///< the worst, in cells: deeper than the distance
-    double too_shallow = 0.0;     ///< the worst, in cells: shallower by so much more than the tolerance
+    std::size_t soft_ends = 0;  ///< ends inside the region with no other line
+    double too_deep = 0.0;      ///< the worst, in cells: deeper than the distance
+    double too_shallow = 0.0;   ///< the worst, in cells: shallower by so much more than the tolerance
 
     ridge_laws(const typemesh::region& r, typemesh::array_view<const typemesh::ridge_point> all, double tolerance,
                double floor)
@@ -172,7 +172,8 @@ private:
         law(depth >= right - tolerance_ - slack, "a ridge is shallower than the distance to the outline");
         law(floor_ <= 0.0 || depth <= floor_ * (1.0 + 1e-6), "a ridge is deeper than the floor");
         if (away < floor_ - slack || floor_ <= 0.0)
-            law(outline_.has_two_feet(x, y, away + 2.0 * tolerance_ + 2.0 * slack), "a ridge has one nearest edge only");
+            law(outline_.has_two_feet(x, y, away + 2.0 * tolerance_ + 2.0 * slack),
+                "a ridge has one nearest edge only");
     }
 
     /// Whether the surface rises beside the middle of a line, instead of falling.

@@ -49,9 +49,8 @@ std::size_t off_surface(const Plan& plan, const test::lit_mesh& m)
         for (const vec3 p : line) {
             bool found = false;
             for (const auto& v : m.vertices)
-                found = found ||
-                        (std::fabs(v.place.x - p.x) < 1e-6f && std::fabs(v.place.y - p.y) < 1e-6f &&
-                         std::fabs(v.place.z - p.z) < 1e-6f);
+                found = found || (std::fabs(v.place.x - p.x) < 1e-6f && std::fabs(v.place.y - p.y) < 1e-6f &&
+                                  std::fabs(v.place.z - p.z) < 1e-6f);
             off += !found;
         }
     return off;
@@ -59,11 +58,11 @@ std::size_t off_surface(const Plan& plan, const test::lit_mesh& m)
 
 }  // namespace
 
-TEST_CASE("carved letters and their ridges come out of caches and teams as they are built alone",
-          "[text][ridges]")
+TEST_CASE("carved letters and their ridges come out of caches and teams as they are built alone", "[text][ridges]")
 {
     test::toy_font font;
-    for (const carved& how : {carved{.ridges = true}, carved{.max_depth = 0.02f, .as = carving::cutter, .ridges = true}}) {
+    for (const carved& how :
+         {carved{.ridges = true}, carved{.max_depth = 0.02f, .as = carving::cutter, .ridges = true}}) {
         auto mesher = text_mesher{font, how};
         const auto plan = test::required(mesher.plan(test::crossed_word));
         CHECK(plan->report().complete());
@@ -77,8 +76,9 @@ TEST_CASE("carved letters and their ridges come out of caches and teams as they 
             REQUIRE(found.all.size() == lines.all.size());
             std::size_t differ = 0;
             for (std::size_t k = 0; k < found.all.size(); ++k)
-                differ += found.all[k].size() != lines.all[k].size() ||
-                          std::memcmp(found.all[k].data(), lines.all[k].data(), found.all[k].size() * sizeof(vec3)) != 0;
+                differ +=
+                    found.all[k].size() != lines.all[k].size() ||
+                    std::memcmp(found.all[k].data(), lines.all[k].data(), found.all[k].size() * sizeof(vec3)) != 0;
             return differ == 0;
         };
         glyph_cache cache;

@@ -250,8 +250,7 @@ private:
             return !(crease_degrees > 0.0f) || !(sides[i].before == sides[i].after);
         };
         auto& all = data.own.of<ridge_point>();
-        if (error e =
-                find_ridges(filled, data.bevel.swept, crease_cosine(crease_degrees), is_corner, scratch, all))
+        if (error e = find_ridges(filled, data.bevel.swept, crease_cosine(crease_degrees), is_corner, scratch, all))
             return e;
         const auto floor = data.bevel.of<grid_point>().view();
         const auto starts = data.bevel.of<std::uint32_t>().view();

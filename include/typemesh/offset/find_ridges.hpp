@@ -39,8 +39,8 @@ struct ridge_point {
 ///     crease       the cosine of the crease angle
 ///     is_corner    says of a convex point of the region whether a ridge goes to it
 ///
-/// The ridges of a component are connected if it is wider than a few cells everywhere. They contain a few short
-/// valleys where nothing else connects two ridges.
+/// The ridges of a component are connected if it is wider than a few cells everywhere. If only a valley connects two
+/// ridges, it is kept.
 ///
 /// Fails  error::out_of_memory
 /// Cost   O(n)

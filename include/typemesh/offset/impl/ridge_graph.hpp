@@ -70,7 +70,8 @@ public:
     template <class IsCorner>
     void prune(std::int64_t crease, const IsCorner& is_corner) noexcept
     {
-        std::size_t waiting = 0;  // an arc waits at first, and again when either of its ends is open: at most three times
+        // An arc waits at first, and again when either of its ends is open: at most three times.
+        std::size_t waiting = 0;
         for (std::uint32_t i = count_; i-- != 0;) todo_[waiting++] = i;
         while (waiting != 0) {
             arc& one = arcs_[todo_[--waiting]];
@@ -85,7 +86,7 @@ public:
     }
 
     /// Calls put(node, begins) for the nodes of each chain of arcs: from one end or junction to the next, or once
-    /// around and back to the first node. Then for single nodes, of which nothing else is left.
+    /// around and back to the first node. Then for single nodes: where no arc of a component is left, its deepest.
     template <class Put>
     [[nodiscard]] bool chains(Put put) noexcept
     {
@@ -105,7 +106,9 @@ private:
     /// If nothing is left at either end of a removed arc, its deeper end stays as a single node.
     void note_lone(const arc& gone) noexcept
     {
-        const auto is_bare = [this](std::uint32_t v) noexcept { return is_outline(v) || (!held_[v] && degree_[v] == 0); };
+        const auto is_bare = [this](std::uint32_t v) noexcept {
+            return is_outline(v) || (!held_[v] && degree_[v] == 0);
+        };
         if (!is_bare(gone.a) || !is_bare(gone.b)) return;
         lone_[lonely_++] = swept_.nodes[gone.a].distance >= swept_.nodes[gone.b].distance ? gone.a : gone.b;
     }
@@ -116,7 +119,7 @@ private:
 
     bool find_arcs(std::size_t nodes, std::size_t halves) noexcept
     {
-        // Half-edge 3t + k leaves corner k of triangle t, whose face is faces[t].
+        // Half-edge 3t + k leaves corner k of triangle t, whose face is faces_[t].
         auto* const leaving = scratch_.take<std::uint32_t>(nodes);
         auto* const noted = scratch_.take<std::uint32_t>(nodes);
         auto* const after = scratch_.take<std::uint32_t>(halves);
@@ -285,7 +288,7 @@ private:
     std::uint32_t* faces_ = nullptr;   // of each triangle: an edge of the region, or a join
     std::uint32_t* pieces_ = nullptr;  // of each triangle: another one of the same piece of a face, or itself
     bool* open_ = nullptr;             // whether a piece reaches the outline
-    std::uint32_t* next_ = nullptr;  // for each half-arc, the next one at its node
+    std::uint32_t* next_ = nullptr;    // for each half-arc, the next one at its node
     std::uint32_t* todo_ = nullptr;
     std::uint32_t* lone_ = nullptr;
     std::uint32_t count_ = 0;
