@@ -171,6 +171,10 @@ TEST_CASE("a groove is the cutter's surface without its lid, seen from its other
             compare(part::front_bevel, part::back_bevel, cutter, 1.0f, true);
             compare(part::front, part::back, cutter, 1.0f, true);
             compare(part::front_bevel, part::front_bevel, relief, -1.0f, false);
+            std::size_t seen = 0;
+            each_seen_from_front(carved{.max_depth = depth, .as = carving::groove}, form_of<carved>(s, groove.data),
+                                 [&](grid_point, grid_point, grid_point) { ++seen; });
+            CHECK(seen == groove.triangles.size());
             // All of it faces up.
             for (const part p : {part::front, part::front_bevel})
                 for (const auto& v : vertices_of(groove, p)) CHECK(v.normal.z > 0.0f);

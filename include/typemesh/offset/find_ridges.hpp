@@ -9,6 +9,7 @@
 #include <typemesh/offset/impl/ridge_graph.hpp>
 #include <typemesh/offset/swept_region.hpp>
 
+#include <cmath>
 #include <cstdint>
 
 namespace typemesh::inline TYPEMESH_ABI {
@@ -51,7 +52,8 @@ template <class IsCorner>
     if (swept.levels.size() != 2 || swept.triangles.empty()) return {};
     detail::ridge_graph graph{r, swept, scratch};
     if (!graph.build()) return error::out_of_memory;
-    graph.prune(static_cast<std::int64_t>(crease * static_cast<double>(detail::unit_one)), is_corner);
+    // To 2^-30: the standard libraries' cosines differ in the last bits.
+    graph.prune(static_cast<std::int64_t>(std::floor(crease * static_cast<double>(detail::unit_one) + 0.5)), is_corner);
     const bool fits = graph.chains([&](std::uint32_t node, bool begins) noexcept {
         const swept_node& n = swept.nodes[node];
         return out.push_back({n.at, n.distance, begins ? ridge_step::begins : ridge_step::on});
