@@ -105,8 +105,8 @@ struct carved_data {
 ///
 /// Fails  error::bad_option: "tool_angle", "max_depth" or "crease_degrees" is out of range
 ///        as bevelled does
-/// Cost   O(n log n), as a bevel as wide as half a stroke: 7 times the time of a chamfer of 2 % of the em; with ridges, a
-///        quarter more
+/// Cost   O(n log n), as a bevel as wide as half a stroke: 7 times the time of a chamfer of 2 % of the em; with
+///        ridges, a quarter more
 struct carved {
     float tool_angle = 90.0f;  ///< the angle between the two sides of the tool's section, in degrees, 1 to 179
     float max_depth = 0.0f;    ///< the depth of the floor, in em; 0: no floor, the slopes always meet
