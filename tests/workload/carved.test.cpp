@@ -82,7 +82,7 @@ TEST_CASE("every smoke font's glyphs are carved as deep as they are far from the
     outline drawn;
     carved_errors sum;
     test::dice d{32};
-    test::each_smoke_glyph(211, [&](auto& font, std::uint32_t glyph, const std::string& name) {
+    test::each_smoke_glyph(401, [&](auto& font, std::uint32_t glyph, const std::string& name) {
         if (!record(font, glyph, drawn) || drawn.curves.empty()) return;
         for (const double tolerance : {1.0 / 100, 1.0 / 800}) {
             const region r = test::region_of(caps, drawn, font.units_per_em(), tolerance);
@@ -102,7 +102,4 @@ TEST_CASE("every smoke font's glyphs are carved as deep as they are far from the
     CHECK(sum.ridge_too_deep < 4.0);
     CHECK(sum.ridge_too_shallow < 4.0);
     CHECK(sum.valleys < sum.points / 100);
-    WARN("worst: " << sum.too_deep << ' ' << sum.too_shallow << ' ' << sum.ridge_too_deep << ' '
-                   << sum.ridge_too_shallow << " valleys " << sum.valleys << " of " << sum.points << " solids "
-                   << sum.solids << " touching " << sum.touching << " lone " << sum.lone);
 }
