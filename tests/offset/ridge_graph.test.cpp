@@ -50,13 +50,14 @@ struct hand_swept_square {
 
 /// The lines that are left when the corners say what they are.
 template <class IsCorner>
-std::vector<std::vector<std::uint32_t>> ridge_chains(const hand_swept_square& s, const IsCorner& is_corner)
+std::vector<std::vector<std::uint32_t>> ridge_chains(const hand_swept_square& s, const IsCorner& is_corner,
+                                                     std::int64_t crease = detail::unit_one)
 {
     workspace space;
     workspace::scope scratch{space};
     ridge_graph graph{s.made.filled, s.swept, scratch};
     REQUIRE(graph.build());
-    graph.prune(detail::unit_one, is_corner);
+    graph.prune(crease, is_corner);
     std::vector<std::vector<std::uint32_t>> all;
     CHECK(graph.chains([&](std::uint32_t node, bool begins) {
         if (begins) all.emplace_back();
@@ -74,6 +75,8 @@ TEST_CASE("a square has a ridge from each corner, in the order of its nodes", "[
     const auto all = [](std::uint32_t) noexcept { return true; };
     CHECK(ridge_chains(hand_swept_square{false}, all) == chains{{0, 4}, {1, 4}, {2, 4}, {3, 4}});
     CHECK(ridge_chains(hand_swept_square{true}, all) == chains{{0, 4}, {1, 5}, {2, 6}, {3, 7}});
+    // Its faces turn by 90 degrees: less than a crease of 120. But ridges to the floor have no open end there.
+    CHECK(ridge_chains(hand_swept_square{true}, all, -detail::unit_one / 2) == chains{{0, 4}, {1, 5}, {2, 6}, {3, 7}});
     const auto none = [](std::uint32_t) noexcept { return false; };
     CHECK(ridge_chains(hand_swept_square{false}, none) == chains{{4}});  // the deepest point
     CHECK(ridge_chains(hand_swept_square{true}, none).empty());          // the floor is there instead
