@@ -98,6 +98,11 @@ done
 "$program" "永遠" --font $japanese --bevel 0.02 --profile round --picture "$scratch/han.png"
 convert "$scratch"/{clip,fit,arabic,han}.png -resize x300 +append bevelled_scripts.png
 
+"$program" "Rag" --font $serif-Bold.ttf --carve 90 --picture "$scratch/relief.png"
+"$program" "Rag" --font $serif-Bold.ttf --carve 60 --carve-depth 0.04 --picture "$scratch/floor.png"
+"$program" "Rag" --font $serif-Bold.ttf --carve 90 --carve-as groove --picture "$scratch/groove.png"
+convert "$scratch"/{relief,floor,groove}.png -resize x300 +append carved.png
+
 bold_and_hollow=()
 draw() {  # draw FONT OPTION...
     "$program" "Rag" --font "$@" --picture "$scratch/${#bold_and_hollow[@]}.png"
@@ -136,4 +141,4 @@ convert "$scratch"/{headline,range}.png -resize 900x -append styles.png
 g++ -std=c++20 -I../../include selection.cpp -o "$scratch/selection" $(pkg-config --cflags --libs harfbuzz)
 convert -size 910x160 xc:white -draw "$("$scratch/selection" /usr/share/fonts/truetype/dejavu/DejaVuSans.ttf)" selection.png
 
-pngquant --quality 90-100 --speed 1 --force --ext .png paragraph.png normals.png bevels.png bevelled_scripts.png bent.png bold_and_hollow.png refined.png styles.png textures.png
+pngquant --quality 90-100 --speed 1 --force --ext .png paragraph.png normals.png bevels.png bevelled_scripts.png bent.png carved.png bold_and_hollow.png refined.png styles.png textures.png

@@ -167,7 +167,8 @@ std::string write_output(const options& o, const chosen_plan& plan, model& mesh,
     case file_kind::glb: return write_glb(mesh, o.output, files);
     case file_kind::obj: return write_obj(mesh, o.output, files);
     case file_kind::ply: return write_ply(mesh, o.output, files);
-    case file_kind::three_mf: return write_3mf(o.bevel.width > 0.0f ? sewn(mesh) : mesh, o.output, files);
+    case file_kind::three_mf:
+        return write_3mf(o.bevel.width > 0.0f || o.carve.tool_angle > 0.0f ? sewn(mesh) : mesh, o.output, files);
     case file_kind::stl: {
         mesh.indices = solid_by_solid(plan, mesh.indices);
         mesh.parts.clear();

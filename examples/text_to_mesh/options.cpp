@@ -99,9 +99,9 @@ struct raw_values {
     std::optional<typemesh::touching> corners;
     std::optional<double> size, bevel_depth, bevel_steps, letter_spacing;
     bool text_given = false, no_merge = false, tolerance_given = false, shading_given = false, normals_given = false,
-         bevel_given = false;
-    std::string of_a_bevel, of_an_outline, of_refining;  // the first option that only a bevel, ... has
-    std::string of_columns;                              // likewise
+         bevel_given = false, depth_given = false;
+    std::string of_a_carving, of_a_bevel, of_an_outline, of_refining;  // the first option that only a bevel, ... has
+    std::string of_columns;                                            // likewise
     std::vector<std::string> of_lines;  // options for lines that depend on each other; those that are given
 };
 
@@ -349,6 +349,25 @@ void add_bevel_options(CLI::App& app, options& out, raw_values& raw)
                            {{"front", bevel_sides::front}, {"back", bevel_sides::back}, {"both", bevel_sides::both}});
 }
 
+void add_carve_options(CLI::App& app, options& out)
+{
+    using namespace typemesh;
+    add_number(
+        app, "--carve", "give the letters the slopes that a V-bit of this angle carves; --depth does not matter then",
+        "a number from 1 to 179", [](double n) { return n >= 1.0 && n <= 179.0; },
+        [&out](double n) { out.carve.tool_angle = static_cast<float>(n); })
+        ->type_name("DEGREES");
+    add_number(
+        app, "--carve-depth", "end the slopes in a flat floor at this depth; 0 lets them meet (default)",
+        "a number from 0 to 1000", [](double n) { return n >= 0.0 && n <= 1000.0; },
+        [&out](double n) { out.carve.depth = static_cast<float>(n); })
+        ->type_name("EM");
+    add_named<carving>(
+        app, "--carve-as", out.carve.as,
+        "letters that rise (relief, default), the surface that the tool leaves, or the material that it removes",
+        {{"relief", carving::relief}, {"groove", carving::groove}, {"cutter", carving::cutter}});
+}
+
 void add_weight_options(CLI::App& app, options& out)
 {
     using namespace typemesh;
@@ -471,6 +490,22 @@ std::string settle_bevel(options& out, const raw_values& raw)
     return std::string{raw.bevel_depth ? "--bevel-depth" : "--bevel without --bevel-depth"} + " must be " +
            (leaves_some ? "less than " : "at most ") + (both ? "half of " : "") + "--depth " + written(out.depth) +
            ", not " + written(out.bevel.depth);
+}
+
+/// Finishes carved letters. Gives an empty string, or one sentence of what is wrong.
+std::string settle_carving(const options& o, const raw_values& raw)
+{
+    if (o.carve.tool_angle == 0.0f)
+        return raw.of_a_carving.empty() ? std::string{} : raw.of_a_carving + " needs --carve";
+    if (raw.depth_given) return "--depth does not work with --carve: give --carve-depth";
+    if (o.bevel.width > 0.0f) return "--bevel does not work with --carve";
+    if (o.outline.width > 0.0f) return "--outline does not work with --carve";
+    if (!raw.refine.empty()) return "--refine does not work with --carve";
+    if (raw.normals_given) return "--normals does not work with --carve, which takes all normals from the curves";
+    if (o.carve.as == typemesh::carving::groove && is_printed(o.kind))
+        return std::string{"--carve-as groove is an open surface, but a ."} +
+               (o.kind == file_kind::stl ? "stl" : "3mf") + " file contains solids: give relief or cutter";
+    return {};
 }
 
 /// Finishes bold and hollow letters. Gives an empty string, or one sentence of what is wrong.
@@ -689,6 +724,7 @@ std::string settle(options& out, const raw_values& raw)
     if (std::string trouble = settle_bend(out, raw); !trouble.empty()) return trouble;
 
     if (std::string trouble = settle_files(out, raw); !trouble.empty()) return trouble;
+    if (std::string trouble = settle_carving(out, raw); !trouble.empty()) return trouble;
     if (std::string trouble = settle_place(out, raw); !trouble.empty()) return trouble;
     if (out.picture.empty() && !raw.show.empty()) return "--show needs --picture";
     if (out.picture.empty() && raw.shading_given) return "--shading needs --picture";
@@ -701,7 +737,8 @@ std::string settle(options& out, const raw_values& raw)
     out.size = raw.size.value_or(is_printed(out.kind) ? 10.0 : 1.0);
     using typemesh::touching;
     out.corners = raw.corners.value_or(wants_two_faces(out.kind) ? touching::part : touching::keep);
-    const bool edges_move = out.bevel.width > 0.0f || out.outline.width > 0.0f || out.embolden != 0.0f;
+    const bool edges_move =
+        out.bevel.width > 0.0f || out.carve.tool_angle > 0.0f || out.outline.width > 0.0f || out.embolden != 0.0f;
     out.merge = out.merge || (!raw.no_merge && !out.instances &&
                               (holds_solids(out.kind) || edges_move || out.corners != touching::keep));
     if (std::string trouble = refused_faces(out); !trouble.empty()) return "--style: " + trouble;
@@ -737,6 +774,7 @@ std::optional<int> parse(int argc, char** argv, options& out)
     add_line_options(app, out, raw);
     add_mesh_options(app, out, raw);
     add_bevel_options(app, out, raw);
+    add_carve_options(app, out);
     add_weight_options(app, out);
     add_refine_options(app, out, raw);
     add_output_options(app, out, raw);
@@ -766,6 +804,9 @@ std::optional<int> parse(int argc, char** argv, options& out)
     for (const char* option :
          {"--bevel-out", "--bevel-sides", "--bevel-mode", "--bevel-steps", "--profile", "--bevel-depth"})
         if (app.count(option) > 0) raw.of_a_bevel = option;
+    raw.depth_given = app.count("--depth") > 0;
+    for (const char* option : {"--carve-as", "--carve-depth"})
+        if (app.count(option) > 0) raw.of_a_carving = option;
     for (const char* option : {"--outline-letter", "--outline-place"})
         if (app.count(option) > 0) raw.of_an_outline = option;
     for (const char* option : {"--max-edge", "--min-angle"})

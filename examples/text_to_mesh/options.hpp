@@ -8,6 +8,7 @@
 #include "styled_range.hpp"
 
 #include <typemesh/extrude/bevelled.hpp>
+#include <typemesh/extrude/carved.hpp>
 #include <typemesh/extrude/outlined.hpp>
 #include <typemesh/layout/layout_options.hpp>
 #include <typemesh/typemesh.hpp>
@@ -35,6 +36,13 @@ struct bevel_options {
     typemesh::bevel_mode mode = typemesh::bevel_mode::clip;
     typemesh::bevel_sides sides = typemesh::bevel_sides::both;
     bool outward = false;
+};
+
+/// Carved letters, as carved.hpp has them.
+struct carve_options {
+    float tool_angle = 0.0f;  ///< degrees; 0: not carved
+    float depth = 0.0f;       ///< em; 0: without a floor
+    typemesh::carving as = typemesh::carving::relief;
 };
 
 /// Hollow letters, as outlined.hpp has them.
@@ -86,6 +94,7 @@ struct options {
     float depth = 0.2f;          ///< em; 0 makes a flat mesh
     std::uint32_t segments = 1;  ///< of the sides, along the depth
     bevel_options bevel;
+    carve_options carve;
     float embolden = 0.0f;  ///< em; how far edges move outwards
     outline_options outline;
     refine_options refine;

@@ -30,6 +30,14 @@ typemesh::bevelled bevelled_of(const options& o)
     return solid;
 }
 
+typemesh::carved carved_of(const options& o)
+{
+    typemesh::carved solid{.tool_angle = o.carve.tool_angle, .max_depth = o.carve.depth, .as = o.carve.as};
+    solid.texture = o.uv;
+    if (o.crease) solid.crease_degrees = *o.crease;
+    return solid;
+}
+
 plain_solid plain_of(const options& o)
 {
     using namespace typemesh;
@@ -57,6 +65,7 @@ chosen_solid solid_of(const options& o)
     if (o.refine.is_on)
         return refined_solid{.solid = plain_of(o),
                              .how = {.min_angle = o.refine.min_angle, .max_edge = o.refine.max_edge}};
+    if (o.carve.tool_angle > 0.0f) return letter_solid{carved_of(o)};
     const letter_solid letter = o.bevel.width > 0.0f ? letter_solid{bevelled_of(o)} : letter_solid{plain_of(o)};
     if (o.outline.width > 0.0f) {
         hollow_solid hollow{.width = o.outline.width, .place = o.outline.place, .ring = letter, .letter = plain_of(o)};

@@ -6,6 +6,7 @@
 
 #include <typemesh/extrude/bent.hpp>
 #include <typemesh/extrude/bevelled.hpp>
+#include <typemesh/extrude/carved.hpp>
 #include <typemesh/extrude/embolden.hpp>
 #include <typemesh/extrude/one_of.hpp>
 #include <typemesh/extrude/outlined.hpp>
@@ -26,7 +27,7 @@ using plain_solid =
     typemesh::one_of<typemesh::extruded<typemesh::curve_normals>, typemesh::extruded<typemesh::creased_normals>,
                      typemesh::extruded<typemesh::averaged_normals>, typemesh::extruded<typemesh::shared_normals>,
                      typemesh::extruded<typemesh::cap_normals>, typemesh::flat>;
-using letter_solid = typemesh::one_of<plain_solid, typemesh::bevelled>;
+using letter_solid = typemesh::one_of<plain_solid, typemesh::bevelled, typemesh::carved>;
 
 /// Letters, or hollow ones. Of an outline without the letter, that is an extruder whose parts are switched off.
 using hollow_solid = typemesh::outlined<letter_solid, plain_solid>;

@@ -836,6 +836,27 @@ expect 2 "^text_to_mesh: --refine does not work with --bevel\.$" x --font $sans 
 expect 2 "^text_to_mesh: --refine does not work with --outline\.$" x --font $sans --output x.glb --refine delaunay --outline 0.01
 expect 2 "^text_to_mesh: --min-angle must be a number from 0 to 33, not 60\.$" x --font $sans --output x.glb --refine delaunay --min-angle 60
 expect 1 "^text_to_mesh: --max-edge is too small for this font: give a larger number\.$" x --font $sans --output x.glb --refine delaunay --max-edge 1e-6
+# Carved letters: a relief stands on its back, a groove lies below z = 0, and the slope is the tool's.
+depth_of() { awk '$1 == "v" { if (!n++ || $4 < low) low = $4; if (n == 1 || $4 > high) high = $4 } END { printf "%.4f %.4f", low, high }' "$1"; }
+expect 0 "" "i" --font $sans --output relief.obj --carve 90 --anchor front --origin 0,0,0
+expect 0 "" "Rag" --font $sans --output relief.stl --carve 60
+expect 0 "" "Rag" --font $sans --output floor.obj --carve 60 --carve-depth 0.02
+expect 0 "" "Rag" --font $sans --output groove.obj --carve 60 --carve-depth 0.02 --carve-as groove
+expect 0 "" "Rag" --font $sans --output cutter.3mf --carve 60 --carve-as cutter
+that "a relief of --carve-depth is so deep: $(depth_of floor.obj)" [ "$(depth_of floor.obj)" = "0.0000 0.0200" ]
+that "a groove lies below z = 0: $(depth_of groove.obj)" [ "$(depth_of groove.obj)" = "-0.0200 0.0000" ]
+that "a relief without a floor has no front" sh -c '! grep -qx "g front" relief.obj'
+that "a relief with a floor has one" grep -qx "g front" floor.obj
+that "a groove has no back" sh -c '! grep -qx "g back" groove.obj'
+expect 2 "^text_to_mesh: --carve must be a number from 1 to 179, not 180\.$" x --font $sans --output x.glb --carve 180
+expect 2 "^text_to_mesh: --carve-depth needs --carve\.$" x --font $sans --output x.glb --carve-depth 0.1
+expect 2 "^text_to_mesh: --carve-as needs --carve\.$" x --font $sans --output x.glb --carve-as groove
+expect 2 "^text_to_mesh: --depth does not work with --carve: give --carve-depth\.$" x --font $sans --output x.glb --carve 60 --depth 0.1
+expect 2 "^text_to_mesh: --bevel does not work with --carve\.$" x --font $sans --output x.glb --carve 60 --bevel 0.01
+expect 2 "^text_to_mesh: --outline does not work with --carve\.$" x --font $sans --output x.glb --carve 60 --outline 0.01
+expect 2 "^text_to_mesh: --refine does not work with --carve\.$" x --font $sans --output x.glb --carve 60 --refine delaunay
+expect 2 "--normals does not work with --carve" x --font $sans --output x.glb --carve 60 --normals cap
+expect 2 "--carve-as groove is an open surface, but a \.stl file contains solids" x --font $sans --output x.stl --carve 60 --carve-as groove
 
 # Bent letters: more triangles; a text that goes around or folds, and a shape without its numbers, are refused.
 expect 0 "" "Rag" --font $sans --output bent.stl --stats --bend cylinder:1.5 && cp out bent.stats
