@@ -27,7 +27,7 @@ namespace typemesh::inline TYPEMESH_ABI {
 ///
 /// All inner edges are Delaunay. Triangles between squares of one width are right and isosceles; those between squares of
 /// two widths have no angle below 26.5 degrees. Near the outline angles can be smaller: points that are added to an edge
-/// keep a third of a square's width from its ends, and points inside keep that from the outline. An edge's point lies on
+/// keep two fifths of a square's width from its ends, and points inside keep that from the outline. An edge's point lies on
 /// its curve, as in delaunay_refined.
 ///
 /// The widths on all glyphs of a font are equal, unless the grids of the glyphs differ. refined_cap::kept counts the

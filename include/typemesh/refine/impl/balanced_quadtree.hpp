@@ -167,7 +167,7 @@ public:
         return true;
     }
 
-    /// Whether an edge comes closer to a corner of leaves than a third of the smallest leaf there.
+    /// Whether an edge comes closer to a corner of leaves than two fifths of the smallest leaf there.
     [[nodiscard]] bool is_close(grid_point p) const noexcept
     {
         std::uint32_t around[4];
@@ -184,22 +184,23 @@ public:
         for (const std::uint32_t n : around)
             if (n != none)
                 for (std::uint32_t e = squares_[n].first_entry; e != none; e = entries_[e].next)
-                    if (is_within(width(level) / 3, p, edges_[entries_[e].edge])) return true;
+                    if (is_within(std::int64_t{2} * width(level) / 5, p, edges_[entries_[e].edge])) return true;
         return false;
     }
 
     // ---- corners
 
     /// Calls put(corner) for the corners of all leaves that lie in a triangle (counter-clockwise) or on its sides, each
-    /// once, until put() returns false. Returns its last result.
+    /// once, until put() returns false; with `old` squares given, only those that newer squares have added, though
+    /// perhaps with others. Returns its last result.
     template <class Put>
-    [[nodiscard]] bool each_corner(const grid_point (&in)[3], Put&& put) const noexcept
+    [[nodiscard]] bool each_corner(const grid_point (&in)[3], std::uint32_t old, Put&& put) const noexcept
     {
         return each_root(in, 0, [&](std::int32_t column, std::int32_t row) noexcept {
             const grid_point p{column * width_, row * width_};
-            if (holds(in, p) && !put(p)) return false;
+            if (old == 0 && holds(in, p) && !put(p)) return false;
             const std::uint32_t n = find_root(column, row);
-            return n == none || each_corner_below(n, in, put);
+            return n == none || each_corner_below(n, in, old, put);
         });
     }
 
@@ -348,16 +349,14 @@ private:
     static void clip(const box& to, edge& e) noexcept
     {
         const auto cut = [](grid_point& end, grid_point other, const box& b) noexcept {
-            const auto moved = [&](std::int64_t goal, std::int64_t from, std::int64_t step, std::int64_t to_from,
-                                   std::int64_t to_step) noexcept { return to_from + (goal - from) * to_step / step; };
             const std::int64_t dx = std::int64_t{other.x} - end.x, dy = std::int64_t{other.y} - end.y;
             if (dx != 0 && (end.x < b.left || end.x > b.right)) {
                 const std::int64_t x = end.x < b.left ? b.left : b.right;
-                end = {static_cast<std::int32_t>(x), static_cast<std::int32_t>(moved(x, end.x, dx, end.y, dy))};
+                end = {static_cast<std::int32_t>(x), static_cast<std::int32_t>(end.y + (x - end.x) * dy / dx)};
             }
             if (dy != 0 && (end.y < b.bottom || end.y > b.top)) {
                 const std::int64_t y = end.y < b.bottom ? b.bottom : b.top;
-                end = {static_cast<std::int32_t>(moved(y, end.y, dy, end.x, dx)), static_cast<std::int32_t>(y)};
+                end = {static_cast<std::int32_t>(end.x + (y - end.y) * dx / dy), static_cast<std::int32_t>(y)};
             }
         };
         const grid_point a = e.a;
@@ -438,7 +437,8 @@ private:
     /// The corners that the splitting of a square and of its children has added: the middle, and the middles of the
     /// sides. A side's middle belongs to the square on its right or above, if that is split as well.
     template <class Put>
-    [[nodiscard]] bool each_corner_below(std::uint32_t n, const grid_point (&in)[3], Put& put) const noexcept
+    [[nodiscard]] bool each_corner_below(std::uint32_t n, const grid_point (&in)[3], std::uint32_t old,
+                                         Put& put) const noexcept
     {
         if (is_leaf(n) || is_apart(box_of(n, 0), in)) return true;
         const square q = squares_[n];
@@ -448,11 +448,13 @@ private:
             const grid_point c{p.x + x, p.y + y};
             return !holds(in, c) || put(c);
         };
-        if (!may_put(half, half) || !may_put(0, half) || !may_put(half, 0)) return false;
-        if (!is_split(q.level, q.column + 1, q.row) && !may_put(whole, half)) return false;
-        if (!is_split(q.level, q.column, q.row + 1) && !may_put(half, whole)) return false;
+        if (q.first_child >= old) {
+            if (!may_put(half, half) || !may_put(0, half) || !may_put(half, 0)) return false;
+            if (!is_split(q.level, q.column + 1, q.row) && !may_put(whole, half)) return false;
+            if (!is_split(q.level, q.column, q.row + 1) && !may_put(half, whole)) return false;
+        }
         for (std::uint32_t k = 0; k < 4; ++k)
-            if (!each_corner_below(q.first_child + k, in, put)) return false;
+            if (!each_corner_below(q.first_child + k, in, old, put)) return false;
         return true;
     }
 

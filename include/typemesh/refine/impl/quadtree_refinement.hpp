@@ -30,10 +30,10 @@ struct quadtree_limits {
 ///
 ///     1. squares     A balanced_quadtree is split until edges are a third of a square apart.
 ///     2. outline     Each boundary edge is cut where it passes lines of the local squares: the vertical ones if the
-///                    edge is rather level, otherwise the horizontal ones. No cut is made within a third of a square of
-///                    the edge's ends. Edges longer than one and a half squares are halved.
-///     3. corners     The squares' corners inside become points, except where the outline is closer than a third of a
-///                    square. The mesh is Delaunay, so the triangles within a square follow from its corners.
+///                    edge is rather level, otherwise the horizontal ones. No cut is made within two fifths of a square
+///                    of the edge's ends. Edges longer than one and a half squares are halved.
+///     3. corners     The squares' corners inside become points, except where the outline is closer than two fifths of
+///                    a square. The mesh is Delaunay, so the triangles within a square follow from its corners.
 ///     4. long edges  If a triangle still has an edge that is too long, the square at the centre of the circle around it
 ///                    is split.
 ///     5. diagonals   The two diagonals of a square are equally Delaunay. They alternate like the fields of a chessboard.
@@ -71,8 +71,8 @@ public:
             return tree_.square_count() > most ? error::too_many_points : error::out_of_memory;
         if (error e = cut_outline()) return e;
         tree_.forget_edges();
-        if (!add_edges()) return error::out_of_memory;
-        if (error e = add_corners()) return e;
+        if (!add_edges() || !note_triangles()) return error::out_of_memory;
+        if (error e = add_corners(0)) return e;
         limits_.max_square = limits.max_square;
         if (error e = shorten_edges()) return e;
         turn_diagonals();
@@ -146,7 +146,7 @@ private:
         const std::int64_t first = is_level ? p.x : p.y, last = is_level ? q.x : q.y;
         const std::int64_t low = first < last ? first : last, high = first < last ? last : first;
         const std::int64_t line = width * balanced_quadtree::divided(low + high + width, 2 * width);
-        if (3 * (line - low) > width && 3 * (high - line) > width) return cut_at(a, is_level, line);
+        if (5 * (line - low) > 2 * width && 5 * (high - line) > 2 * width) return cut_at(a, is_level, line);
         return 4 * square > 9 * width * width ? split(a) : error{};
     }
 
@@ -161,7 +161,8 @@ private:
         return tree_.width(level);
     }
 
-    /// Cuts the boundary edge that leaves a where it passes a vertical line (if it is level) or a horizontal one.
+    /// Cuts the boundary edge that leaves a where it passes a vertical line (if it is level) or a horizontal one. If its
+    /// curve is far from the edge there, the edge is halved instead.
     [[nodiscard]] error cut_at(std::uint32_t a, bool is_level, std::int64_t line) noexcept
     {
         const grid_point p = mesh_.place(a), q = mesh_.place(mesh_.next_on_boundary(a));
@@ -175,17 +176,15 @@ private:
         if (ends_on_curve(mesh_.at(a).source)) {
             double before = as_double(edge.t0), after = as_double(edge.t1);
             const bool is_below = coordinate(place_on(edge.curve, before)) < goal;
-            if ((coordinate(place_on(edge.curve, after)) < goal) != is_below) {
-                for (int halvings = 0; halvings < 40; ++halvings) {
-                    t = 0.5 * (before + after);
-                    ((coordinate(place_on(edge.curve, t)) < goal) == is_below ? before : after) = t;
-                }
-                const point on_curve = on_line(place_on(edge.curve, t)), off = on_curve - on_chord;
-                if (typemesh::dot(off, off) < 0.09 * static_cast<double>(squared_distance(p, q))) {
-                    const auto done = try_split(a, rounded(on_curve, 0), static_cast<float>(t));
-                    if (!done || *done) return done.error();
-                }
+            if ((coordinate(place_on(edge.curve, after)) < goal) == is_below) return split(a);
+            for (int halvings = 0; halvings < 40; ++halvings) {
+                t = 0.5 * (before + after);
+                ((coordinate(place_on(edge.curve, t)) < goal) == is_below ? before : after) = t;
             }
+            const point on_curve = on_line(place_on(edge.curve, t)), off = on_curve - on_chord;
+            if (typemesh::dot(off, off) >= 0.09 * static_cast<double>(squared_distance(p, q))) return split(a);
+            const auto done = try_split(a, rounded(on_curve, 0), static_cast<float>(t));
+            if (!done || *done) return done.error();
         }
         for (const int next_best : {0, 1, 2, 3}) {
             const auto done = try_split(a, rounded(on_chord, next_best), static_cast<float>(t));
@@ -196,30 +195,37 @@ private:
 
     // ---- corners of squares
 
-    [[nodiscard]] error add_corners() noexcept
+    /// Notes the triangles of the outline's points.
+    [[nodiscard]] bool note_triangles() noexcept
     {
-        // The outline does not change any more, so each corner can be seen from all of the triangle that holds it now.
         given_.clear();
         const std::uint32_t count = mesh_.triangle_count();
         triangle* const given = given_.append(count);
-        if (given == nullptr) return error::out_of_memory;
-        for (std::uint32_t t = 0; t < count; ++t)
+        for (std::uint32_t t = 0; given != nullptr && t < count; ++t)
             given[t] = {mesh_.origin(4 * t), mesh_.origin(4 * t + 1), mesh_.origin(4 * t + 2)};
+        return given != nullptr;
+    }
+
+    /// Adds the corners of squares; with `old` squares given, only those that newer squares have added. The outline does
+    /// not change any more, so each corner can be seen from all of the noted triangle that holds it.
+    [[nodiscard]] error add_corners(std::uint32_t old) noexcept
+    {
         error failed;
-        for (std::uint32_t t = 0; t < count; ++t) {
-            const grid_point in[] = {mesh_.place(given[t].a), mesh_.place(given[t].b), mesh_.place(given[t].c)};
+        for (std::uint32_t t = 0; t < given_.size(); ++t) {
+            const triangle& given = given_[t];
+            const grid_point in[] = {mesh_.place(given.a), mesh_.place(given.b), mesh_.place(given.c)};
             std::uint32_t last = t;  // the walk to the next corner begins here
-            const bool done = tree_.each_corner(in, [&](grid_point p) noexcept {
+            const bool done = tree_.each_corner(in, old, [&](grid_point p) noexcept {
                 if (tree_.is_close(p)) return true;
                 std::uint32_t holder = locate(last, p);
-                if (holder == none) holder = walk(given[t].a, p);
+                if (holder == none) holder = walk(given.a, p);
                 if (holder == none || is_corner(holder, p)) return true;
                 last = holder;
                 if (mesh_.insert(holder, p) == none)
                     failed = error::out_of_memory;
                 else if (mesh_.vertex_count() > limits_.max_points)
                     failed = error::too_many_points;
-                return !failed;
+                return failed == error::none;
             });
             if (!done) return failed;
         }
@@ -256,54 +262,35 @@ private:
 
     [[nodiscard]] error shorten_edges() noexcept
     {
-        if (limits_.max_square == 0) return {};
-        for (std::uint32_t t = 0; t < mesh_.triangle_count(); ++t)
-            if (!check_triangle(t)) return error::out_of_memory;
-        while (waiting_.has_more())
-            if (error e = shorten(waiting_.pop())) return e;
-        for (std::uint32_t t = 0; t < mesh_.triangle_count(); ++t) kept_ += rank_of(t) != good;
+        for (;;) {
+            // All squares of a round are found before any point is added, so their order does not matter.
+            const std::uint32_t old = tree_.square_count();
+            for (std::uint32_t t = 0; t < mesh_.triangle_count(); ++t)
+                if (has_long_edge(t) && !split_square_at(t, old)) return error::out_of_memory;
+            if (tree_.square_count() == old) break;
+            if (error e = add_corners(old)) return e;
+        }
+        for (std::uint32_t t = 0; t < mesh_.triangle_count(); ++t) kept_ += has_long_edge(t);
         return {};
     }
 
-    /// Adds corners around a triangle with a long edge, and lists the triangle again if it is still there.
-    [[nodiscard]] error shorten(const queued_triangle& bad) noexcept
+    [[nodiscard]] bool has_long_edge(std::uint32_t t) const noexcept
     {
-        const std::uint32_t h = 4 * bad.t;
-        const auto is_there = [&]() noexcept {
-            return mesh_.origin(h) == bad.a && mesh_.origin(h + 1) == bad.b && mesh_.origin(h + 2) == bad.c;
-        };
-        if (!is_there()) return {};
-        for (std::uint32_t side = h; side < h + 3; ++side) {
-            if (!mesh_.is_boundary(side) || !is_too_long(squared_length(side))) continue;
-            const std::uint32_t before = mesh_.vertex_count();
-            if (error e = split(mesh_.origin(side))) return e;
-            if (mesh_.vertex_count() != before) return check_again(is_there(), bad.t);
-        }
-        const grid_point centre = off_centre(mesh_.start(h), mesh_.start(h + 1), mesh_.start(h + 2), 0x1p100);
-        std::uint32_t leaf = tree_.leaf_at(centre.x, centre.y);
-        if (leaf == none) leaf = tree_.root_at(centre);
-        if (leaf == none) return error::out_of_memory;
-        if (tree_.at(leaf).level == tree_.deepest()) return {};
-        const std::uint32_t before = tree_.square_count();
-        if (!tree_.split(leaf)) return error::out_of_memory;
-        for (std::uint32_t n = before; n < tree_.square_count(); ++n) {
-            const grid_point low = tree_.corner(n);
-            const std::int32_t width = tree_.width(tree_.at(n).level);
-            for (const int k : {0, 1, 2, 3}) {
-                const grid_point p{low.x + (k & 1) * width, low.y + (k >> 1) * width};
-                if (tree_.is_close(p)) continue;
-                const std::uint32_t holder = locate(bad.t, p);
-                if (holder == none || is_corner(holder, p)) continue;
-                if (mesh_.insert(holder, p) == none || !check_changed()) return error::out_of_memory;
-                if (mesh_.vertex_count() > limits_.max_points) return error::too_many_points;
-            }
-        }
-        return check_again(is_there(), bad.t);
+        const std::uint32_t h = 4 * t;
+        return is_too_long(squared_length(h)) || is_too_long(squared_length(h + 1)) ||
+               is_too_long(squared_length(h + 2));
     }
 
-    [[nodiscard]] error check_again(bool is_there, std::uint32_t t) noexcept
+    /// Splits the leaf that holds the centre of the circle around a triangle, unless it is one of the smallest or newer
+    /// than the first `old` squares. False if out of memory.
+    [[nodiscard]] bool split_square_at(std::uint32_t t, std::uint32_t old) noexcept
     {
-        return !is_there || check_triangle(t) ? error{} : error{error::out_of_memory};
+        const grid_point centre = off_centre(mesh_.start(4 * t), mesh_.start(4 * t + 1), mesh_.start(4 * t + 2), 0x1p100);
+        std::uint32_t leaf = tree_.leaf_at(centre.x, centre.y);
+        if (tree_.deepest() == 0 || (leaf != none && (leaf >= old || tree_.at(leaf).level == tree_.deepest())))
+            return true;
+        if (leaf == none) leaf = tree_.root_at(centre);
+        return leaf != none && tree_.split(leaf);
     }
 
     // ---- diagonals
