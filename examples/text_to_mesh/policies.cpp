@@ -49,9 +49,14 @@ plain_solid plain_of(const options& o)
 
 chosen_solid solid_of(const options& o)
 {
-    if (o.refine.is_on)
+    if (o.refine.refiner == refiner_name::delaunay)
         return refined_solid{.solid = plain_of(o),
-                             .how = {.min_angle = o.refine.min_angle, .max_edge = o.refine.max_edge}};
+                             .how = {.min_angle = o.refine.min_angle, .max_edge = o.refine.max_edge.value_or(0.0f)}};
+    if (o.refine.refiner == refiner_name::quadtree) {
+        squared_solid solid{.solid = plain_of(o)};
+        if (o.refine.max_edge) solid.how.max_edge = *o.refine.max_edge;
+        return solid;
+    }
     const letter_solid letter = o.bevel.width > 0.0f ? letter_solid{bevelled_of(o)} : letter_solid{plain_of(o)};
     if (o.outline.width > 0.0f) {
         hollow_solid hollow{.width = o.outline.width, .place = o.outline.place, .ring = letter, .letter = plain_of(o)};

@@ -9,6 +9,7 @@
 #include <typemesh/extrude/one_of.hpp>
 #include <typemesh/extrude/outlined.hpp>
 #include <typemesh/extrude/refined.hpp>
+#include <typemesh/refine/quadtree_refined.hpp>
 #include <typemesh/typemesh.hpp>
 
 #include <chrono>
@@ -30,7 +31,8 @@ using letter_solid = typemesh::one_of<plain_solid, typemesh::bevelled>;
 /// Letters, or hollow ones. Of an outline without the letter, that is an extruder whose parts are switched off.
 using hollow_solid = typemesh::outlined<letter_solid, plain_solid>;
 using refined_solid = typemesh::refined<plain_solid>;
-using chosen_solid = typemesh::one_of<letter_solid, hollow_solid, refined_solid>;
+using squared_solid = typemesh::refined<plain_solid, typemesh::quadtree_refined>;
+using chosen_solid = typemesh::one_of<letter_solid, hollow_solid, refined_solid, squared_solid>;
 
 using chosen_mesher = typemesh::text_mesher<chosen_solid>;
 using chosen_plan = typemesh::text_plan<chosen_solid>;
