@@ -378,7 +378,8 @@ void add_refine_options(CLI::App& app, options& out, raw_values& raw)
         ->type_name("DEGREES");
     add_number(
         app, "--max-edge",
-        "the longest edge of refined triangles: of delaunay, 0 allows any length (default); of quadtree, 0.05 by default",
+        "the longest edge of refined triangles: of delaunay, 0 allows any length (default); of quadtree, 0.05 by "
+        "default",
         "a number from 0 to 1000", [](double n) { return n >= 0.0 && n <= 1000.0; },
         [&out](double n) { out.refine.max_edge = static_cast<float>(n); })
         ->type_name("EM");

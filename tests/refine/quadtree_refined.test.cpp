@@ -126,9 +126,10 @@ TEST_CASE("a quadtree's options that are out of range are refused by name", "[re
         quadtree_refined how;
         const char* option;
     };
-    for (const refused& r : {refused{{.max_edge = 0.0f}, "max_edge"}, refused{{.max_edge = -0.1f}, "max_edge"},
-                             refused{{.max_edge = infinite}, "max_edge"}, refused{{.max_edge = nan}, "max_edge"},
-                             refused{{.max_edge = 1e-5f}, "max_edge"}, refused{{.max_points = 1u << 30}, "max_points"}}) {
+    for (const refused& r :
+         {refused{{.max_edge = 0.0f}, "max_edge"}, refused{{.max_edge = -0.1f}, "max_edge"},
+          refused{{.max_edge = infinite}, "max_edge"}, refused{{.max_edge = nan}, "max_edge"},
+          refused{{.max_edge = 1e-5f}, "max_edge"}, refused{{.max_points = 1u << 30}, "max_points"}}) {
         test::refined_result out;
         const error e = refine_with(r.how, d.filled, out);
         CAPTURE(r.option);
@@ -136,7 +137,8 @@ TEST_CASE("a quadtree's options that are out of range are refused by name", "[re
         CHECK(std::string(e.option) == r.option);
     }
     CHECK(quadtree_refined{.max_edge = 0.0f}.refused_options() == error::bad_option);
-    CHECK_FALSE(quadtree_refined{.max_edge = 1e-5f}.refused_options());  // fits no glyph of this em, but of a larger one
+    CHECK_FALSE(
+        quadtree_refined{.max_edge = 1e-5f}.refused_options());  // fits no glyph of this em, but of a larger one
     test::refined_result out;
     CHECK(refine_with(quadtree_refined{.max_edge = 0.01f, .max_points = 100}, d.filled, out) == error::too_many_points);
     CHECK_FALSE(quadtree_refined{}.cache_key() == quadtree_refined{.max_edge = 0.06f}.cache_key());

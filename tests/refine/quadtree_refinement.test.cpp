@@ -143,10 +143,10 @@ TEST_CASE("a shape on the lines of the squares becomes right isosceles triangles
         //  |   +---+   +---+
         //  +---------------+
         const std::int32_t w = width;
-        const test::filled_shape shape{
-            test::shape{"steps",
-                        {{{-5 * w, -3 * w}, {7 * w, -3 * w}, {7 * w, 2 * w}, {4 * w, 2 * w}, {4 * w, 9 * w}, {-5 * w, 9 * w}},
-                         test::reversed(test::square(-2 * w, 3 * w, 3 * w))}}};
+        const test::filled_shape shape{test::shape{
+            "steps",
+            {{{-5 * w, -3 * w}, {7 * w, -3 * w}, {7 * w, 2 * w}, {4 * w, 2 * w}, {4 * w, 9 * w}, {-5 * w, 9 * w}},
+             test::reversed(test::square(-2 * w, 3 * w, 3 * w))}}};
         square_up(refinement, shape, squares_of(width), out);
         CHECK(out.triangles.size() == 2 * (12 * 5 + 9 * 7 - 9));
         const std::vector<grid_point> p = out.points();
@@ -193,7 +193,8 @@ TEST_CASE("away from the outline, angles are 45 degrees, and 26.5 between square
                                left = width * balanced_quadtree::divided(x, width),
                                low = width * balanced_quadtree::divided(y, width);
             std::size_t corners = 0;
-            for (const int k : {0, 1, 2, 3}) corners += points.count({std::int32_t(left + (k & 1) * width), std::int32_t(low + (k >> 1) * width)});
+            for (const int k : {0, 1, 2, 3})
+                corners += points.count({std::int32_t(left + (k & 1) * width), std::int32_t(low + (k >> 1) * width)});
             if (corners != 4) continue;
             // The triangle lies in its square, and has one of the angles of the templates.
             bool is_plain = true;

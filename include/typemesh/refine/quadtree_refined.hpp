@@ -16,19 +16,19 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// The refiner for triangles on a grid: adds the corners of squares, so that no edge is longer than max_edge. Use it for
-/// meshes that will be displaced, or bent about an axis.
+/// The refiner for triangles on a grid: adds the corners of squares, so that no edge is longer than max_edge. Use it
+/// for meshes that will be displaced, or bent about an axis.
 ///
-///     +-----------------+       +---+---+---+---++      The points inside lie on lines parallel to the axes, at
-///     |                 |       |\  |  /|\  |  / |      multiples of a width from the glyph's origin. The width is
-///     |                 |  -->  |  \|/  |  \|/  |       3/5 of max_edge, or a half, a quarter and so on of that where
-///     |                 |       |--/+\--+--/+\--|       features are small. Two squares that share a side differ at
-///     +-----------------+       +---+---+---+---++      most by a factor of two.
+///     +-----------------+       +---+---+---+---+-+     The points inside lie on lines parallel to the axes, at
+///     |                 |       | \ | / | \ | / |/|     multiples of a width from the glyph's origin. The width is
+///     |                 |  -->  +---+---+---+---+-+     3/5 of max_edge, or a half, a quarter and so on of that where
+///     |                 |       | / | \ | / | \ |\|     features are small. Two squares that share a side differ at
+///     +-----------------+       +---+---+---+---+-+     most by a factor of two.
 ///
-/// All inner edges are Delaunay. Triangles between squares of one width are right and isosceles; those between squares of
-/// two widths have no angle below 26.5 degrees. Near the outline angles can be smaller: points that are added to an edge
-/// keep two fifths of a square's width from its ends, and points inside keep that from the outline. An edge's point lies on
-/// its curve, as in delaunay_refined.
+/// All inner edges are Delaunay. Triangles between squares of one width are right and isosceles; those between squares
+/// of two widths have no angle below 26.5 degrees. Near the outline angles can be smaller: points that are added to an
+/// edge keep two fifths of a square's width from its ends, and points inside keep that from the outline. An edge's
+/// point lies on its curve, as in delaunay_refined.
 ///
 /// The widths on all glyphs of a font are equal, unless the grids of the glyphs differ. refined_cap::kept counts the
 /// triangles with a longer edge; it is usually 0.
@@ -40,7 +40,7 @@ namespace typemesh::inline TYPEMESH_ABI {
 /// Cost   O(1) on average for each point that is added
 /// From   Bern, Eppstein & Gilbert: see impl/quadtree_refinement.hpp
 struct quadtree_refined {
-    float max_edge = 0.05f;  ///< the length of the longest edge, in em
+    float max_edge = 0.05f;                         ///< the length of the longest edge, in em
     std::uint32_t max_points = default_max_points;  ///< the greatest number of points of one cap, 2^30 - 1 at most
 
     using scratch = detail::quadtree_refinement;  ///< keeps its memory for the next cap

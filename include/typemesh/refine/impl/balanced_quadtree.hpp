@@ -73,12 +73,12 @@ public:
 
     // ---- leaves
 
-    /// The stored leaf that holds a place; none if a root holds it that is not stored. Squares hold their left and lower
-    /// sides.
+    /// The stored leaf that holds a place; none if a root holds it that is not stored. Squares hold their left and
+    /// lower sides.
     [[nodiscard]] std::uint32_t leaf_at(std::int64_t x, std::int64_t y) const noexcept
     {
-        std::uint32_t n = find_root(static_cast<std::int32_t>(divided(x, width_)),
-                                    static_cast<std::int32_t>(divided(y, width_)));
+        std::uint32_t n =
+            find_root(static_cast<std::int32_t>(divided(x, width_)), static_cast<std::int32_t>(divided(y, width_)));
         while (n != none && !is_leaf(n)) {
             const square& q = squares_[n];
             const std::int64_t half = width(q.level + 1), column = 2 * std::int64_t{q.column} + 1,
@@ -234,8 +234,8 @@ private:
 
     [[nodiscard]] std::size_t address_of(std::int32_t column, std::int32_t row) const noexcept
     {
-        const std::uint64_t both = std::uint64_t{static_cast<std::uint32_t>(column)} << 32 |
-                                   static_cast<std::uint32_t>(row);
+        const std::uint64_t both =
+            std::uint64_t{static_cast<std::uint32_t>(column)} << 32 | static_cast<std::uint32_t>(row);
         return static_cast<std::size_t>((both * 0x9E37'79B9'7F4A'7C15u) >> 32) & (roots_.size() - 1);
     }
     [[nodiscard]] std::uint32_t find_root(std::int32_t column, std::int32_t row) const noexcept
@@ -326,7 +326,8 @@ private:
         for (std::size_t i = 0; i < count; ++i) {
             const grid_point s = corners[i], e = corners[i + 1 < count ? i + 1 : 0];
             const std::int64_t dx = std::int64_t{e.x} - s.x, dy = std::int64_t{e.y} - s.y;
-            const std::int64_t x = dy > 0 ? in.left : in.right, y = dx > 0 ? in.top : in.bottom;  // farthest to the left
+            const std::int64_t x = dy > 0 ? in.left : in.right,
+                               y = dx > 0 ? in.top : in.bottom;  // farthest to the left
             if (dx * (y - s.y) - dy * (x - s.x) < 0) return true;
         }
         return false;

@@ -34,15 +34,16 @@ struct quadtree_limits {
 ///                    of the edge's ends. Edges longer than one and a half squares are halved.
 ///     3. corners     The squares' corners inside become points, except where the outline is closer than two fifths of
 ///                    a square. The mesh is Delaunay, so the triangles within a square follow from its corners.
-///     4. long edges  If a triangle still has an edge that is too long, the square at the centre of the circle around it
-///                    is split.
-///     5. diagonals   The two diagonals of a square are equally Delaunay. They alternate like the fields of a chessboard.
+///     4. long edges  If a triangle still has an edge that is too long, the square at the centre of the circle around
+///                    it is split.
+///     5. diagonals   The two diagonals of a square are equally Delaunay. They alternate like the fields of a
+///                    chessboard.
 ///
 /// Each insertion is exact, so the mesh is valid after each step, for every region. It shares the splitting of boundary
 /// edges with delaunay_refinement.
 ///
-/// From  M. Bern, D. Eppstein & J. Gilbert, Provably good mesh generation (1994); the order of the steps and the use of a
-///       constrained Delaunay triangulation are our own
+/// From  M. Bern, D. Eppstein & J. Gilbert, Provably good mesh generation (1994); the order of the steps and the use of
+///       a constrained Delaunay triangulation are our own
 class quadtree_refinement : delaunay_refinement {
 public:
     explicit quadtree_refinement(memory source = heap()) noexcept
@@ -98,7 +99,9 @@ private:
                 const grid_point q = points[i];
                 const std::int64_t dx = std::int64_t{q.x} - p.x, dy = std::int64_t{q.y} - p.y;
                 // After cutting, no part is longer than two squares in its main direction.
-                count += ((dx < 0 ? -dx : dx) > (dy < 0 ? -dy : dy) ? dx < 0 ? -dx : dx : dy < 0 ? -dy : dy) /
+                count += ((dx < 0 ? -dx : dx) > (dy < 0 ? -dy : dy) ? dx < 0 ? -dx : dx
+                          : dy < 0                                  ? -dy
+                                                                    : dy) /
                          (2 * width);
                 p = q;
             }
@@ -161,8 +164,8 @@ private:
         return tree_.width(level);
     }
 
-    /// Cuts the boundary edge that leaves a where it passes a vertical line (if it is level) or a horizontal one. If its
-    /// curve is far from the edge there, the edge is halved instead.
+    /// Cuts the boundary edge that leaves a where it passes a vertical line (if it is level) or a horizontal one. If
+    /// its curve is far from the edge there, the edge is halved instead.
     [[nodiscard]] error cut_at(std::uint32_t a, bool is_level, std::int64_t line) noexcept
     {
         const grid_point p = mesh_.place(a), q = mesh_.place(mesh_.next_on_boundary(a));
@@ -206,8 +209,8 @@ private:
         return given != nullptr;
     }
 
-    /// Adds the corners of squares; with `old` squares given, only those that newer squares have added. The outline does
-    /// not change any more, so each corner can be seen from all of the noted triangle that holds it.
+    /// Adds the corners of squares; with `old` squares given, only those that newer squares have added. The outline
+    /// does not change any more, so each corner can be seen from all of the noted triangle that holds it.
     [[nodiscard]] error add_corners(std::uint32_t old) noexcept
     {
         error failed;
@@ -237,8 +240,8 @@ private:
         return mesh_.start(4 * t) == p || mesh_.start(4 * t + 1) == p || mesh_.start(4 * t + 2) == p;
     }
 
-    /// The triangle that holds p, found by a straight walk from a boundary point v that sees p; unlike locate() it finds
-    /// its way around every bay of the outline. none if the walk ends at the outline.
+    /// The triangle that holds p, found by a straight walk from a boundary point v that sees p; unlike locate() it
+    /// finds its way around every bay of the outline. none if the walk ends at the outline.
     [[nodiscard]] std::uint32_t walk(std::uint32_t v, grid_point p) const noexcept
     {
         const grid_point from = mesh_.place(v);
@@ -285,7 +288,8 @@ private:
     /// than the first `old` squares. False if out of memory.
     [[nodiscard]] bool split_square_at(std::uint32_t t, std::uint32_t old) noexcept
     {
-        const grid_point centre = off_centre(mesh_.start(4 * t), mesh_.start(4 * t + 1), mesh_.start(4 * t + 2), 0x1p100);
+        const grid_point centre =
+            off_centre(mesh_.start(4 * t), mesh_.start(4 * t + 1), mesh_.start(4 * t + 2), 0x1p100);
         std::uint32_t leaf = tree_.leaf_at(centre.x, centre.y);
         if (tree_.deepest() == 0 || (leaf != none && (leaf >= old || tree_.at(leaf).level == tree_.deepest())))
             return true;

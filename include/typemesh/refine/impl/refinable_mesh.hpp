@@ -186,7 +186,8 @@ public:
         return fits && flip_listed() ? v : none;
     }
 
-    /// Replaces an inner edge by the other diagonal of its two triangles. They must form a strictly convex quadrilateral.
+    /// Replaces an inner edge by the other diagonal of its two triangles. They must form a strictly convex
+    /// quadrilateral.
     ///
     ///         r                  h and g, its twin, are then the outer edges p s and q r
     ///        /  ^                next(h) and next(g) the new diagonal
