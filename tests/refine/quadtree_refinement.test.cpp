@@ -304,6 +304,23 @@ TEST_CASE("random polygons become squares, however narrow they are", "[refine]")
     }
 }
 
+TEST_CASE("corners are found around bays, also where rows of corners pass through the outline's points", "[refine]")
+{
+    quadtree_refinement refinement;
+    test::refined_result out;
+    test::dice d{51};
+    std::size_t inner = 0;
+    for (int round = 0; round < 150; ++round) {
+        test::shape s{"random polygon", {test::random_polygon(8 + d.roll(40), 12, d)}};
+        for (grid_point& p : s.loops[0]) p = {256 * p.x, 256 * p.y};
+        if (!inspect::is_region(test::loops_of(s))) continue;
+        INFO(s);
+        square_up(refinement, test::filled_shape{s}, squares_of(round % 2 == 0 ? 64 : 48), out);
+        inner += out.inner.size();
+    }
+    CHECK(inner > 10'000);
+}
+
 TEST_CASE("the number of squares and points grows with the outline, if its shape repeats", "[refine]")
 {
     quadtree_refinement refinement;
