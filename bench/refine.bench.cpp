@@ -12,6 +12,9 @@
 // it in the library) refines the same glyphs to the same angle and size. cgal_triangles and cgal_time are its triangles
 // and its time, as multiples; its time begins with its own triangulation, and ours with the region's triangles.
 //
+// The rows "squares" are quadtree_refined; of_delaunay is the number of its triangles as a multiple of
+// delaunay_refined's with the same longest edge and 25 degrees, below the number with an angle below 15 degrees.
+//
 // Fonts: packages fonts-dejavu-core, fonts-liberation.
 
 #include "../tests/support/font_path.hpp"
@@ -19,6 +22,7 @@
 #include <typemesh/adapt/harfbuzz.hpp>
 #include <typemesh/glyph/glyph_builder.hpp>
 #include <typemesh/refine/delaunay_refined.hpp>
+#include <typemesh/refine/quadtree_refined.hpp>
 #include <typemesh/typemesh.hpp>
 
 #include <benchmark/benchmark.h>
@@ -115,9 +119,12 @@ std::size_t count_below(const contours& loops, const buffer<grid_point>& inner, 
     return count;
 }
 
-void run(benchmark::State& state, const set& s)
+/// Refines all glyphs of a set, and counts the triangles with an angle below so many degrees. Returns how many triangles
+/// there are, and how long it took.
+template <class Refiner>
+std::pair<std::size_t, double> refine_all(benchmark::State& state, const set& s, const Refiner& how, double degrees)
 {
-    delaunay_refined::scratch scratch;
+    typename Refiner::scratch scratch;
     workspace space;
     contours loops;
     buffer<grid_point> inner;
@@ -125,7 +132,7 @@ void run(benchmark::State& state, const set& s)
     std::uint32_t kept = 0;
     std::size_t count = 0, below = 0, all_kept = 0;
     const auto refine = [&](const glyph& g) {
-        return !s.how(g.filled, g.cap.view(), scratch, {loops, inner, triangles, kept});
+        return !how(g.filled, g.cap.view(), scratch, {loops, inner, triangles, kept});
     };
     double floor = 1e300, best = 1e300;
     for ([[maybe_unused]] auto unused : state) {
@@ -133,7 +140,7 @@ void run(benchmark::State& state, const set& s)
             if (!refine(g)) continue;
             count += triangles.size();
             all_kept += kept;
-            below += count_below(loops, inner, triangles, static_cast<double>(s.how.min_angle));
+            below += count_below(loops, inner, triangles, degrees);
         }
         for (int pass = 0; pass < 5; ++pass) {
             floor = std::min(floor, seconds([&] {
@@ -152,6 +159,27 @@ void run(benchmark::State& state, const set& s)
     state.counters["triangles"] = static_cast<double>(count);
     state.counters["below"] = static_cast<double>(below);
     state.counters["kept"] = static_cast<double>(all_kept);
+    return {count, best};
+}
+
+void run_squares(benchmark::State& state, const set& s, float longest)
+{
+    const std::size_t count = refine_all(state, s, quadtree_refined{longest}, 15.0).first;
+    delaunay_refined::scratch scratch;
+    contours loops;
+    buffer<grid_point> inner;
+    triangle_list triangles;
+    std::uint32_t kept = 0;
+    std::size_t others = 0;
+    for (const glyph& g : s.glyphs)
+        if (!delaunay_refined{25.0f, longest}(g.filled, g.cap.view(), scratch, {loops, inner, triangles, kept}))
+            others += triangles.size();
+    state.counters["of_delaunay"] = static_cast<double>(count) / static_cast<double>(others);
+}
+
+void run(benchmark::State& state, const set& s)
+{
+    [[maybe_unused]] const auto [count, best] = refine_all(state, s, s.how, static_cast<double>(s.how.min_angle));
 #ifdef TYPEMESH_BENCH_PEERS
     std::size_t theirs = 0;
     const double time = seconds([&] {
@@ -186,10 +214,20 @@ int main(int argc, char** argv)
                     sets.push_back({name, glyphs_of(file, 1.0 / tolerance, 500), {angle, longest}});
                 }
     }
-    for (const set& s : sets)
+    for (const set& s : sets) {
+        if (s.how.min_angle == 25.0f && s.how.max_edge == 0.0f)
+            for (const float longest : {0.02f, 0.05f, 0.1f}) {
+                const std::string name = s.name.substr(0, s.name.find(" / 25")) + " / squares / longest edge " +
+                                         std::to_string(longest).substr(0, 4) + " em";
+                benchmark::RegisterBenchmark(name.c_str(),
+                                             [&s, longest](benchmark::State& state) { run_squares(state, s, longest); })
+                    ->Iterations(1)
+                    ->Unit(benchmark::kMillisecond);
+            }
         benchmark::RegisterBenchmark(s.name.c_str(), [&s](benchmark::State& state) { run(state, s); })
             ->Iterations(1)
             ->Unit(benchmark::kMillisecond);
+    }
     benchmark::Initialize(&argc, argv);
     benchmark::RunSpecifiedBenchmarks();
 }

@@ -24,6 +24,7 @@ enum class discretiser_name { certified, two_lines, adaptive };
 enum class triangulator_name { monotone, delaunay };
 enum class normals_name { cap, shared, averaged, creased, curve };
 enum class profile_name { chamfer, round, concave, stepped, engraved, points };
+enum class refiner_name { none, delaunay, quadtree };
 enum class preset { low, normal, high, best };
 
 /// Bevels, as bevelled.hpp has them.
@@ -52,11 +53,11 @@ struct outline_options {
     bool letter = false;  ///< the letter is made, too
 };
 
-/// Refined letters, as delaunay_refined.hpp has them.
+/// Refined letters, as delaunay_refined.hpp and quadtree_refined.hpp have them.
 struct refine_options {
-    bool is_on = false;
-    float min_angle = 25.0f;  ///< degrees
-    float max_edge = 0.0f;    ///< em; 0: any length
+    refiner_name refiner = refiner_name::none;
+    float min_angle = 25.0f;        ///< degrees; of delaunay
+    std::optional<float> max_edge;  ///< em; of delaunay, 0: any length
 };
 
 /// Bent letters, as bent.hpp has them.

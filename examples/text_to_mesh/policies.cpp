@@ -62,9 +62,14 @@ chosen_solid solid_of(const options& o)
     if (o.bend.is_on && o.bevel.width > 0.0f)
         return bent_bevels{.solid = bevelled_of(o), .how = o.bend.how, .tolerance = o.tolerance};
     if (o.bend.is_on) return bent_solid{.solid = plain_of(o), .how = o.bend.how, .tolerance = o.tolerance};
-    if (o.refine.is_on)
+    if (o.refine.refiner == refiner_name::delaunay)
         return refined_solid{.solid = plain_of(o),
-                             .how = {.min_angle = o.refine.min_angle, .max_edge = o.refine.max_edge}};
+                             .how = {.min_angle = o.refine.min_angle, .max_edge = o.refine.max_edge.value_or(0.0f)}};
+    if (o.refine.refiner == refiner_name::quadtree) {
+        squared_solid solid{.solid = plain_of(o)};
+        if (o.refine.max_edge) solid.how.max_edge = *o.refine.max_edge;
+        return solid;
+    }
     if (o.carve.tool_angle > 0.0f) return letter_solid{carved_of(o)};
     const letter_solid letter = o.bevel.width > 0.0f ? letter_solid{bevelled_of(o)} : letter_solid{plain_of(o)};
     if (o.outline.width > 0.0f) {

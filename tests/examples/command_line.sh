@@ -831,7 +831,16 @@ triangles() { sed -n 's/.*"triangles": *\([0-9]*\).*/\1/p' "$1"; }
 expect 0 "" "Rag" --font $sans --output plain.stl --stats && cp out plain.stats
 expect 0 "" "Rag" --font $sans --output refined.stl --stats --refine delaunay --max-edge 0.05 && cp out refined.stats
 that "refining adds triangles: $(triangles plain.stats) to $(triangles refined.stats)" [ "$(triangles refined.stats)" -gt $((3 * $(triangles plain.stats))) ]
-expect 2 "^text_to_mesh: --max-edge needs --refine delaunay\.$" x --font $sans --output x.glb --max-edge 0.1
+expect 0 "" "Rag" --font $sans --output squared.stl --stats --refine quadtree --max-edge 0.05 && cp out squared.stats
+that "squares are about as many: $(triangles refined.stats) to $(triangles squared.stats)" [ "$(triangles squared.stats)" -gt "$(triangles refined.stats)" ]
+that "squares are less than twice as many" [ "$(triangles squared.stats)" -lt $((2 * $(triangles refined.stats))) ]
+expect 0 "" "Rag" --font $sans --output same.stl --stats --refine quadtree && cp out same.stats
+that "the longest edge of a quadtree is 0.05 em by default" cmp squared.stl same.stl
+expect 2 "^text_to_mesh: --min-angle needs --refine delaunay\.$" x --font $sans --output x.glb --refine quadtree --min-angle 20
+expect 2 "^text_to_mesh: --max-edge must be above 0 with --refine quadtree\.$" x --font $sans --output x.glb --refine quadtree --max-edge 0
+expect 2 "^text_to_mesh: --refine must be delaunay or quadtree, not squares\.$" x --font $sans --output x.glb --refine squares
+expect 1 "^text_to_mesh: --max-edge is too small for this font: give a larger number\.$" x --font $sans --output x.glb --refine quadtree --max-edge 1e-6
+expect 2 "^text_to_mesh: --max-edge needs --refine\.$" x --font $sans --output x.glb --max-edge 0.1
 expect 2 "^text_to_mesh: --refine does not work with --bevel\.$" x --font $sans --output x.glb --refine delaunay --bevel 0.01
 expect 2 "^text_to_mesh: --refine does not work with --outline\.$" x --font $sans --output x.glb --refine delaunay --outline 0.01
 expect 2 "^text_to_mesh: --min-angle must be a number from 0 to 33, not 60\.$" x --font $sans --output x.glb --refine delaunay --min-angle 60

@@ -6,6 +6,7 @@
 #include <typemesh/glyph/cap_builder.hpp>
 #include <typemesh/glyph/region_caps.hpp>
 #include <typemesh/inspect/mesh_measure.hpp>
+#include <typemesh/refine/quadtree_refined.hpp>
 #include <typemesh/triangulate/monotone.hpp>
 
 #include "mesh.hpp"
@@ -99,6 +100,28 @@ TEMPLATE_TEST_CASE("a refined solid is closed, and its caps and walls share ever
             }
             CHECK(outside == 0);
             CHECK(odd_normals == 0);
+        }
+    }
+}
+
+TEST_CASE("a solid refined by squares is closed as well, and upright on the edge of its caps", "[extrude][refined]")
+{
+    using squared = refined<extruded<>, quadtree_refined>;
+    static_assert(extruder<squared> && cacheable_policy<squared>);
+    CHECK_FALSE(squared{}.cache_key() == squared{.how = {.max_edge = 0.1f}}.cache_key());
+    CHECK(refused_options(squared{.how = {.max_edge = 0.0f}}) == error::bad_option);
+    plan_data_of<squared> data;
+    for (const auto& s : shapes::all()) {
+        for (const float longest : {0.3f, 0.1f, 0.02f}) {
+            INFO(s.name << ", no edge longer than " << longest);
+            const auto m = refine(s, squared{.how = {.max_edge = longest}}, data);
+            REQUIRE(m);
+            CHECK(m->vertices.size() == m->announced.vertices);
+            CHECK(m->triangles.size() == m->announced.triangles);
+            CHECK(open_edges(*m) == 0);
+            CHECK(volume_of(*m) == Catch::Approx(0.2 * front_area(*m)).epsilon(1e-5));
+            CHECK(m->sizes.vertices[part::front] == data.loops.points.size());
+            if (longest == 0.02f) CHECK(m->inner.size() > 10);
         }
     }
 }

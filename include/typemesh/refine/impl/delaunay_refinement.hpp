@@ -92,7 +92,7 @@ public:
     /// The number of bad triangles that were left, because a point would have come too near to others.
     [[nodiscard]] std::uint32_t kept() const noexcept { return kept_; }
 
-private:
+protected:  // for quadtree_refinement
     static constexpr std::uint32_t none = refinable_mesh::none;
     static constexpr std::uint32_t good = triangle_queue::ranks;
     static constexpr std::int64_t spacing = refinable_mesh::spacing;

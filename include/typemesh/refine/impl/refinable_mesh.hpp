@@ -219,6 +219,28 @@ public:
         return fits && flip_listed() ? v : none;
     }
 
+    /// Replaces an inner edge by the other diagonal of its two triangles. They must form a strictly convex
+    /// quadrilateral.
+    ///
+    ///         r                  h and g, its twin, are then the outer edges p s and q r
+    ///        /  ^                next(h) and next(g) the new diagonal
+    ///       p -h-> q
+    ///        \  /
+    ///         s
+    void flip(std::uint32_t h) noexcept
+    {
+        const std::uint32_t g = twin(h), h1 = next(h), g1 = next(g);
+        const std::uint32_t outer_of_g1 = twin(g1), outer_of_h1 = twin(h1), s = apex(g), r = apex(h);
+        // h keeps its origin p and takes the edge p -> s (g1's); g keeps q and takes q -> r (h1's)
+        attach(h, outer_of_g1);
+        attach(g, outer_of_h1);
+        edges_[h1].origin = s;
+        edges_[g1].origin = r;
+        set_twins(h1, g1);
+        edges_[(h & ~3u) + 3] = {0, 0};
+        edges_[(g & ~3u) + 3] = {0, 0};
+    }
+
 private:
     struct half_edge {
         std::uint32_t origin;
@@ -248,22 +270,9 @@ private:
             list_.truncate(list_.size() - 1);
             const std::uint32_t g = twin(h);
             if (g == none) continue;
-            const std::uint32_t h1 = next(h), h2 = previous(h), g1 = next(g), g2 = previous(g);
+            const std::uint32_t h2 = previous(h), g2 = previous(g);
             if (!prefers_other_diagonal(start(h), start(g), start(h2), start(g2))) continue;
-            //         r = h2                  h and g are then the outer edges s p and r q
-            //        /  ^                     h1 and g1 the new diagonal
-            //       p -h-> q
-            //        \  /
-            //         s = g2
-            const std::uint32_t outer_of_g1 = twin(g1), outer_of_h1 = twin(h1), s = origin(g2), r = origin(h2);
-            // h keeps its origin p and takes the edge p -> s (g1's); g keeps q and takes q -> r (h1's)
-            attach(h, outer_of_g1);
-            attach(g, outer_of_h1);
-            edges_[h1].origin = s;
-            edges_[g1].origin = r;
-            set_twins(h1, g1);
-            edges_[(h & ~3u) + 3] = {0, 0};
-            edges_[(g & ~3u) + 3] = {0, 0};
+            flip(h);
             if (!list_.push_back(h) || !list_.push_back(g2) || !list_.push_back(g) || !list_.push_back(h2) ||
                 !changed_.push_back(h / 4) || !changed_.push_back(g / 4))
                 return false;
