@@ -70,6 +70,32 @@ private:
     }
 };
 
+/// The parameters from 0 to 1, ascending, at which a cubic turns from one side to the other: at inflections, and on
+/// both sides of a cusp.
+struct turning_points {
+    std::uint32_t count = 0;
+    double t[2] = {};
+};
+[[nodiscard]] inline turning_points turning_points_of(const cubic& q) noexcept
+{
+    const point a = q.p1 - q.p0, b = q.p2 - q.p1, d = q.p3 - q.p2;
+    // cross(B', B'') = 18 * (ab (1 - t)^2 + ad t (1 - t) + bd t^2)
+    const double ab = cross(a, b), ad = cross(a, d), bd = cross(b, d);
+    const double square = ab - ad + bd, linear = ad - 2.0 * ab, under = linear * linear - 4.0 * square * ab;
+    turning_points found;
+    if (!(under > 0.0)) return found;
+    const double half = -0.5 * (linear + (linear < 0.0 ? -std::sqrt(under) : std::sqrt(under)));
+    double first = half / square, second = ab / half;  // infinite, or not a number, where there is no solution
+    if (second < first) {
+        const double other = first;
+        first = second;
+        second = other;
+    }
+    for (const double t : {first, second})
+        if (t > 0.0 && t < 1.0) found.t[found.count++] = t;
+    return found;
+}
+
 /// An arc of a conic: the points with b^2 = 4 w^2 a c, where a, b, c are the barycentric coordinates in the triangle of
 /// start, control point and end, and w is the weight. It touches the legs of the triangle in its ends.
 ///
@@ -126,10 +152,10 @@ struct fitted_conic {
 };
 
 /// The greatest distance between a section and its conic, before rounding.
-inline constexpr double conic_error = 1.25;
+inline constexpr double conic_error = 1.5;
 
 /// The conic through the ends of a section that touches it there. A quadratic's is the quadratic itself. A cubic's is
-/// compared with the cubic at seven places. The control point is rounded to the grid before the weight is chosen.
+/// compared with the cubic in seven places. The control point is rounded to the grid before the weight is chosen.
 ///
 ///     start    the grid point of the section's start
 [[nodiscard]] inline fitted_conic fit_conic(const curve_section& s, grid_point start) noexcept

@@ -97,7 +97,7 @@ private:
             std::uint32_t k = i + 1;
             while (k < last && goes_on(edges_[k - 1], edges_[k])) ++k;
             const std::size_t before = pieces_.size();
-            if (!add_run(whole(i, k, last))) return false;
+            if (!add_bends(whole(i, k, last))) return false;
             if (i == base) pieces_[before].begins_loop = true;
             i = k;
         }
@@ -131,6 +131,24 @@ private:
         p.t0 = edges_[first].t0;
         p.t1 = edges_[last - 1].t1;
         return p;
+    }
+
+    /// Adds the pieces of a run, which is divided first where a cubic turns from one side to the other.
+    [[nodiscard]] bool add_bends(const curve_piece& run) noexcept
+    {
+        const std::uint32_t of = edges_[run.first].curve;
+        if (of >= curves_.size() || curves_[of].degree != 3) return add_run(run);
+        const turning_points turns = turning_points_of(curves_[of].as_cubic());
+        curve_piece rest = run, first;
+        const bool up = run.t0 < run.t1;
+        for (std::uint32_t i = 0; i < turns.count; ++i) {
+            const auto t = static_cast<float>(turns.t[up ? i : turns.count - 1 - i]);
+            constexpr float margin = 0.02f;  // what is shorter hardly turns
+            const bool inside = up ? rest.t0 + margin < t && t < rest.t1 - margin : rest.t1 + margin < t && t < rest.t0 - margin;
+            if (!inside || !cut(rest, t, first, rest)) continue;
+            if (!add_run(first)) return false;
+        }
+        return add_run(rest);
     }
 
     /// Adds the pieces of a run: up to four of about equal length, if they fit.
