@@ -26,8 +26,8 @@ namespace typemesh::inline TYPEMESH_ABI::detail {
 ///                                                      ^         + meet
 ///                                                      +- split -+
 ///
-/// Consecutive edges of one curve become a run. A run is divided until each piece is an arc within 1.25 cells of the
-/// curve (conic_fit) and within 2 cells of the region's points that it skips. If two control triangles meet, the larger
+/// Consecutive edges of one curve become a run. A run is divided until each piece is an arc within 2 cells of the
+/// curve (conic_fit) and within 3 cells of the region's points that it skips. If two control triangles meet, the larger
 /// one is divided at a point of the region, or inside an edge if only one is left. At last a piece is an edge of the
 /// region, and these do not cross: the region proves it.
 ///
@@ -196,7 +196,7 @@ private:
     /// Makes a section an arc or a straight piece. If neither fits, the piece is straight, and the result is false.
     [[nodiscard]] bool fit(curve_piece& p) const noexcept
     {
-        constexpr double straight_error = 1.0, skipped_error = 2.0;
+        constexpr double straight_error = 1.0, skipped_error = 3.0;
         p.weight = 0.0f;
         p.control = p.start;
         const contour_edge& e = edges_[p.first];
