@@ -7,6 +7,7 @@
 #include <typemesh/core/curve.hpp>
 #include <typemesh/core/error.hpp>
 #include <typemesh/core/grid.hpp>
+#include <typemesh/core/impl/tangent.hpp>
 #include <typemesh/core/memory.hpp>
 #include <typemesh/core/region.hpp>
 #include <typemesh/extrude/impl/box_tree.hpp>
@@ -55,20 +56,24 @@ public:
     /// Finds the pieces of a region. Fails only with error::out_of_memory.
     [[nodiscard]] error find(const region& filled) noexcept
     {
-        clear();
         curves_ = filled.curves();
         cells_ = filled.grid().cells;
         tolerance_ = filled.tolerance();
-        for (std::uint32_t loop = 0; loop < filled.loop_count(); ++loop)
-            if (!add_loop(filled, filled.starts()[loop], filled.starts()[loop + 1])) return error::out_of_memory;
-        constexpr int max_rounds = 64;
-        for (int round = 0; round < max_rounds; ++round) {
-            if (!list_boxes()) return error::out_of_memory;
-            if (!compare()) return {};
-            if (!divide()) return error::out_of_memory;
+        for (const bool with_crossings : {true, false}) {
+            clear();
+            moved_ = 0;
+            stuck_ = false;
+            for (std::uint32_t loop = 0; loop < filled.loop_count(); ++loop)
+                if (!add_loop(filled, filled.starts()[loop], filled.starts()[loop + 1], with_crossings))
+                    return error::out_of_memory;
+            if (error e = part_pieces()) return e;
+            if (!stuck_ || moved_ == 0) break;  // the region's own edges do not meet
         }
         return {};
     }
+
+    /// The number of crossings that were moved onto their curves.
+    [[nodiscard]] std::uint32_t moved() const noexcept { return moved_; }
 
     /// The pieces, loop by loop.
     [[nodiscard]] array_view<const curve_piece> pieces() const noexcept { return pieces_.view(); }
@@ -80,7 +85,8 @@ private:
     // --- runs
 
     /// Copies a loop's points and edges, beginning where a run begins, and adds its pieces.
-    [[nodiscard]] bool add_loop(const region& filled, std::uint32_t begin, std::uint32_t end) noexcept
+    [[nodiscard]] bool add_loop(const region& filled, std::uint32_t begin, std::uint32_t end,
+                                bool with_crossings) noexcept
     {
         const auto edges = filled.edges();
         std::uint32_t seam = begin;
@@ -92,6 +98,8 @@ private:
                 !edges_.append(edges.subspan(from, to - from)))
                 return false;
         const auto last = static_cast<std::uint32_t>(edges_.size());
+        if (with_crossings && tolerance_ > 2.0)
+            for (std::uint32_t i = base; i < last; ++i) move_crossing(i == base ? last - 1 : i - 1, i);
         first_point_ = points_[base];
         for (std::uint32_t i = base; i < last;) {
             std::uint32_t k = i + 1;
@@ -118,6 +126,41 @@ private:
         double legs = 0.0;
         for (std::uint32_t k = 0; k < c.degree; ++k) legs += length(c.p[k + 1] - c.p[k]);
         return std::abs(as_double(e.t0) - as_double(before.t1)) * legs * c.degree * cells_ <= 4.0;
+    }
+
+    /// Moves the point between two edges to where their curves cross, if it is a crossing of their chords: by Newton's
+    /// method. It stays if that is no point of both edges, or is not near.
+    void move_crossing(std::uint32_t before, std::uint32_t after) noexcept
+    {
+        contour_edge &e = edges_[before], &f = edges_[after];
+        const auto is_end = [](float t) noexcept { return !(t > 0.0f) || !(t < 1.0f); };
+        if (e.curve == f.curve || e.curve >= curves_.size() || f.curve >= curves_.size()) return;
+        if (is_end(e.t1) && is_end(f.t0)) return;
+        const curve &a = curves_[e.curve], &b = curves_[f.curve];
+        const hodograph of_a{a}, of_b{b};
+        const point was = curve_section::exact(points_[after]);
+        const double reach = 4.0 * tolerance_ + 4.0;
+        double s = as_double(e.t1), t = as_double(f.t0);
+        if (length(cells_ * a.at(s) - was) > reach || length(cells_ * b.at(t) - was) > reach) return;
+        point gap = cells_ * (a.at(s) - b.at(t));
+        for (int step = 0; step < 8 && dot(gap, gap) > 0x1p-10; ++step) {
+            const point along = cells_ * a.degree * of_a.derivative(s), other = cells_ * b.degree * of_b.derivative(t);
+            const double turn = cross(along, other);
+            if (!(turn * turn > 0x1p-16 * dot(along, along) * dot(other, other))) return;
+            s -= cross(gap, other) / turn;
+            t -= cross(gap, along) / turn;
+            if (!(s >= 0.0 && s <= 1.0 && t >= 0.0 && t <= 1.0)) return;
+            gap = cells_ * (a.at(s) - b.at(t));
+        }
+        const point found = cells_ * a.at(s);
+        const auto new_s = static_cast<float>(s), new_t = static_cast<float>(t);
+        const bool is_before = e.t0 < e.t1 ? e.t0 < new_s : new_s < e.t0;
+        const bool is_after = f.t0 < f.t1 ? new_t < f.t1 : f.t1 < new_t;
+        if (dot(gap, gap) > 0x1p-10 || !is_before || !is_after || length(found - was) > reach) return;
+        points_[after] = grid{.cells = 1.0}.snap(found);
+        e.t1 = new_s;
+        f.t0 = new_t;
+        ++moved_;
     }
 
     /// The straight piece over the edges [first, last) of a loop that ends before edge `loop_end`.
@@ -276,6 +319,19 @@ private:
 
     // --- rounds
 
+    /// Divides pieces until none meet.
+    [[nodiscard]] error part_pieces() noexcept
+    {
+        constexpr int max_rounds = 64;
+        for (int round = 0; round < max_rounds; ++round) {
+            if (!list_boxes()) return error::out_of_memory;
+            if (!compare()) return {};
+            if (!divide()) return error::out_of_memory;
+        }
+        stuck_ = true;
+        return {};
+    }
+
     [[nodiscard]] static grid_box box_of(const curve_piece& p) noexcept
     {
         grid_box b;
@@ -306,7 +362,9 @@ private:
                 const std::int64_t of_p = size_of(p), of_q = size_of(q);
                 if (of_p >= of_q) choose(p);
                 if (of_q >= of_p) choose(q);
-                any = any || p.fate != stay || q.fate != stay;
+                const bool chosen = p.fate != stay || q.fate != stay;
+                any = any || chosen;
+                stuck_ = stuck_ || !chosen;
             });
         }
         for (curve_piece& p : pieces_) p.is_fresh = false;
@@ -394,6 +452,8 @@ private:
     double cells_ = 1.0;
     double tolerance_ = 0.0;
     grid_point first_point_;
+    std::uint32_t moved_ = 0;
+    bool stuck_ = false;
     buffer<grid_point> points_;  // of the region, each loop from the beginning of a run
     buffer<contour_edge> edges_;
     buffer<curve_piece> pieces_, next_;
