@@ -21,7 +21,8 @@ TEST_CASE("a tree finds exactly the boxes that meet a box, in ascending order", 
         for (std::size_t i = 0; i < count; ++i) {
             const grid_point at{somewhere(), somewhere()};
             boxes[i].add(at);
-            boxes[i].add({at.x + static_cast<std::int32_t>(random() % 20), at.y + static_cast<std::int32_t>(random() % 20)});
+            boxes[i].add(
+                {at.x + static_cast<std::int32_t>(random() % 20), at.y + static_cast<std::int32_t>(random() % 20)});
             tree.set(i, boxes[i]);
         }
         tree.close();

@@ -106,9 +106,9 @@ TEST_CASE("a cubic that is nearly a circle has a circle's weight", "[extrude][cu
 
 TEST_CASE("sections without a conic are refused: bends, cusps, points, lines", "[extrude][curved]")
 {
-    for (const auto& c : {cubic{{0, 0}, {100, 100}, {200, -100}, {300, 0}}, cubic{{0, 0}, {300, 300}, {0, 300}, {300, 0}},
-                          cubic{{0, 0}, {0, 0}, {0, 0}, {0, 0}}, cubic{{0, 0}, {100, 0}, {200, 0}, {300, 0}},
-                          cubic{{0, 0}, {600, 500}, {-600, 500}, {0, 0}}})
+    for (const auto& c : {cubic{{0, 0}, {100, 100}, {200, -100}, {300, 0}},
+                          cubic{{0, 0}, {300, 300}, {0, 300}, {300, 0}}, cubic{{0, 0}, {0, 0}, {0, 0}, {0, 0}},
+                          cubic{{0, 0}, {100, 0}, {200, 0}, {300, 0}}, cubic{{0, 0}, {600, 500}, {-600, 500}, {0, 0}}})
         CHECK_FALSE(fit_conic(section_of(curve::from(c), 0.0, 1.0), {0, 0}).weight > 0.0f);
 }
 
@@ -122,9 +122,7 @@ TEST_CASE("cubics turn where their curvature changes its sign", "[extrude][curve
     const auto both = turning_points_of(twice);
     for (std::uint32_t i = 0; i < both.count; ++i) {
         const double t = both.t[i], h = 1e-4;
-        const auto bend = [&](double u) {
-            return cross(twice.at(u) - twice.at(u - h), twice.at(u + h) - twice.at(u));
-        };
+        const auto bend = [&](double u) { return cross(twice.at(u) - twice.at(u - h), twice.at(u + h) - twice.at(u)); };
         CHECK(bend(t - 0.02) * bend(t + 0.02) < 0.0);
     }
     CHECK(turning_points_of({{0, 0}, {1, 0}, {2, 0}, {3, 0}}).count == 0);

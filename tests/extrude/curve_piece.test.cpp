@@ -81,7 +81,8 @@ TEST_CASE("pieces meet as their triangles do, by brute force", "[extrude][curved
         const grid_point p[] = {corner(), corner(), corner()}, q[] = {corner(), corner(), corner()};
         if (orientation(p[0], p[1], p[2]) == 0 || orientation(q[0], q[1], q[2]) == 0) continue;
         const auto inside = [](const grid_point* t, grid_point at) {
-            const auto a = orientation(t[0], t[1], at), b = orientation(t[1], t[2], at), c = orientation(t[2], t[0], at);
+            const auto a = orientation(t[0], t[1], at), b = orientation(t[1], t[2], at),
+                       c = orientation(t[2], t[0], at);
             return (a > 0 && b > 0 && c > 0) || (a < 0 && b < 0 && c < 0);
         };
         bool overlap = false;

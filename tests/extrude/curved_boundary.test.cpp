@@ -88,12 +88,12 @@ TEST_CASE("control triangles that meet are divided, and no more than necessary",
 {
     // A crescent: the inner arc is so close to the outer arc that its triangle crosses it.
     const auto crescent = [](double gap) {
-        return shapes::shape{"crescent",
-                             {{shapes::quad({0, 0}, {500, 600}, {1000, 0}), shapes::line({1000, 0}, {1000 - gap, 0}),
-                               shapes::quad({1000 - gap, 0}, {500, 600 - 2 * gap}, {gap, 0}),
-                               shapes::line({gap, 0}, {0, 0})}},
-                             {},
-                             64};
+        return shapes::shape{
+            "crescent",
+            {{shapes::quad({0, 0}, {500, 600}, {1000, 0}), shapes::line({1000, 0}, {1000 - gap, 0}),
+              shapes::quad({1000 - gap, 0}, {500, 600 - 2 * gap}, {gap, 0}), shapes::line({gap, 0}, {0, 0})}},
+            {},
+            64};
     };
     std::size_t before = 0;
     for (const double gap : {400.0, 40.0, 4.0}) {
@@ -111,7 +111,8 @@ TEST_CASE("control triangles that meet are divided, and no more than necessary",
 TEST_CASE("crossings of chords are moved to the crossings of their curves", "[extrude][curved]")
 {
     // Two arcs over one base, which cross at the top. The chords' crossing is not the curves'.
-    const auto left = shapes::quad({0, 0}, {0, 800}, {600, 800}), right = shapes::quad({400, 800}, {1000, 800}, {1000, 0});
+    const auto left = shapes::quad({0, 0}, {0, 800}, {600, 800}),
+               right = shapes::quad({400, 800}, {1000, 800}, {1000, 0});
     shapes::shape s{"arch", {{left, right, shapes::line({1000, 0}, {0, 0})}}, {}, 4};
     // By symmetry they cross at x = 500. Edges end 100 cells beside it.
     const auto at_500 = [](const curve& c) {
@@ -138,7 +139,8 @@ TEST_CASE("crossings of chords are moved to the crossings of their curves", "[ex
     REQUIRE_FALSE(made.find(s.made()));
     CHECK(made.moved() == 1);
     double nearest = 1e9;
-    for (const auto& p : made.pieces()) nearest = (std::min)(nearest, length(detail::curve_section::exact(p.start) - crossing));
+    for (const auto& p : made.pieces())
+        nearest = (std::min)(nearest, length(detail::curve_section::exact(p.start) - crossing));
     CHECK(nearest < 1.5);
     check_pieces(made, 1);
 }

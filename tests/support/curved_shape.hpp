@@ -60,8 +60,8 @@ public:
             const auto &u = vertices[t[0]], &v = vertices[t[1]], &w = vertices[t[2]];
             const typemesh::point a{double{u.position.x}, double{u.position.y}},
                 b{double{v.position.x}, double{v.position.y}}, c{double{w.position.x}, double{w.position.y}};
-            const double area = cross(b - a, c - a), of_a = cross(b - q, c - q) / area, of_b = cross(c - q, a - q) / area,
-                         of_c = 1.0 - of_a - of_b;
+            const double area = cross(b - a, c - a), of_a = cross(b - q, c - q) / area,
+                         of_b = cross(c - q, a - q) / area, of_c = 1.0 - of_a - of_b;
             if (of_a < 0.0 || of_b < 0.0 || of_c < 0.0) continue;
             const auto mixed = [&](float x, float y, float z) {
                 return of_a * double{x} + of_b * double{y} + of_c * double{z};
@@ -223,8 +223,10 @@ struct wrong_places {
         const box& b = curves.bounds;
         point q = cells * point{b.low.x + fraction() * b.width(), b.low.y + fraction() * b.height()};
         if (i % 2 != 0) {
-            const curve& c = curves.curves[static_cast<std::size_t>(fraction() * static_cast<double>(curves.curves.size()))];
-            const double angle = 6.283185307179586 * fraction(), away = allowed + (i % 4 == 1 ? 3.0 : 60.0) * fraction();
+            const curve& c =
+                curves.curves[static_cast<std::size_t>(fraction() * static_cast<double>(curves.curves.size()))];
+            const double angle = 6.283185307179586 * fraction(),
+                         away = allowed + (i % 4 == 1 ? 3.0 : 60.0) * fraction();
             q = cells * c.at(fraction()) + away * point{std::cos(angle), std::sin(angle)};
         }
         ++found.places;

@@ -20,8 +20,8 @@ namespace typemesh::inline TYPEMESH_ABI {
 
 /// A triangle in which a shader draws the arc of a conic, counter-clockwise.
 struct curve_triangle {
-    grid_point corners[3];  ///< convex: start, control point, end; concave: start, end, control point
-    float weight = 1.0f;    ///< of the conic; 1 for a quadratic curve
+    grid_point corners[3];      ///< convex: start, control point, end; concave: start, end, control point
+    float weight = 1.0f;        ///< of the conic; 1 for a quadratic curve
     std::uint32_t concave = 0;  ///< 1 if the inside lies between the arc and the control point
 };
 
@@ -31,10 +31,7 @@ public:
     detail::curved_boundary boundary;  ///< the memory of plan(), which is not stored with the glyph
     contours inner;
 
-    explicit flat_curved_data(memory source = heap()) noexcept
-        : plan_arrays{source}, boundary{source}, inner{source}
-    {
-    }
+    explicit flat_curved_data(memory source = heap()) noexcept : plan_arrays{source}, boundary{source}, inner{source} {}
     void clear() noexcept
     {
         plan_arrays::clear();
@@ -57,14 +54,17 @@ public:
 ///     f = x * |x| - y * z < 0
 ///
 /// At the vertices of the inner polygon it is (-1, 0, 0). In a triangle of a convex curve it is (0, 2w, 0) at the
-/// start, (1, 0, 0) at the control point and (0, 0, 2w) at the end; x and y are negated if the curve is concave. w is the
-/// weight of a conic. For quadratic curves w is 1, and f is 4 times the u * u - v of Loop and Blinn. Cubic curves become
-/// arcs of conics, which are as simple to draw. docs/curves.md has shaders.
+/// start, (1, 0, 0) at the control point and (0, 0, 2w) at the end; x and y are negated if the curve is concave. w is
+/// the weight of a conic. For quadratic curves w is 1, and f is 4 times the u * u - v of Loop and Blinn. Cubic curves
+/// become arcs of conics, which are as simple to draw. docs/curves.md has shaders.
 ///
-/// Triangles do not overlap, because control triangles that meet are divided. The mesh is right wherever the distance
-/// to all curves is more than 3 cells (1/170 font unit), and 1.5 cells more where contours cross. That is true if
-/// the text's tolerance is at most 2 cells. A larger tolerance saves time, and moves curves by that tolerance where they
-/// cross others or nearly touch themselves. The number of triangles hardly depends on it.
+/// Triangles do not overlap, because control triangles that meet are divided. If the text's tolerance is at most 2
+/// cells, the mesh is right wherever the distance to all curves is more than 3 cells (1/170 font unit), and 1.5 cells
+/// more where contours cross. A larger tolerance saves time, and moves curves by at most that tolerance where they
+/// cross others at a small angle or nearly touch. The number of triangles hardly depends on it.
+///
+/// If the inner polygon is not proven simple, the glyph gets the region's own straight edges. That happens only where
+/// contours are about as thin as a cell.
 ///
 /// There are no walls and no bevels.
 ///
@@ -84,15 +84,16 @@ struct flat_curved {
     {
         solid_plan made;
         if (filled.points().empty()) return made;
-        if (error e = data.boundary.find(filled)) return e;
-        if (!gather(filled, data)) return error::out_of_memory;
         auto& triangles = data.of<triangle>();
-        const auto inner = fill_exactly(data.inner, caps, triangles);
+        auto inner = make_inner(filled, true, data, caps);
+        // A small loop may have turned over when its crossings were moved.
+        if (!inner && inner.error().code == error::crossing_contours && data.boundary.moved() != 0)
+            inner = make_inner(filled, false, data, caps);
         if (!inner && inner.error().code != error::crossing_contours) return inner.error();
         auto& points = data.of<grid_point>();
         if (inner) {
             if (!points.append(inner->points())) return error::out_of_memory;
-        } else {  // the region itself: straight edges
+        } else {  // a contour thinner than a few cells has turned over
             data.of<curve_triangle>().clear();
             if (!points.append(filled.points()) || !triangles.append(caps.triangles())) return error::out_of_memory;
         }
@@ -158,6 +159,18 @@ private:
         if (corner == 0) return {0.0f, sign * 2.0f * t.weight, 0.0f};
         const bool is_control = (corner == 1) == (t.concave == 0);
         return is_control ? vec3{sign, 0.0f, 0.0f} : vec3{0.0f, 0.0f, 2.0f * t.weight};
+    }
+
+    /// The inner polygon, with its triangles in `data`.
+    template <cap_maker Caps>
+    [[nodiscard]] static result<region> make_inner(const region& filled, bool with_crossings, plan_data& data,
+                                                   Caps& caps) noexcept
+    {
+        data.inner.clear();
+        data.of<curve_triangle>().clear();
+        if (error e = data.boundary.find(filled, with_crossings)) return e;
+        if (!gather(filled, data)) return error::out_of_memory;
+        return fill_exactly(data.inner, caps, data.of<triangle>());
     }
 
     /// Lists the loops of the inner polygon and the curves' triangles. False if out of memory.

@@ -53,13 +53,14 @@ public:
         edges_.clear();
     }
 
-    /// Finds the pieces of a region. Fails only with error::out_of_memory.
-    [[nodiscard]] error find(const region& filled) noexcept
+    /// Finds the pieces of a region. Crossings are moved onto their curves, unless `with_crossings` is false or pieces
+    /// would then meet. Fails only with error::out_of_memory.
+    [[nodiscard]] error find(const region& filled, bool with_crossings = true) noexcept
     {
         curves_ = filled.curves();
         cells_ = filled.grid().cells;
         tolerance_ = filled.tolerance();
-        for (const bool with_crossings : {true, false}) {
+        for (;;) {
             clear();
             moved_ = 0;
             stuck_ = false;
@@ -67,9 +68,9 @@ public:
                 if (!add_loop(filled, filled.starts()[loop], filled.starts()[loop + 1], with_crossings))
                     return error::out_of_memory;
             if (error e = part_pieces()) return e;
-            if (!stuck_ || moved_ == 0) break;  // the region's own edges do not meet
+            if (!stuck_ || moved_ == 0) return {};  // the region's own edges do not meet
+            with_crossings = false;
         }
-        return {};
     }
 
     /// The number of crossings that were moved onto their curves.
@@ -187,7 +188,8 @@ private:
         for (std::uint32_t i = 0; i < turns.count; ++i) {
             const auto t = static_cast<float>(turns.t[up ? i : turns.count - 1 - i]);
             constexpr float margin = 0.02f;  // what is shorter hardly turns
-            const bool inside = up ? rest.t0 + margin < t && t < rest.t1 - margin : rest.t1 + margin < t && t < rest.t0 - margin;
+            const bool inside =
+                up ? rest.t0 + margin < t && t < rest.t1 - margin : rest.t1 + margin < t && t < rest.t0 - margin;
             if (!inside || !cut(rest, t, first, rest)) continue;
             if (!add_run(first)) return false;
         }
@@ -246,14 +248,16 @@ private:
         if (p.start == p.end) return false;
         const bool single = p.first + 1 == p.last;
         if (e.curve >= curves_.size()) return single;
-        const auto section = curve_section::of(curves_[e.curve], as_double(p.t0), as_double(p.t1), cells_, p.start, p.end);
+        const auto section =
+            curve_section::of(curves_[e.curve], as_double(p.t0), as_double(p.t1), cells_, p.start, p.end);
         const double height = section.degree == 1 ? 0.0 : section.height();
         if (height >= 0.0 && height <= straight_error)
             return each_skipped(p, [&](point q) noexcept {
                 const point chord = section.p[section.degree];
                 const double across = cross(chord, q), along = dot(chord, q), square = dot(chord, chord);
                 return across * across <= square * (straight_error + 1.0) * (straight_error + 1.0) &&
-                       along > -straight_error * std::sqrt(square) && along < square + straight_error * std::sqrt(square);
+                       along > -straight_error * std::sqrt(square) &&
+                       along < square + straight_error * std::sqrt(square);
             });
         // A single edge is farther from its curve than the tolerance: the boundary has been moved, or the curve belongs
         // to a glyph of another size.
