@@ -92,6 +92,17 @@ TEST_CASE("a conic that fits a cubic is within the error, and short sections are
     CHECK(refused > 0);
 }
 
+TEST_CASE("balanced arcs are few: both halves of an uneven cubic are one arc each", "[extrude][curved]")
+{
+    const auto uneven = curve::from(cubic{{0, 0}, {0, 500}, {300, 700}, {900, 700}});
+    for (const double t0 : {0.0, 0.5}) {
+        const auto s = section_of(uneven, t0, t0 + 0.5);
+        const auto conic = fit_conic(s, on_grid(uneven.at(t0)));
+        REQUIRE(conic.weight > 0.0f);
+        CHECK(greatest_error(s, on_grid(uneven.at(t0)), conic) < conic_error + 0.25);
+    }
+}
+
 TEST_CASE("a cubic that is nearly a circle has a circle's weight", "[extrude][curved]")
 {
     const double k = 0.5522847498307936 * 100.0;
