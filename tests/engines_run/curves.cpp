@@ -78,7 +78,9 @@ private:
 /// The page's shader.
 std::string page_shader()
 {
-    std::ifstream page{TYPEMESH_TEST_DATA "/../docs/curves.md"};
+    const char* const tests = std::getenv("TYPEMESH_TEST_DATA");
+    REQUIRE(tests != nullptr);
+    std::ifstream page{std::string{tests} + "/../docs/curves.md"};
     std::stringstream whole;
     whole << page.rdbuf();
     const std::string text = whole.str(), begin = "```glsl\n";
