@@ -7,6 +7,7 @@
 #include <typemesh/adapt/threads.hpp>
 #include <typemesh/extrude/bevelled.hpp>
 #include <typemesh/extrude/embolden.hpp>
+#include <typemesh/extrude/flat_curved.hpp>
 #include <typemesh/extrude/one_of.hpp>
 #include <typemesh/extrude/outlined.hpp>
 #include <typemesh/extrude/refined.hpp>
@@ -36,6 +37,15 @@ template <>
 struct typemesh::vertex_traits<vertex> {                                        // once for each vertex type
     static constexpr auto wants = attribute::position | attribute::normal | attribute::uv;
     vertex operator()(const surface_point<wants>& s) const noexcept { return {s.position, s.normal, s.uv}; }
+};
+
+struct curved_vertex {
+    typemesh::vec3 position, curve;
+};
+template <>
+struct typemesh::vertex_traits<curved_vertex> {
+    static constexpr auto wants = attribute::position | attribute::curve;
+    curved_vertex operator()(const surface_point<wants>& s) const noexcept { return {s.position, s.curve}; }
 };
 
 namespace readme {
@@ -87,6 +97,8 @@ typemesh::text_mesher delaunay{*font, typemesh::constrained_delaunay{}};
 typemesh::text_mesher flat_text{*font, typemesh::flat{}};
 typemesh::text_mesher blocky{*font, typemesh::two_lines{}, typemesh::extruded<typemesh::creased_normals>{.depth = 0.5f}};
     use(flat_text, blocky);
+typemesh::text_mesher curved_text{*font, typemesh::flat_curved{}};
+    use(curved_text);
 struct headline {
     typemesh::text_mesher<typemesh::flat> mesher;              // the same type for any font and triangulator
 };

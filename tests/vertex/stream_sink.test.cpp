@@ -158,13 +158,15 @@ TEST_CASE("every attribute has a stream", "[vertex]")
     std::vector<std::uint32_t> clusters(2);
     std::vector<float> parts(2);
     std::vector<std::uint8_t> styles(2);
+    std::vector<vec3> curves(2);
     std::vector<std::uint32_t> indices;
     stream_sink sink{std::span{indices},
                      stream<attribute::tangent, float4>{tangents},
                      stream<attribute::glyph, std::uint16_t>{glyphs},
                      stream<attribute::cluster, std::uint32_t>{clusters},
                      stream<attribute::part, float>{parts},
-                     stream<attribute::style, std::uint8_t>{styles}};
+                     stream<attribute::style, std::uint8_t>{styles},
+                     stream<attribute::curve, vec3>{curves}};
     static_assert(mesh_sink<decltype(sink)>);
     REQUIRE_FALSE(sink.begin({2, 0}));
     surface_point<sink.wants> s;
@@ -173,6 +175,7 @@ TEST_CASE("every attribute has a stream", "[vertex]")
     s.cluster = 4;
     s.part = part::side;
     s.style = style_id{9};
+    s.curve = {1, 2, 3};
     sink.vertex(s);
     s.style = style_id{5};
     s.part = part::back;
@@ -180,6 +183,7 @@ TEST_CASE("every attribute has a stream", "[vertex]")
     sink.end();
     CHECK(tangents[1].z == 3.0f);
     CHECK(tangents[1].w == -1.0f);
+    CHECK(curves[0] == vec3{1, 2, 3});
     CHECK(glyphs == std::vector<std::uint16_t>{37, 37});
     CHECK(clusters == std::vector<std::uint32_t>{4, 4});
     CHECK(parts == std::vector<float>{2.0f, 1.0f});

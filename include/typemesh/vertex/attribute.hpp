@@ -18,6 +18,7 @@ enum class attribute : std::uint32_t {
     cluster = 1u << 5,
     part = 1u << 6,
     style = 1u << 7,
+    curve = 1u << 8,
 };
 
 [[nodiscard]] constexpr attribute operator|(attribute a, attribute b) noexcept

@@ -25,15 +25,16 @@ namespace typemesh::inline TYPEMESH_ABI {
 
 /// One attribute in an array of its own: element i of type T is `stride` bytes after element i - 1.
 ///
-/// T is constructed from the attribute: T{x, y, z} for positions and normals, T{u, v} for texture coordinates, T{x, y,
-/// z, sign} for tangents, T(number) for glyph, cluster, style and part (0 front, 1 back, 2 side, 3 and more: further
-/// parts). Packed formats are also possible: snorm10, octahedral32, or structures of half, snorm16 and so on. Each
-/// element is written whole, once, in ascending order, and never read, so the memory may be mapped.
+/// T is constructed from the attribute: T{x, y, z} for positions, normals and curves, T{u, v} for texture coordinates,
+/// T{x, y, z, sign} for tangents, T(number) for glyph, cluster, style and part (0 front, 1 back, 2 side, 3 and more:
+/// further parts). Packed formats are also possible: snorm10, octahedral32, or structures of half, snorm16 and so on.
+/// Each element is written whole, once, in ascending order, and never read, so the memory may be mapped.
 template <attribute A, class T>
 struct stream {
     static constexpr attribute wants = A;
     static_assert(A == attribute::position || A == attribute::normal || A == attribute::uv || A == attribute::tangent ||
-                      A == attribute::glyph || A == attribute::cluster || A == attribute::part || A == attribute::style,
+                      A == attribute::glyph || A == attribute::cluster || A == attribute::part ||
+                      A == attribute::style || A == attribute::curve,
                   "typemesh: a stream holds one attribute; computed_stream takes several");
 
     void* data = nullptr;      ///< the first element, aligned for T
@@ -67,6 +68,8 @@ struct stream {
             ::new (place) T{s.uv.x, s.uv.y};
         else if constexpr (A == attribute::tangent)
             ::new (place) T{s.tangent.x, s.tangent.y, s.tangent.z, s.tangent.w};
+        else if constexpr (A == attribute::curve)
+            ::new (place) T{s.curve.x, s.curve.y, s.curve.z};
         else if constexpr (A == attribute::glyph)
             ::new (place) T(static_cast<T>(s.glyph));
         else if constexpr (A == attribute::cluster)

@@ -62,12 +62,21 @@ struct with_tangent<Wants, false> : with_uv<Wants> {
     static constexpr not_in_wants<attribute::tangent> tangent{};
 };
 
+template <attribute Wants, bool = has(Wants, attribute::curve)>
+struct with_curve : with_tangent<Wants> {
+    vec3 curve{-1.0f, 0.0f, 0.0f};
+};
+template <attribute Wants>
+struct with_curve<Wants, false> : with_tangent<Wants> {
+    static constexpr not_in_wants<attribute::curve> curve{};
+};
+
 template <attribute Wants, bool = has(Wants, attribute::glyph)>
-struct with_glyph : with_tangent<Wants> {
+struct with_glyph : with_curve<Wants> {
     glyph_id glyph = no_glyph;
 };
 template <attribute Wants>
-struct with_glyph<Wants, false> : with_tangent<Wants> {
+struct with_glyph<Wants, false> : with_curve<Wants> {
     static constexpr not_in_wants<attribute::glyph> glyph{};
 };
 
@@ -107,6 +116,8 @@ struct with_part<Wants, false> : with_style<Wants> {
 ///     uv         vec2   texture coordinates (see extrude/texture.hpp)
 ///     tangent    vec4   x, y, z: unit length, perpendicular to the normal, the direction in which u grows; w: +1 or
 ///                       -1, so that v grows along w * cross(normal, tangent) (see extrude/texture_tangent.hpp)
+///     curve      vec3   a place beside a curve that a shader draws: inside where x * |x| < y * z (see
+///                       extrude/flat_curved.hpp). All other extruders leave it at (-1, 0, 0), which is inside
 ///     glyph      glyph_id     the number in its font of the glyph that the point belongs to; no_glyph if unknown
 ///     cluster    cluster_id   the glyph's position in the caller's text; no_cluster if unknown
 ///     part       part         front, back, side, or a further part of the extruder
@@ -126,6 +137,7 @@ template <attribute Fewer, attribute Wants>
     if constexpr (has(Fewer, attribute::normal)) fewer.normal = s.normal;
     if constexpr (has(Fewer, attribute::uv)) fewer.uv = s.uv;
     if constexpr (has(Fewer, attribute::tangent)) fewer.tangent = s.tangent;
+    if constexpr (has(Fewer, attribute::curve)) fewer.curve = s.curve;
     if constexpr (has(Fewer, attribute::glyph)) fewer.glyph = s.glyph;
     if constexpr (has(Fewer, attribute::cluster)) fewer.cluster = s.cluster;
     if constexpr (has(Fewer, attribute::part)) fewer.part = s.part;
