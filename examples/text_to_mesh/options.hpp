@@ -7,6 +7,7 @@
 #include "styled_range.hpp"
 
 #include <typemesh/extrude/bevelled.hpp>
+#include <typemesh/extrude/inflated.hpp>
 #include <typemesh/extrude/outlined.hpp>
 #include <typemesh/layout/layout_options.hpp>
 #include <typemesh/typemesh.hpp>
@@ -49,6 +50,12 @@ struct refine_options {
     float max_edge = 0.0f;    ///< em; 0: any length
 };
 
+/// Inflated letters, as inflated.hpp has them.
+struct inflate_options {
+    float height = 0.0f;  ///< in halves of a stroke's width; 0: none
+    typemesh::inflated_form form = typemesh::inflated_form::balloon;
+};
+
 /// What the command line requests.
 struct options {
     std::string who = "text_to_mesh: ";  ///< begins a sentence on standard error; of a batch it names the line
@@ -80,6 +87,7 @@ struct options {
     float embolden = 0.0f;  ///< em; how far edges move outwards
     outline_options outline;
     refine_options refine;
+    inflate_options inflate;
     preset quality = preset::high;
     double tolerance = typemesh::quality::high;
     bool quality_given = false;  ///< by --quality or --tolerance

@@ -49,6 +49,12 @@ plain_solid plain_of(const options& o)
 
 chosen_solid solid_of(const options& o)
 {
+    if (o.inflate.height > 0.0f) {
+        typemesh::inflated solid{.height = o.inflate.height, .form = o.inflate.form, .texture = o.uv};
+        if (o.inflate.form == typemesh::inflated_form::dome) solid.depth = o.depth;
+        if (o.crease) solid.crease_degrees = *o.crease;
+        return solid;
+    }
     if (o.refine.is_on)
         return refined_solid{.solid = plain_of(o),
                              .how = {.min_angle = o.refine.min_angle, .max_edge = o.refine.max_edge}};

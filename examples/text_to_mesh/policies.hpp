@@ -6,6 +6,7 @@
 
 #include <typemesh/extrude/bevelled.hpp>
 #include <typemesh/extrude/embolden.hpp>
+#include <typemesh/extrude/inflated.hpp>
 #include <typemesh/extrude/one_of.hpp>
 #include <typemesh/extrude/outlined.hpp>
 #include <typemesh/extrude/refined.hpp>
@@ -30,7 +31,7 @@ using letter_solid = typemesh::one_of<plain_solid, typemesh::bevelled>;
 /// Letters, or hollow ones. Of an outline without the letter, that is an extruder whose parts are switched off.
 using hollow_solid = typemesh::outlined<letter_solid, plain_solid>;
 using refined_solid = typemesh::refined<plain_solid>;
-using chosen_solid = typemesh::one_of<letter_solid, hollow_solid, refined_solid>;
+using chosen_solid = typemesh::one_of<letter_solid, hollow_solid, refined_solid, typemesh::inflated>;
 
 using chosen_mesher = typemesh::text_mesher<chosen_solid>;
 using chosen_plan = typemesh::text_plan<chosen_solid>;
