@@ -101,7 +101,7 @@ struct raw_values {
     bool text_given = false, no_merge = false, tolerance_given = false, shading_given = false, normals_given = false,
          bevel_given = false;
     std::string of_a_bevel, of_an_outline, of_refining, of_inflating;  // the first option that only a bevel, ... has
-    std::string of_columns;                              // likewise
+    std::string of_columns;                                            // likewise
     std::vector<std::string> of_lines;  // options for lines that depend on each other; those that are given
 };
 

@@ -80,7 +80,7 @@ inline std::vector<std::pair<std::string, loop_list>> inflatable_shapes()
     return {{"E",
              {{at(0, 0), at(0.5, 0), at(0.5, 0.1), at(0.12, 0.1), at(0.12, 0.3), at(0.4, 0.3), at(0.4, 0.4),
                at(0.12, 0.4), at(0.12, 0.6), at(0.5, 0.6), at(0.5, 0.7), at(0, 0.7)}}},
-            {"O", {circle(0.3, 0.35, 0.35, 80, false), circle(0.3, 0.35, 0.2, 60, true)}},
+            {"O", {circle(0.36, 0.36, 0.35, 80, false), circle(0.36, 0.36, 0.2, 60, true)}},
             {"hairline with serifs",
              {{at(0, 0), at(0.3, 0), at(0.3, 0.02), at(0.17, 0.03), at(0.165, 0.64), at(0.3, 0.65), at(0.3, 0.67),
                at(0, 0.67), at(0, 0.65), at(0.135, 0.64), at(0.13, 0.03), at(0, 0.02)}}},
@@ -138,8 +138,8 @@ public:
         for (const std::size_t corner : {i, i + 1, i + n, i + n + 1})
             if (!inside_[corner]) return -1.0;
         const double s = x - double(left), t = y - double(low);
-        return std::sqrt(2.0 * ((1.0 - t) * ((1.0 - s) * u_[i] + s * u_[i + 1]) +
-                                t * ((1.0 - s) * u_[i + n] + s * u_[i + n + 1])));
+        return std::sqrt(
+            2.0 * ((1.0 - t) * ((1.0 - s) * u_[i] + s * u_[i + 1]) + t * ((1.0 - s) * u_[i + n] + s * u_[i + n + 1])));
     }
 
 private:

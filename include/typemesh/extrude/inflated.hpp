@@ -17,9 +17,9 @@ namespace typemesh::inline TYPEMESH_ABI {
 
 /// The plan data of inflated: the refined letter and its membrane.
 struct inflated_data : inner_solid<inflated_surface> {
-    membrane working;                   ///< the solver's memory, which is not stored with the glyph
-    detail::inflated_corners corners;   ///< likewise
-    buffer<grid_point> inner;           ///< the points inside, before they follow the outline's
+    membrane working;                  ///< the solver's memory, which is not stored with the glyph
+    detail::inflated_corners corners;  ///< likewise
+    buffer<grid_point> inner;          ///< the points inside, before they follow the outline's
 
     explicit inflated_data(memory source = heap()) noexcept
         : inner_solid<inflated_surface>{source}, working{source}, corners{source}, inner{source}
@@ -30,6 +30,12 @@ struct inflated_data : inner_solid<inflated_surface> {
         inner_solid<inflated_surface>::clear();
         inner.clear();
     }
+};
+
+/// The sides of an inflated letter that are round.
+enum class inflated_form : std::uint8_t {
+    balloon,  ///< front and back, which meet in the outline
+    dome,     ///< the front, on upright walls over a flat back
 };
 
 /// An extruder of inflated letters, like foil balloons: their height is the root of the solution of a Poisson equation.
@@ -49,9 +55,9 @@ struct inflated_data : inner_solid<inflated_surface> {
 /// Heights scale with the letters' size. If text_options::depth_in is output, `height` is the output units per em of
 /// this height, so a round section needs the text's size.
 ///
-/// The normals are the solution's own: the outline's curve_normals at the outline, and those of a quadratic fit inside.
-/// At a hard corner of the outline they are doubled. Texture coordinates are planar, as on other caps, with tangents
-/// along the text; the walls of a dome have those of walls.
+/// At the outline the normals are its curve_normals, doubled at hard corners; inside they come from a quadratic fit to
+/// the solution. Texture coordinates are planar, as on other caps, with tangents along the text; a dome's walls have
+/// the coordinates of other walls.
 ///
 /// It has the parts front, back and side; a balloon's side is empty. All triangles of merged glyphs belong to
 /// shared_glyph.
@@ -65,7 +71,7 @@ struct inflated {
     float edge = 0.03f;   ///< the length of the longest edge, in em; strokes narrower than that get shorter ones
     float limit = 0.0f;   ///< the height that wide strokes tend to, in the unit of depths; 0: none
     inflated_form form = inflated_form::balloon;
-    float depth = 0.1f;           ///< the height of a dome's walls, in em or in output units: text_options::depth_in
+    float depth = 0.1f;            ///< the height of a dome's walls, in em or in output units: text_options::depth_in
     float crease_degrees = 15.0f;  ///< the crease angle of the outline, 0 to 180: see curve_normals
     bool front = true;
     bool back = true;
@@ -145,7 +151,7 @@ struct inflated {
 private:
     [[nodiscard]] inflated_surface surface() const noexcept
     {
-        return {height, limit, depth, form, front, back, side, texture, {crease_degrees}};
+        return {height, limit, depth, form == inflated_form::dome, front, back, side, texture, {crease_degrees}};
     }
 
     [[nodiscard]] error refused() const noexcept
@@ -165,7 +171,8 @@ private:
         for (const side_point& s : data.data.of<side_point>())
             if (!all.push_back({0.0f, {-s.before.x, -s.before.y}})) return false;
         membrane_top top;
-        for (const membrane_point& m : data.working.points()) top.height = m.height > top.height ? m.height : top.height;
+        for (const membrane_point& m : data.working.points())
+            top.height = m.height > top.height ? m.height : top.height;
         return all.append(data.working.points()) && data.data.of<membrane_top>().push_back(top);
     }
 };

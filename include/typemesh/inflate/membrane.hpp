@@ -22,8 +22,8 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// An inner point of an inflated membrane: its height, and the slope of half the height's square. The normal of the
-/// surface that it lies on is (-slope, height), normalised; at the boundary, where the height is 0, it lies in the plane.
+/// An inner point of an inflated membrane: its height, and the slope of half the height's square. The surface has the
+/// normal (-slope, height) there, normalised; towards the boundary, where the height is 0, it turns into the plane.
 struct membrane_point {
     float height = 0.0f;  ///< the root of 2u, in em
     vec2 slope;           ///< the slope of u, in em

@@ -16,8 +16,8 @@
 
 namespace typemesh::inline TYPEMESH_ABI::detail {
 
-/// Doubles the hard corners of an inflated letter's outline: the triangles on one side of the corner's bisector keep the
-/// point, whose normal is that of the wall before, and the others get a new one.
+/// Doubles the hard corners of an inflated letter's outline: the triangles on one side of the corner's bisector keep
+/// the point, which has the normal of the wall before, and the others get a new one.
 ///
 ///          wall before
 ///     ------------------o        The nearer edge, by the angle at the corner, decides for each triangle.
@@ -47,8 +47,7 @@ public:
                                  after = loops.points[i + 1 == end ? first : i + 1];
                 of[i] = {static_cast<std::uint32_t>(loops.points.size()), unit(delta(at, before)),
                          unit(delta(at, after))};
-                if (!loops.points.push_back(at) ||
-                    !membrane.push_back({0.0f, {-sides[i].after.x, -sides[i].after.y}}))
+                if (!loops.points.push_back(at) || !membrane.push_back({0.0f, {-sides[i].after.x, -sides[i].after.y}}))
                     return false;
             }
         }

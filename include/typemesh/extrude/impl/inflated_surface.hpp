@@ -16,25 +16,19 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// The sides of an inflated letter that are round.
-enum class inflated_form : std::uint8_t {
-    balloon,  ///< front and back, which meet in the outline
-    dome,     ///< the front, on upright walls over a flat back
-};
-
 /// The greatest height of a membrane, in em.
 struct membrane_top {
     float height = 0.0f;
 };
 
-/// Writes an inflated letter, when its mesh and its membrane are known: the points of a solid are those of the outline,
-/// those inside, and the outline's hard corners once more. Each has a membrane_point; on the outline the height is 0
-/// and the slope is the unit vector into the letter.
+/// Writes an inflated letter, when its mesh and its membrane are known. Its points are the outline's, then the inner
+/// ones, then the outline's hard corners once more. Each has a membrane_point; on the outline the height is 0 and the
+/// slope is the unit vector into the letter.
 struct inflated_surface {
     float height = 1.0f;
     float limit = 0.0f;
     float depth = 0.2f;
-    inflated_form form = inflated_form::balloon;
+    bool is_dome = false;
     bool front = true;
     bool back = true;
     bool side = true;
@@ -43,8 +37,7 @@ struct inflated_surface {
 
     using plan_data = plan_arrays<side_point, membrane_point, membrane_top>;
 
-    [[nodiscard]] bool is_dome() const noexcept { return form == inflated_form::dome; }
-    [[nodiscard]] bool has_walls() const noexcept { return side && is_dome(); }
+    [[nodiscard]] bool has_walls() const noexcept { return side && is_dome; }
 
     /// Finds the normals of the outline. The sizes of the caps are the caller's.
     [[nodiscard]] result<part_sizes> plan(const region& filled, plan_data& data) const noexcept
@@ -84,7 +77,7 @@ struct inflated_surface {
         with_axes(at, [&](const auto& axes) noexcept {
             if (p == part::front && front) raised_cap<Wants>(s, axes, at, 1.0f, put);
             if (p == part::back && back) {
-                if (is_dome())
+                if (is_dome)
                     flat_cap<Wants>(s, axes, at, put);
                 else
                     raised_cap<Wants>(s, axes, at, -1.0f, put);
@@ -111,7 +104,7 @@ struct inflated_surface {
 private:
     [[nodiscard]] height_range between(double top) const noexcept
     {
-        const double bottom = is_dome() ? -as_double(depth) : -top;
+        const double bottom = is_dome ? -as_double(depth) : -top;
         return {back || has_walls() ? bottom : 0.0, front ? top : 0.0};
     }
 
@@ -124,8 +117,7 @@ private:
         texture_tangent tangents;
         if constexpr (has(Wants, attribute::tangent)) tangents = texture_tangent{at.frame};
         // dz / dx in output units, by that in em
-        const double steepness =
-            as_double(height) * (at.unit_per_depth / at.unit_per_cell) * at.em_per_cell;
+        const double steepness = as_double(height) * (at.unit_per_depth / at.unit_per_cell) * at.em_per_cell;
         const auto membrane = s.data.of<membrane_point>();
         for (std::size_t i = 0; i < s.points.size(); ++i) {
             const grid_point g = s.points[i];

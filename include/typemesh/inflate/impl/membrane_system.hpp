@@ -39,8 +39,7 @@ struct membrane_mesh {
 /// The sums are of quotients of exact integers, in the order of the triangles. It keeps its memory for the next system.
 ///
 /// From  J. Xu & L. Zikatanov, A monotone finite element scheme for convection-diffusion equations (1999), for the
-///       signs; J. Meijerink & H. van der Vorst, An iterative solution method for linear systems of which the
-///       coefficient matrix is a symmetric M-matrix (1977), for the factors
+///       signs; J. Meijerink & H. van der Vorst, Mathematics of Computation 31 (1977), for the factors
 class membrane_system {
 public:
     explicit membrane_system(memory source = heap()) noexcept

@@ -105,8 +105,7 @@ private:
 
     [[nodiscard]] static double length_after(const refinable_mesh& mesh, std::uint32_t v) noexcept
     {
-        return std::sqrt(
-            static_cast<double>(squared_distance(mesh.place(v), mesh.place(mesh.next_on_boundary(v)))));
+        return std::sqrt(static_cast<double>(squared_distance(mesh.place(v), mesh.place(mesh.next_on_boundary(v)))));
     }
     [[nodiscard]] static double length_before(const refinable_mesh& mesh, std::uint32_t v) noexcept
     {

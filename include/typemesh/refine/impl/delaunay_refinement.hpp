@@ -128,8 +128,7 @@ public:
     }
 
     [[nodiscard]] const refinable_mesh& mesh() const noexcept { return mesh_; }
-
-    /// The mesh, to which more inner points may be added before write(), but not before halve().
+    /// Inner points may be added to it before write(), but not before halve().
     [[nodiscard]] refinable_mesh& mesh() noexcept { return mesh_; }
 
     /// The number of bad triangles that were left, because a point would have come too near to others.
