@@ -819,6 +819,18 @@ expect 2 "^text_to_mesh: --refine does not work with --bevel\.$" x --font $sans 
 expect 2 "^text_to_mesh: --refine does not work with --outline\.$" x --font $sans --output x.glb --refine delaunay --outline 0.01
 expect 2 "^text_to_mesh: --min-angle must be a number from 0 to 33, not 60\.$" x --font $sans --output x.glb --refine delaunay --min-angle 60
 expect 1 "^text_to_mesh: --max-edge is too small for this font: give a larger number\.$" x --font $sans --output x.glb --refine delaunay --max-edge 1e-6
+# Inflated letters.
+expect 0 "" "Rag" --font $sans --output balloon.stl --stats --inflate 1 && cp out balloon.stats
+that "a balloon has more triangles than a plain letter" [ "$(triangles balloon.stats)" -gt $((3 * $(triangles plain.stats))) ]
+expect 0 "" "Rag" --font $sans --output dome.stl --stats --inflate 0.5 --inflate-form dome --depth 0.1 && cp out dome.stats
+that "a dome has walls" [ "$(triangles dome.stats)" -gt "$(triangles balloon.stats)" ]
+expect 2 "^text_to_mesh: --inflate-form needs --inflate\.$" x --font $sans --output x.glb --inflate-form dome
+expect 2 "^text_to_mesh: --inflate does not work with --bevel\.$" x --font $sans --output x.glb --inflate 1 --bevel 0.01
+expect 2 "^text_to_mesh: --inflate does not work with --outline\.$" x --font $sans --output x.glb --inflate 1 --outline 0.01
+expect 2 "^text_to_mesh: --inflate does not work with --refine\.$" x --font $sans --output x.glb --inflate 1 --refine delaunay
+expect 2 "^text_to_mesh: --normals does not work with --inflate, which has normals of its own\.$" x --font $sans --output x.glb --inflate 1 --normals cap
+expect 2 "^text_to_mesh: --inflate-form dome needs walls, but --depth is 0: give a larger --depth\.$" x --font $sans --output x.glb --inflate 1 --inflate-form dome --depth 0
+expect 2 "^text_to_mesh: --inflate must be a number from 0 to 100, not -1\.$" x --font $sans --output x.glb --inflate -1
 
 for option in "--outline-place outer" --outline-letter; do
     # shellcheck disable=SC2086  # an option and its value
