@@ -14,6 +14,8 @@
 //
 // The rows "squares" are quadtree_refined; of_delaunay is the number of its triangles as a multiple of
 // delaunay_refined's with the same longest edge and 25 degrees, below the number with an angle below 15 degrees.
+// The rows "inflated" solve membrane.hpp on the same glyphs, with its default longest edge: ms_per_glyph is the best pass,
+// of_refined the same by the time of delaunay_refined alone with that edge.
 //
 // Fonts: packages fonts-dejavu-core, fonts-liberation.
 
@@ -21,6 +23,7 @@
 
 #include <typemesh/adapt/harfbuzz.hpp>
 #include <typemesh/glyph/glyph_builder.hpp>
+#include <typemesh/inflate/membrane.hpp>
 #include <typemesh/refine/delaunay_refined.hpp>
 #include <typemesh/refine/quadtree_refined.hpp>
 #include <typemesh/typemesh.hpp>
@@ -190,6 +193,41 @@ void run(benchmark::State& state, const set& s)
 #endif
 }
 
+void run_inflated(benchmark::State& state, const std::vector<glyph>& glyphs)
+{
+    constexpr float edge = 0.03f;
+    membrane sheet;
+    delaunay_refined::scratch scratch;
+    contours loops;
+    buffer<grid_point> inner;
+    triangle_list triangles;
+    std::uint32_t kept = 0;
+    const refined_cap out{loops, inner, triangles, kept};
+    double refined = 1e300, best = 1e300;
+    std::size_t points = 0, steps = 0;
+    for ([[maybe_unused]] auto unused : state) {
+        for (const glyph& g : glyphs) {
+            if (sheet.inflate(g.filled, g.cap.view(), edge, out)) continue;
+            points += inner.size();
+            steps += static_cast<std::size_t>(sheet.steps());
+        }
+        for (int pass = 0; pass < 5; ++pass) {
+            refined = std::min(refined, seconds([&] {
+                                   for (const glyph& g : glyphs)
+                                       (void)delaunay_refined{.max_edge = edge}(g.filled, g.cap.view(), scratch, out);
+                               }));
+            best = std::min(best, seconds([&] {
+                                for (const glyph& g : glyphs) (void)sheet.inflate(g.filled, g.cap.view(), edge, out);
+                            }));
+        }
+    }
+    const auto count = static_cast<double>(glyphs.size());
+    state.counters["ms_per_glyph"] = 1e3 * best / count;
+    state.counters["of_refined"] = best / refined;
+    state.counters["unknowns"] = static_cast<double>(points) / count;
+    state.counters["steps"] = static_cast<double>(steps) / count;
+}
+
 }  // namespace
 
 int main(int argc, char** argv)
@@ -214,6 +252,11 @@ int main(int argc, char** argv)
                     sets.push_back({name, glyphs_of(file, 1.0 / tolerance, 500), {angle, longest}});
                 }
     }
+    for (std::size_t i = 0; i < sets.size(); i += 12)
+        benchmark::RegisterBenchmark(("inflated " + sets[i].name).c_str(),
+                                     [i](benchmark::State& state) { run_inflated(state, sets[i].glyphs); })
+            ->Iterations(1)
+            ->Unit(benchmark::kMillisecond);
     for (const set& s : sets) {
         if (s.how.min_angle == 25.0f && s.how.max_edge == 0.0f)
             for (const float longest : {0.02f, 0.05f, 0.1f}) {

@@ -100,8 +100,9 @@ struct raw_values {
     std::optional<double> size, bevel_depth, bevel_steps, letter_spacing;
     bool text_given = false, no_merge = false, tolerance_given = false, shading_given = false, normals_given = false,
          bevel_given = false, depth_given = false;
-    std::string of_a_carving, of_a_bevel, of_an_outline, of_refining;  // the first option that only a bevel, ... has
-    std::string of_columns;                                            // likewise
+    std::string of_a_carving, of_a_bevel, of_an_outline, of_refining,
+        of_inflating;                   // the first option that only a bevel, ... has
+    std::string of_columns;             // likewise
     std::vector<std::string> of_lines;  // options for lines that depend on each other; those that are given
 };
 
@@ -412,6 +413,19 @@ void add_refine_options(CLI::App& app, options& out, raw_values& raw)
         ->type_name("SHAPE");
 }
 
+void add_inflate_options(CLI::App& app, options& out)
+{
+    using typemesh::inflated_form;
+    add_number(
+        app, "--inflate", "inflate the letters: 1 makes strokes round, 0.5 half as high; 0 does not (default)",
+        "a number from 0 to 100", [](double n) { return n >= 0.0 && n <= 100.0; },
+        [&out](double n) { out.inflate.height = static_cast<float>(n); })
+        ->type_name("TIMES");
+    add_named<inflated_form>(app, "--inflate-form", out.inflate.form,
+                             "inflate front and back (balloon, default), or the front on walls of --depth (dome)",
+                             {{"balloon", inflated_form::balloon}, {"dome", inflated_form::dome}});
+}
+
 void add_output_options(CLI::App& app, options& out, raw_values& raw)
 {
     app.add_option("-o,--output", out.output,
@@ -544,6 +558,21 @@ std::string settle_refine(options& out, const raw_values& raw)
     return {};
 }
 
+/// Says what is wrong with inflated letters; empty if nothing is.
+std::string refused_inflation(const options& out, const raw_values& raw)
+{
+    if (out.inflate.height == 0.0f)
+        return raw.of_inflating.empty() ? std::string{} : raw.of_inflating + " needs --inflate";
+    if (out.bevel.width > 0.0f) return "--inflate does not work with --bevel";
+    if (out.outline.width > 0.0f) return "--inflate does not work with --outline";
+    if (out.refine.is_on) return "--inflate does not work with --refine";
+    if (out.carve.tool_angle > 0.0f) return "--inflate does not work with --carve";
+    if (raw.normals_given) return "--normals does not work with --inflate, which has normals of its own";
+    if (out.inflate.form == typemesh::inflated_form::dome && out.depth == 0.0f)
+        return "--inflate-form dome needs walls, but --depth is 0: give a larger --depth";
+    return {};
+}
+
 /// Finishes bent letters. Gives an empty string, or one sentence of what is wrong.
 std::string settle_bend(options& out, const raw_values& raw)
 {
@@ -552,6 +581,8 @@ std::string settle_bend(options& out, const raw_values& raw)
     if (const std::string trouble = read_bend(raw.bend, out.bend.how); !trouble.empty()) return "--bend " + trouble;
     if (out.outline.width > 0.0f) return "--bend does not work with --outline";
     if (out.refine.is_on) return "--bend does not work with --refine, because it adds the points that it needs";
+    if (out.carve.tool_angle > 0.0f) return "--bend does not work with --carve";
+    if (out.inflate.height > 0.0f) return "--bend does not work with --inflate";
     if (out.instances) return "--bend does not work with --instances, because every bent letter is another mesh";
     return {};
 }
@@ -728,6 +759,7 @@ std::string settle(options& out, const raw_values& raw)
     if (std::string trouble = settle_weight(out, raw); !trouble.empty()) return trouble;
     if (std::string trouble = settle_refine(out, raw); !trouble.empty()) return trouble;
     if (std::string trouble = settle_bend(out, raw); !trouble.empty()) return trouble;
+    if (std::string trouble = refused_inflation(out, raw); !trouble.empty()) return trouble;
 
     if (std::string trouble = settle_files(out, raw); !trouble.empty()) return trouble;
     if (std::string trouble = settle_carving(out, raw); !trouble.empty()) return trouble;
@@ -783,6 +815,7 @@ std::optional<int> parse(int argc, char** argv, options& out)
     add_carve_options(app, out);
     add_weight_options(app, out);
     add_refine_options(app, out, raw);
+    add_inflate_options(app, out);
     add_output_options(app, out, raw);
 
     const auto complain = [](const std::string& sentence) {
@@ -817,6 +850,7 @@ std::optional<int> parse(int argc, char** argv, options& out)
         if (app.count(option) > 0) raw.of_an_outline = option;
     for (const char* option : {"--max-edge", "--min-angle"})
         if (app.count(option) > 0) raw.of_refining = option;
+    if (app.count("--inflate-form") > 0) raw.of_inflating = "--inflate-form";
     for (const char* option : {"--latin", "--combine-digits", "--columns"})
         if (app.count(option) > 0) raw.of_columns = option;
     raw.shading_given = app.count("--shading") > 0;

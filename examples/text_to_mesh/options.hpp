@@ -9,6 +9,7 @@
 
 #include <typemesh/extrude/bevelled.hpp>
 #include <typemesh/extrude/carved.hpp>
+#include <typemesh/extrude/inflated.hpp>
 #include <typemesh/extrude/outlined.hpp>
 #include <typemesh/layout/layout_options.hpp>
 #include <typemesh/typemesh.hpp>
@@ -66,6 +67,12 @@ struct bend_options {
     chosen_bend how;
 };
 
+/// Inflated letters, as inflated.hpp has them.
+struct inflate_options {
+    float height = 0.0f;  ///< in halves of a stroke's width; 0: none
+    typemesh::inflated_form form = typemesh::inflated_form::balloon;
+};
+
 /// What the command line requests.
 struct options {
     std::string who = "text_to_mesh: ";  ///< begins a sentence on standard error; of a batch it names the line
@@ -100,6 +107,7 @@ struct options {
     outline_options outline;
     refine_options refine;
     bend_options bend;
+    inflate_options inflate;
     preset quality = preset::high;
     double tolerance = typemesh::quality::high;
     bool quality_given = false;  ///< by --quality or --tolerance

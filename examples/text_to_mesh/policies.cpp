@@ -59,6 +59,12 @@ plain_solid plain_of(const options& o)
 
 chosen_solid solid_of(const options& o)
 {
+    if (o.inflate.height > 0.0f) {
+        typemesh::inflated solid{.height = o.inflate.height, .form = o.inflate.form, .texture = o.uv};
+        if (o.inflate.form == typemesh::inflated_form::dome) solid.depth = o.depth;
+        if (o.crease) solid.crease_degrees = *o.crease;
+        return solid;
+    }
     if (o.bend.is_on && o.bevel.width > 0.0f)
         return bent_bevels{.solid = bevelled_of(o), .how = o.bend.how, .tolerance = o.tolerance};
     if (o.bend.is_on) return bent_solid{.solid = plain_of(o), .how = o.bend.how, .tolerance = o.tolerance};

@@ -8,6 +8,7 @@
 #include <typemesh/extrude/bevelled.hpp>
 #include <typemesh/extrude/carved.hpp>
 #include <typemesh/extrude/embolden.hpp>
+#include <typemesh/extrude/inflated.hpp>
 #include <typemesh/extrude/one_of.hpp>
 #include <typemesh/extrude/outlined.hpp>
 #include <typemesh/extrude/refined.hpp>
@@ -36,8 +37,8 @@ using refined_solid = typemesh::refined<plain_solid>;
 using squared_solid = typemesh::refined<plain_solid, typemesh::quadtree_refined>;
 using bent_solid = typemesh::bent<chosen_bend, plain_solid>;
 using bent_bevels = typemesh::bent<chosen_bend, typemesh::bevelled>;
-using chosen_solid =
-    typemesh::one_of<letter_solid, hollow_solid, refined_solid, squared_solid, bent_solid, bent_bevels>;
+using chosen_solid = typemesh::one_of<letter_solid, hollow_solid, refined_solid, squared_solid, bent_solid, bent_bevels,
+                                      typemesh::inflated>;
 
 using chosen_mesher = typemesh::text_mesher<chosen_solid>;
 using chosen_plan = typemesh::text_plan<chosen_solid>;

@@ -877,6 +877,22 @@ expect 2 "^text_to_mesh: --bend must be cylinder:RADIUS, sphere:RADIUS, twist:DE
 expect 2 "^text_to_mesh: --bend must not have a 0 here: cylinder:0\.$" x --font $sans --output x.glb --bend cylinder:0
 expect 2 "^text_to_mesh: --bend does not work with --refine, because it adds the points that it needs\.$" x --font $sans --output x.glb --bend cylinder:2 --refine delaunay
 
+expect 2 "^text_to_mesh: --bend does not work with --carve\.$" x --font $sans --output x.glb --bend cylinder:2 --carve 60
+expect 2 "^text_to_mesh: --bend does not work with --inflate\.$" x --font $sans --output x.glb --bend cylinder:2 --inflate 1
+
+# Inflated letters.
+expect 0 "" "Rag" --font $sans --output balloon.stl --stats --inflate 1 && cp out balloon.stats
+that "a balloon has more triangles than a plain letter" [ "$(triangles balloon.stats)" -gt $((3 * $(triangles plain.stats))) ]
+expect 0 "" "Rag" --font $sans --output dome.stl --stats --inflate 0.5 --inflate-form dome --depth 0.1 && cp out dome.stats
+that "a dome has walls" [ "$(triangles dome.stats)" -gt "$(triangles balloon.stats)" ]
+expect 2 "^text_to_mesh: --inflate-form needs --inflate\.$" x --font $sans --output x.glb --inflate-form dome
+expect 2 "^text_to_mesh: --inflate does not work with --bevel\.$" x --font $sans --output x.glb --inflate 1 --bevel 0.01
+expect 2 "^text_to_mesh: --inflate does not work with --outline\.$" x --font $sans --output x.glb --inflate 1 --outline 0.01
+expect 2 "^text_to_mesh: --inflate does not work with --refine\.$" x --font $sans --output x.glb --inflate 1 --refine delaunay
+expect 2 "^text_to_mesh: --normals does not work with --inflate, which has normals of its own\.$" x --font $sans --output x.glb --inflate 1 --normals cap
+expect 2 "^text_to_mesh: --inflate-form dome needs walls, but --depth is 0: give a larger --depth\.$" x --font $sans --output x.glb --inflate 1 --inflate-form dome --depth 0
+expect 2 "^text_to_mesh: --inflate must be a number from 0 to 100, not -1\.$" x --font $sans --output x.glb --inflate -1
+
 for option in "--outline-place outer" --outline-letter; do
     # shellcheck disable=SC2086  # an option and its value
     expect 2 "^text_to_mesh: ${option% *} needs --outline\.$" x --font $sans --output x.glb $option

@@ -75,19 +75,26 @@ public:
         if (error e = split_edges()) return e;
         for (std::uint32_t t = 0; t < mesh_.triangle_count(); ++t)
             if (!check_triangle(t)) return error::out_of_memory;
-        while (waiting_.has_more()) {
-            if (error e = improve(waiting_.pop())) return e;
-            if (error e = split_edges()) return e;
-            if (mesh_.vertex_count() > limits_.max_points) return error::too_many_points;
-        }
+        if (error e = settle()) return e;
         for (std::uint32_t t = 0; t < mesh_.triangle_count(); ++t) kept_ += rank_of(t) != good;
         return {};
+    }
+
+    /// After run(): halves the boundary edge that leaves the point a, unless that is impossible, and refines what has
+    /// become bad by it. Fails as run() does.
+    [[nodiscard]] error halve(std::uint32_t a) noexcept
+    {
+        if (error e = split(a)) return e;
+        if (error e = split_edges()) return e;
+        return settle();
     }
 
     /// Writes the refined cap. Fails with error::out_of_memory.
     [[nodiscard]] error write(const refined_cap& out) noexcept { return write_cap(mesh_, *region_, numbers_, out); }
 
     [[nodiscard]] const refinable_mesh& mesh() const noexcept { return mesh_; }
+    /// Inner points may be added to it before write(), but not before halve().
+    [[nodiscard]] refinable_mesh& mesh() noexcept { return mesh_; }
 
     /// The number of bad triangles that were left, because a point would have come too near to others.
     [[nodiscard]] std::uint32_t kept() const noexcept { return kept_; }
@@ -101,6 +108,17 @@ protected:  // for quadtree_refinement
     {
         return (std::int64_t{p.x} - at.x) * (std::int64_t{q.x} - at.x) +
                (std::int64_t{p.y} - at.y) * (std::int64_t{q.y} - at.y);
+    }
+
+    /// Adds points until nothing that is listed is bad.
+    [[nodiscard]] error settle() noexcept
+    {
+        while (waiting_.has_more()) {
+            if (error e = improve(waiting_.pop())) return e;
+            if (error e = split_edges()) return e;
+            if (mesh_.vertex_count() > limits_.max_points) return error::too_many_points;
+        }
+        return {};
     }
 
     // ---- boundary edges
@@ -146,10 +164,8 @@ protected:  // for quadtree_refinement
     [[nodiscard]] corner corner_at(std::uint32_t v) const noexcept
     {
         if (v >= region_->points().size()) return {};
-        const std::uint32_t first = mesh_.at(v).boundary;
-        std::uint32_t last = refinable_mesh::previous(first);  // the edge that ends at v
-        while (!mesh_.is_boundary(last)) last = refinable_mesh::previous(mesh_.twin(last));
-        const grid_point at = mesh_.place(v), p = mesh_.place(mesh_.target(first)), q = mesh_.start(last);
+        const grid_point at = mesh_.place(v), p = mesh_.place(mesh_.next_on_boundary(v)),
+                         q = mesh_.place(mesh_.previous_on_boundary(v));
         return {orientation(at, p, q), dot(at, p, q)};
     }
 

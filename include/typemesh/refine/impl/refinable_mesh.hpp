@@ -121,6 +121,14 @@ public:
         return target(vertices_[v].boundary);
     }
 
+    /// The boundary point before a boundary point, found by going around it.
+    [[nodiscard]] std::uint32_t previous_on_boundary(std::uint32_t v) const noexcept
+    {
+        std::uint32_t h = previous(vertices_[v].boundary);
+        while (!is_boundary(h)) h = previous(twin(h));
+        return origin(h);
+    }
+
     /// A number for each triangle that its user writes and reads; new triangles have 0.
     [[nodiscard]] std::uint32_t& mark(std::uint32_t t) noexcept { return edges_[4 * t + 3].origin; }
 

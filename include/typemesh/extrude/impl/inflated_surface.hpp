@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <typemesh/extrude/curve_normals.hpp>
+#include <typemesh/extrude/extruder.hpp>
+#include <typemesh/extrude/impl/axes.hpp>
+#include <typemesh/extrude/impl/upright_walls.hpp>
+#include <typemesh/extrude/plan_arrays.hpp>
+#include <typemesh/extrude/texture.hpp>
+#include <typemesh/extrude/texture_tangent.hpp>
+#include <typemesh/inflate/membrane.hpp>
+
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+
+namespace typemesh::inline TYPEMESH_ABI {
+
+/// The greatest height of a membrane, in em.
+struct membrane_top {
+    float height = 0.0f;
+};
+
+/// Writes an inflated letter, when its mesh and its membrane are known. Its points are the outline's, then the inner
+/// ones, then the outline's hard corners once more. Each has a membrane_point; on the outline the height is 0 and the
+/// slope is the unit vector into the letter.
+struct inflated_surface {
+    float height = 1.0f;
+    float limit = 0.0f;
+    float depth = 0.2f;
+    bool is_dome = false;
+    bool front = true;
+    bool back = true;
+    bool side = true;
+    texture_mapping texture = texture_mapping::em;
+    curve_normals normals = {};
+
+    using plan_data = plan_arrays<side_point, membrane_point, membrane_top>;
+
+    [[nodiscard]] bool has_walls() const noexcept { return side && is_dome; }
+
+    /// Finds the normals of the outline. The sizes of the caps are the caller's.
+    [[nodiscard]] result<part_sizes> plan(const region& filled, plan_data& data) const noexcept
+    {
+        part_sizes sizes;
+        const auto n = static_cast<std::uint32_t>(filled.points().size());
+        if (n == 0) return sizes;
+        const auto doubled = plan_sides(filled, normals, texture, data.of<side_point>());
+        if (!doubled) return doubled.error();
+        if (has_walls()) {
+            sizes.vertices[part::side] = upright_walls::vertex_count(n, *doubled);
+            sizes.triangles[part::side] = 2 * n;
+        }
+        return sizes;
+    }
+
+    /// The height over the outline of a point of the membrane, in the unit of depths.
+    [[nodiscard]] double raised(float membrane) const noexcept
+    {
+        const double z = as_double(height) * as_double(membrane);
+        if (!(limit > 0.0f)) return z;
+        const double share = z / as_double(limit);
+        return z / std::sqrt(1.0 + share * share);
+    }
+
+    /// No letter is higher than half the grid is wide, which is 512 em at most in a font of at least 1024 units.
+    [[nodiscard]] height_range heights() const noexcept { return between(raised(512.0f)); }
+    [[nodiscard]] height_range heights(const solid_with<plan_data>& s) const noexcept
+    {
+        const auto top = s.data.of<membrane_top>();
+        return between(top.empty() ? 0.0 : raised(top[0].height));
+    }
+
+    template <attribute Wants, class Put>
+    void vertices(part p, const solid_with<plan_data>& s, const placement& at, Put&& put) const noexcept
+    {
+        with_axes(at, [&](const auto& axes) noexcept {
+            if (p == part::front && front) raised_cap<Wants>(s, axes, at, 1.0f, put);
+            if (p == part::back && back) {
+                if (is_dome)
+                    flat_cap<Wants>(s, axes, at, put);
+                else
+                    raised_cap<Wants>(s, axes, at, -1.0f, put);
+            }
+            if (p == part::side && has_walls()) {
+                const upright_walls walls{0.0, -as_double(depth), 0.0, texture};
+                const auto sides = s.data.of<side_point>();
+                walls.vertices<Wants>(s.points.first(sides.size()), sides, axes, at, put);
+            }
+        });
+    }
+
+    template <class Put>
+    void triangles(part p, const solid_with<plan_data>& s, const first_vertices& first, Put&& put) const noexcept
+    {
+        const std::uint32_t base = first[p];
+        if (p == part::front && front)
+            for (const triangle& t : s.triangles) put(base + t.a, base + t.b, base + t.c);
+        if (p == part::back && back)
+            for (const triangle& t : s.triangles) put(base + t.a, base + t.c, base + t.b);
+        if (p == part::side && has_walls()) upright_walls::triangles(s.starts, s.data.of<side_point>(), base, put);
+    }
+
+private:
+    [[nodiscard]] height_range between(double top) const noexcept
+    {
+        const double bottom = is_dome ? -as_double(depth) : -top;
+        return {back || has_walls() ? bottom : 0.0, front ? top : 0.0};
+    }
+
+    /// The front, or the back of a balloon.
+    template <attribute Wants, class Axes, class Put>
+    void raised_cap(const solid_with<plan_data>& s, const Axes& axes, const placement& at, float facing,
+                    Put& put) const noexcept
+    {
+        const planar_texture uv{texture, at};
+        texture_tangent tangents;
+        if constexpr (has(Wants, attribute::tangent)) tangents = texture_tangent{at.frame};
+        // dz / dx in output units, by that in em
+        const double steepness = as_double(height) * (at.unit_per_depth / at.unit_per_cell) * at.em_per_cell;
+        const auto membrane = s.data.of<membrane_point>();
+        for (std::size_t i = 0; i < s.points.size(); ++i) {
+            const grid_point g = s.points[i];
+            const membrane_point& m = membrane[i];
+            surface_point<Wants> v;
+            if constexpr (has(Wants, attribute::position))
+                v.position = axes.position(axes.foot(g), at.height(as_double(facing) * raised(m.height)));
+            if constexpr (has(Wants, attribute::normal | attribute::tangent)) {
+                const vec3 n = normal(m, steepness, facing);
+                if constexpr (has(Wants, attribute::normal)) v.normal = axes.direction(n.x, n.y, n.z);
+                if constexpr (has(Wants, attribute::tangent)) v.tangent = tangents.on_rim(axes, n, facing);
+            }
+            if constexpr (has(Wants, attribute::uv)) v.uv = uv(g);
+            put(v);
+        }
+    }
+
+    /// The unit normal: (-dz/dx, -dz/dy, 1), all times the membrane's height, so that it is finite at the outline.
+    [[nodiscard]] vec3 normal(const membrane_point& m, double steepness, float facing) const noexcept
+    {
+        if (limit > 0.0f) {
+            const double share = as_double(height) * as_double(m.height) / as_double(limit),
+                         flatter = 1.0 + share * share;
+            steepness /= flatter * std::sqrt(flatter);
+        }
+        const double x = -steepness * as_double(m.slope.x), y = -steepness * as_double(m.slope.y),
+                     z = as_double(m.height), square = x * x + y * y + z * z;
+        if (!(square > 0.0)) return {0.0f, 0.0f, facing};
+        const double scale = 1.0 / std::sqrt(square);
+        return {static_cast<float>(scale * x), static_cast<float>(scale * y), facing * static_cast<float>(scale * z)};
+    }
+
+    /// The back of a dome.
+    template <attribute Wants, class Axes, class Put>
+    void flat_cap(const solid_with<plan_data>& s, const Axes& axes, const placement& at, Put& put) const noexcept
+    {
+        const float z = at.height(-as_double(depth));
+        const vec3 normal = axes.direction(0.0f, 0.0f, -1.0f);
+        const planar_texture uv{texture, at};
+        vec4 tangent;
+        if constexpr (has(Wants, attribute::tangent)) tangent = texture_tangent{at.frame}.on_cap(axes, -1.0f);
+        for (const grid_point g : s.points) {
+            surface_point<Wants> v;
+            if constexpr (has(Wants, attribute::position)) v.position = axes.position(axes.foot(g), z);
+            if constexpr (has(Wants, attribute::normal)) v.normal = normal;
+            if constexpr (has(Wants, attribute::uv)) v.uv = uv(g);
+            if constexpr (has(Wants, attribute::tangent)) v.tangent = tangent;
+            put(v);
+        }
+    }
+};
+static_assert(extruder<inflated_surface>);
+
+}  // namespace typemesh::inline TYPEMESH_ABI

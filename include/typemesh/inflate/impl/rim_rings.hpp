@@ -1,0 +1,186 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <typemesh/core/buffer.hpp>
+#include <typemesh/core/memory.hpp>
+#include <typemesh/core/orientation.hpp>
+#include <typemesh/core/point.hpp>
+#include <typemesh/refine/impl/refinable_mesh.hpp>
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+
+namespace typemesh::inline TYPEMESH_ABI::detail {
+
+/// Adds rings of inner points along the boundary of a mesh, at the distances where a round stroke has risen by 22.5, 45
+/// and 67.5 degrees; and a point on each edge that crosses from boundary to boundary, where the mesh would stay flat.
+///
+///      height  |            _ - o - _            a stroke whose height's square is 2 r d - d^2 at distance d has
+///              |        o             o          risen by the angle p at d = r (1 - cos p)
+///              |     o                   o
+///              |   o                       o     r is half the width of a straight stroke: the slope of the membrane
+///              +---o-----------------------o     at its boundary
+///                d
+///
+/// A ring ends where its points would be farther apart than the mesh's own, and a point is not added if it would come
+/// too near to another or to the boundary. All points keep the mesh Delaunay.
+class rim_rings {
+public:
+    static constexpr std::uint32_t none = refinable_mesh::none;
+
+    /// Adds the points that divide edges between two points of the boundary. False if out of memory.
+    [[nodiscard]] static bool divide_crossings(refinable_mesh& mesh) noexcept
+    {
+        for (std::uint32_t h = 0; h < mesh.end(); h = h % 4 == 2 ? h + 2 : h + 1) {
+            while (is_crossing(mesh, h)) {
+                const grid_point a = mesh.start(h), b = mesh.place(mesh.target(h));
+                const grid_point middle{a.x + (b.x - a.x) / 2, a.y + (b.y - a.y) / 2};
+                const std::uint32_t t = orientation(a, b, middle) >= 0 ? h / 4 : mesh.twin(h) / 4;
+                if (squared_distance(a, b) < 64 * 64 || !is_inside(mesh, t, h, middle)) break;
+                if (mesh.insert(t, middle) == none) return false;
+            }
+        }
+        return true;
+    }
+
+    /// Adds the rings of all boundary points. `rise` is the slope of the membrane at each point of the mesh that lies
+    /// on the boundary, and `longest` the length of the longest edge, in cells. False if out of memory.
+    [[nodiscard]] static bool add_rings(refinable_mesh& mesh, const double* rise, double longest) noexcept
+    {
+        const std::uint32_t count = mesh.vertex_count();
+        for (std::size_t ring = 0; ring < distances.size(); ++ring) {
+            const double gap = distances[ring] - (ring == 0 ? 0.0 : distances[ring - 1]);
+            for (std::uint32_t v = 0; v < count; ++v) {
+                if (mesh.at(v).boundary == none || gap * rise[v] > 0.75 * longest) continue;
+                if (!add_at(mesh, v, distances[ring] * rise[v], gap * rise[v])) return false;
+            }
+            if (ring == 0)
+                for (std::uint32_t v = 0; v < count; ++v)
+                    if (mesh.at(v).boundary != none && !lower(mesh, v, rise)) return false;
+        }
+        return true;
+    }
+
+private:
+    /// 1 - cos of 22.5, 45 and 67.5 degrees.
+    static constexpr std::array distances = {0.07612046748871326, 0.2928932188134524, 0.6173165676349102};
+
+    [[nodiscard]] static bool is_crossing(const refinable_mesh& mesh, std::uint32_t h) noexcept
+    {
+        return !mesh.is_boundary(h) && mesh.at(mesh.origin(h)).boundary != none &&
+               mesh.at(mesh.target(h)).boundary != none;
+    }
+
+    /// Whether a point lies strictly inside a triangle, or on its inner edge h or the edge's twin.
+    [[nodiscard]] static bool is_inside(const refinable_mesh& mesh, std::uint32_t t, std::uint32_t h,
+                                        grid_point p) noexcept
+    {
+        for (std::uint32_t e = 4 * t; e < 4 * t + 3; ++e) {
+            const std::int64_t side = orientation(mesh.start(e), mesh.place(mesh.target(e)), p);
+            if (side < 0 || (side == 0 && e != h && mesh.twin(e) != h)) return false;
+        }
+        return true;
+    }
+
+    /// Adds a point at a distance from a boundary point; at reflex corners three, which go around it.
+    [[nodiscard]] static bool add_at(refinable_mesh& mesh, std::uint32_t v, double distance, double gap) noexcept
+    {
+        const std::uint32_t next = mesh.next_on_boundary(v), before = mesh.previous_on_boundary(v);
+        const grid_point at = mesh.place(v);
+        const point in = inward(mesh.place(before), at), out = inward(at, mesh.place(next));
+        const double cosine = dot(in, out), turn = cross(in, out);
+        if (cosine > 0.5) return add(mesh, v, (1.0 / length(in + out)) * (in + out), distance, gap);
+        if (turn > 0.0) return true;  // a convex corner: the rings of its neighbours meet there
+        const point middle = cosine > -0.9 ? in + out : point{in.y - out.y, out.x - in.x};
+        return add(mesh, v, (1.0 / length(middle)) * middle, distance, gap) && add(mesh, v, in, distance, gap) &&
+               add(mesh, v, out, distance, gap);
+    }
+
+    /// Adds a point of the first ring over the middle of an edge whose triangle rises much higher.
+    [[nodiscard]] static bool lower(refinable_mesh& mesh, std::uint32_t v, const double* rise) noexcept
+    {
+        const std::uint32_t h = mesh.at(v).boundary, b = mesh.target(h);
+        const grid_point p = mesh.place(v), q = mesh.place(b), c = mesh.place(mesh.apex(h));
+        const double along = length(point{static_cast<double>(q.x) - p.x, static_cast<double>(q.y) - p.y}),
+                     height = static_cast<double>(orientation(p, q, c)) / along;
+        const double wanted = distances[0] * 0.5 * (rise[v] + rise[b]);
+        if (height < 2.0 * wanted) return true;
+        const point up = inward(p, q);
+        const grid_point middle{p.x + (q.x - p.x) / 2, p.y + (q.y - p.y) / 2};
+        return add_from(mesh, h / 4, middle, up, wanted, wanted);
+    }
+
+    [[nodiscard]] static bool add(refinable_mesh& mesh, std::uint32_t v, point direction, double distance,
+                                  double gap) noexcept
+    {
+        return add_from(mesh, mesh.at(v).boundary / 4, mesh.place(v), direction, distance, gap);
+    }
+
+    /// Adds a point in a direction from a place, unless it is too near to others. t is a triangle at the place.
+    [[nodiscard]] static bool add_from(refinable_mesh& mesh, std::uint32_t t, grid_point from, point direction,
+                                       double distance, double gap) noexcept
+    {
+        if (gap < 8.0) return true;
+        const grid_point p{from.x + rounded(distance * direction.x), from.y + rounded(distance * direction.y)};
+        t = find(mesh, t, p);
+        if (t == none) return true;
+        const double nearest = 0.25 * gap * gap;
+        for (std::uint32_t h = 4 * t; h < 4 * t + 3; ++h) {
+            if (distance_to(mesh, h, p) < nearest) return true;
+            if (mesh.is_boundary(h)) continue;
+            const std::uint32_t g = mesh.twin(h);
+            if (static_cast<double>(squared_distance(mesh.place(mesh.apex(g)), p)) < nearest) return true;
+        }
+        return mesh.insert(t, p) != none;
+    }
+
+    /// The square of the distance from an edge's first point, or from the whole edge if it lies on the boundary.
+    [[nodiscard]] static double distance_to(const refinable_mesh& mesh, std::uint32_t h, grid_point p) noexcept
+    {
+        const grid_point a = mesh.start(h), b = mesh.place(mesh.target(h));
+        const auto corner = static_cast<double>(squared_distance(a, p));
+        if (!mesh.is_boundary(h)) return corner;
+        const auto area = static_cast<double>(orientation(a, b, p));
+        const double line = area / static_cast<double>(squared_distance(a, b)) * area;
+        return line < corner ? line : corner;
+    }
+
+    /// The triangle that has p strictly inside, or on an inner edge; none if the way there leaves the mesh.
+    [[nodiscard]] static std::uint32_t find(const refinable_mesh& mesh, std::uint32_t t, grid_point p) noexcept
+    {
+        std::uint32_t came = none;
+        for (int steps = 0; steps < 256; ++steps) {
+            std::uint32_t across = none;
+            for (std::uint32_t h = 4 * t; h < 4 * t + 3; ++h) {
+                if (h == came) continue;
+                const std::int64_t side = orientation(mesh.start(h), mesh.place(mesh.target(h)), p);
+                if (side < 0 || (side == 0 && mesh.is_boundary(h))) {
+                    across = h;
+                    break;
+                }
+            }
+            if (across == none) return t;
+            if (mesh.is_boundary(across)) return none;
+            came = mesh.twin(across);
+            t = came / 4;
+        }
+        return none;
+    }
+
+    /// The unit vector from a boundary edge into the region.
+    [[nodiscard]] static point inward(grid_point a, grid_point b) noexcept
+    {
+        const point along{static_cast<double>(b.x) - a.x, static_cast<double>(b.y) - a.y};
+        const double scale = 1.0 / length(along);
+        return {-scale * along.y, scale * along.x};
+    }
+
+    [[nodiscard]] static std::int32_t rounded(double v) noexcept
+    {
+        return static_cast<std::int32_t>(std::floor(v + 0.5));
+    }
+};
+
+}  // namespace typemesh::inline TYPEMESH_ABI::detail

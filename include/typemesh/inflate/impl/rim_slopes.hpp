@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <typemesh/core/array_view.hpp>
+#include <typemesh/core/buffer.hpp>
+#include <typemesh/core/error.hpp>
+#include <typemesh/core/memory.hpp>
+#include <typemesh/core/orientation.hpp>
+#include <typemesh/core/point.hpp>
+#include <typemesh/inflate/impl/membrane_system.hpp>
+#include <typemesh/refine/impl/delaunay_refinement.hpp>
+
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+
+namespace typemesh::inline TYPEMESH_ABI::detail {
+
+/// The slope of a membrane at the points of its boundary, by the numbers of the points in a mesh that grows. On a
+/// straight stroke it is half the width.
+class rim_slopes {
+public:
+    explicit rim_slopes(memory source = heap()) noexcept : slopes_{source}, flows_{source} {}
+
+    /// Finds the slopes from a solution on the mesh's triangles: what leaves the membrane at a point, by half the
+    /// length of both edges. Rounded to 64th cells, so that it does not depend on the last bits of the solution.
+    ///
+    /// False if out of memory
+    [[nodiscard]] bool measure(const membrane_system& solved, const refinable_mesh& mesh,
+                               array_view<const std::uint32_t> starts, std::size_t count) noexcept
+    {
+        slopes_.clear();
+        flows_.clear();
+        double* const flows = flows_.append(count);
+        double* const slopes = slopes_.append(mesh.vertex_count());
+        if (flows == nullptr || slopes == nullptr) return false;
+        for (std::size_t i = 0; i < count; ++i) flows[i] = 0.0;
+        for (std::size_t v = 0; v < slopes_.size(); ++v) slopes[v] = 0.0;
+        solved.add_outflow(flows);
+        std::size_t i = 0;
+        for (std::size_t loop = 0; loop + 1 < starts.size(); ++loop) {
+            const std::uint32_t first = starts[loop];
+            double before = length_before(mesh, first);
+            std::uint32_t v = first;
+            do {
+                const double after = length_after(mesh, v), slope = 2.0 * flows[i++] / (before + after);
+                slopes[v] = std::floor(64.0 * slope + 0.5) / 64.0;
+                before = after;
+                v = mesh.next_on_boundary(v);
+            } while (v != first);
+        }
+        return true;
+    }
+
+    /// Halves the edges of the boundary that are longer than `most` times the slope at both ends, down to a length:
+    /// strokes narrower than the mesh get shorter edges. Fails as delaunay_refinement::halve() does.
+    [[nodiscard]] error shorten(delaunay_refinement& refinement, array_view<const std::uint32_t> starts, double most,
+                                double least) noexcept
+    {
+        bool is_done = false;
+        for (int rounds = 0; rounds < 8 && !is_done; ++rounds) {
+            is_done = true;
+            const auto known = static_cast<std::uint32_t>(slopes_.size());
+            for (std::uint32_t v = 0; v < known; ++v) {
+                const refinable_mesh& mesh = refinement.mesh();
+                if (mesh.at(v).boundary == refinable_mesh::none) continue;
+                const std::uint32_t next = mesh.next_on_boundary(v);
+                if (next >= known) continue;
+                const double length = length_after(mesh, v);
+                if (length < 2.0 * least || length < most * larger(slopes_[v], slopes_[next])) continue;
+                if (error e = refinement.halve(v)) return e;
+                is_done = false;
+            }
+            if (!extend(refinement.mesh(), starts)) return error::out_of_memory;
+        }
+        return {};
+    }
+
+    [[nodiscard]] const double* data() const noexcept { return slopes_.data(); }
+
+private:
+    /// Interpolates the slopes at the points that have been added to the boundary. False if out of memory.
+    [[nodiscard]] bool extend(const refinable_mesh& mesh, array_view<const std::uint32_t> starts) noexcept
+    {
+        const std::size_t known = slopes_.size(), added = mesh.vertex_count() - known;
+        if (added == 0) return true;
+        if (slopes_.append(added) == nullptr) return false;
+        for (std::size_t v = known; v < slopes_.size(); ++v) slopes_[v] = 0.0;
+        for (std::size_t loop = 0; loop + 1 < starts.size(); ++loop) {
+            std::uint32_t v = starts[loop];
+            do {  // v is known
+                std::uint32_t next = mesh.next_on_boundary(v);
+                int steps = 1;
+                for (; next >= known; next = mesh.next_on_boundary(next)) ++steps;
+                int step = 1;
+                for (std::uint32_t w = mesh.next_on_boundary(v); w != next; w = mesh.next_on_boundary(w), ++step)
+                    slopes_[w] = (slopes_[v] * (steps - step) + slopes_[next] * step) / steps;
+                v = next;
+            } while (v != starts[loop]);
+        }
+        return true;
+    }
+
+    [[nodiscard]] static double larger(double a, double b) noexcept { return a < b ? b : a; }
+
+    [[nodiscard]] static double length_after(const refinable_mesh& mesh, std::uint32_t v) noexcept
+    {
+        return std::sqrt(static_cast<double>(squared_distance(mesh.place(v), mesh.place(mesh.next_on_boundary(v)))));
+    }
+    [[nodiscard]] static double length_before(const refinable_mesh& mesh, std::uint32_t v) noexcept
+    {
+        return std::sqrt(
+            static_cast<double>(squared_distance(mesh.place(v), mesh.place(mesh.previous_on_boundary(v)))));
+    }
+
+    buffer<double> slopes_, flows_;
+};
+
+}  // namespace typemesh::inline TYPEMESH_ABI::detail

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: MIT
+
+#include <typemesh/inflate/impl/rim_rings.hpp>
+
+#include "inflated_shape.hpp"
+
+using namespace typemesh;
+using inflating::at;
+
+TEST_CASE("no edge crosses a mesh from boundary to boundary once they are divided", "[inflate]")
+{
+    for (const auto& [name, loops] : inflating::inflatable_shapes()) {
+        CAPTURE(name);
+        const test::filled_shape shape{{"", loops}, fill_rule::non_zero, {512.0, 1000.0}};
+        workspace space;
+        triangle_list given;
+        REQUIRE_FALSE(constrained_delaunay{}(shape.filled, space, given));
+        detail::refinable_mesh mesh;
+        REQUIRE(mesh.open(shape.filled, given.view()));
+        REQUIRE(detail::rim_rings::divide_crossings(mesh));
+        std::size_t crossing = 0;
+        for (std::uint32_t h = 0; h < mesh.end(); h = h % 4 == 2 ? h + 2 : h + 1)
+            crossing += !mesh.is_boundary(h) && mesh.at(mesh.origin(h)).boundary != detail::refinable_mesh::none &&
+                        mesh.at(mesh.target(h)).boundary != detail::refinable_mesh::none;
+        CHECK(crossing == 0);
+    }
+}
+
+TEST_CASE("the points of the first ring lie at the distance of 22.5 degrees, all around a square", "[inflate]")
+{
+    test::polyline loop;
+    for (int i = 0; i < 20; ++i) loop.push_back(at(0.025 * i, 0));
+    for (int i = 0; i < 20; ++i) loop.push_back(at(0.5, 0.025 * i));
+    for (int i = 0; i < 20; ++i) loop.push_back(at(0.5 - 0.025 * i, 0.5));
+    for (int i = 0; i < 20; ++i) loop.push_back(at(0, 0.5 - 0.025 * i));
+    const test::filled_shape shape{{"", {loop}}, fill_rule::non_zero, {512.0, 1000.0}};
+    workspace space;
+    triangle_list given;
+    REQUIRE_FALSE(constrained_delaunay{}(shape.filled, space, given));
+    detail::refinable_mesh mesh;
+    REQUIRE(mesh.open(shape.filled, given.view()));
+    const std::vector<double> slopes(mesh.vertex_count(), 0.1 * inflating::em);
+    REQUIRE(detail::rim_rings::add_rings(mesh, slopes.data(), 0.03 * inflating::em));
+    const double distance = 0.1 * inflating::em * (1.0 - std::cos(3.14159265358979 / 8.0));
+    std::size_t on_ring = 0;
+    for (std::uint32_t v = 80; v < mesh.vertex_count(); ++v) {
+        const grid_point p = mesh.place(v);
+        const double side = 0.5 * inflating::em,
+                     inside = (std::min)({double(p.x), double(p.y), side - p.x, side - p.y});
+        on_ring += std::abs(inside - distance) <= 1.0;
+    }
+    CHECK(on_ring >= 76);  // not at the corners, where the rings of the sides meet
+    CHECK(mesh.vertex_count() >= 80 + 2 * 70);
+}

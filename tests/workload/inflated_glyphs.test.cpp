@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: MIT
+
+// Glyphs of all smoke fonts, inflated.
+
+#include "same_meshes.hpp"
+#include "support/catch.hpp"
+#include "support/font_file.hpp"
+#include "support/lit_mesh.hpp"
+#include "support/refined_shape.hpp"
+#include "support/smoke_glyphs.hpp"
+
+#include <typemesh/extrude/inflated.hpp>
+#include <typemesh/glyph/glyph_builder.hpp>
+#include <typemesh/inspect/closedness.hpp>
+#include <typemesh/inspect/mesh_view.hpp>
+#include <typemesh/typemesh.hpp>
+
+#include <cstdint>
+#include <string>
+#include <utility>
+#include <vector>
+
+using namespace typemesh;
+
+TEST_CASE("every smoke font's glyphs are inflated: positive inside, without flat triangles, and solved", "[workload]")
+{
+    const certified flatten;
+    const constrained_delaunay cut;
+    no_observer nobody;
+    glyph_builder builder;
+    membrane sheet;
+    workspace space;
+    test::refined_result out;
+    triangle_list cap;
+    std::size_t glyphs = 0, triangles = 0, flat = 0, not_positive = 0, steps = 0;
+    double worst = 0.0;
+    test::each_smoke_glyph(499, [&](auto& font, std::uint32_t glyph, const std::string& name) {
+        const auto filled =
+            builder.build_region(font, glyph, {.tolerance = quality::high}, cap_policies{flatten, cut, nobody});
+        if (!filled || filled->points().empty()) return;
+        cap.clear();
+        INFO(name);
+        REQUIRE_FALSE(cut(*filled, space, cap));
+        const error e = sheet.inflate(*filled, cap.view(), glyph % 2 == 0 ? 0.03f : 0.08f, out.out());
+        INFO(e.message());
+        REQUIRE_FALSE(e);
+        CHECK(test::broken_refinement(*filled, out) == "");
+        CHECK(test::is_delaunay(out));
+        ++glyphs;
+        triangles += out.triangles.size();
+        steps += static_cast<std::size_t>(sheet.steps());
+        worst = (std::max)(worst, sheet.residual());
+        const std::size_t rim = out.loops.points.size();
+        for (const triangle t : out.triangles) flat += t.a < rim && t.b < rim && t.c < rim;
+        for (const membrane_point& m : sheet.points()) not_positive += !(m.height > 0.0f);
+    });
+    CAPTURE(glyphs, triangles, steps);
+    CHECK(glyphs > 100);
+    CHECK(flat <= triangles / 10000);  // where a stroke is a few cells wide
+    CHECK(not_positive == 0);
+    CHECK(worst < 1e-6);
+}
+
+TEST_CASE("inflated texts are closed within their bounds, merged or not, and the same from workers and a cache",
+          "[workload]")
+{
+    const std::string fonts = font_folder().string();
+    const std::pair<std::string, std::string> texts[] = {
+        {fonts + "/truetype/dejavu/DejaVuSans.ttf", "Regatta & 8%"},
+        {fonts + "/opentype/fonts-hosny-amiri/Amiri-Regular.ttf", "\xD8\xA8\xD8\xA7\xD9\x84\xD9\x88\xD9\x86"},
+        {fonts + "/truetype/sawarabi-mincho/sawarabi-mincho-medium.ttf", "\xE6\xB0\xB8\xE9\xA2\xA8"}};
+    for (const auto& [path, text] : texts) {
+        INFO(path);
+        auto font = test::opened(path);
+        for (const bool merge : {false, true}) {
+            for (const inflated_form form : {inflated_form::balloon, inflated_form::dome}) {
+                text_mesher mesher{font, inflated{.form = form}};
+                const auto plan = mesher.plan(text, {.tolerance = quality::high, .merge = merge});
+                REQUIRE(plan);
+                CHECK(plan->report().complete());
+                const auto m = test::written(*plan);
+                const bounds3 bounds = plan->bounds();
+                std::size_t outside = 0;
+                for (const auto& v : m.vertices)
+                    outside += v.place.z < bounds.low.z || v.place.z > bounds.high.z || v.place.x < bounds.low.x ||
+                               v.place.x > bounds.high.x || v.place.y < bounds.low.y || v.place.y > bounds.high.y;
+                CHECK(outside == 0);
+                std::size_t open = 0;
+                for (std::size_t g = 0; g < plan->glyphs().size(); ++g)
+                    open += inspect::check_closedness(
+                                inspect::mesh_view{m.vertices, test::indices_of(*plan, g, m), &test::lit_vertex::place})
+                                .unmatched_edges;
+                CHECK(open == 0);
+            }
+        }
+        test::check_same_meshes(
+            path, text, [](const auto& plan) { return test::written(plan); }, inflated{.edge = 0.06f});
+    }
+}
