@@ -97,7 +97,7 @@ public:
         return v + 1 < starts[high] ? v + 1 : starts[low];
     }
 
-private:
+    /// A grid point in double precision.
     [[nodiscard]] static point as_point(grid_point p) noexcept
     {
         return {static_cast<double>(p.x), static_cast<double>(p.y)};
@@ -117,12 +117,6 @@ private:
         return {static_cast<std::int32_t>(x) + right, static_cast<std::int32_t>(y) + up};
     }
 
-    [[nodiscard]] static std::int64_t dot(grid_point at, grid_point p, grid_point q) noexcept
-    {
-        return (std::int64_t{p.x} - at.x) * (std::int64_t{q.x} - at.x) +
-               (std::int64_t{p.y} - at.y) * (std::int64_t{q.y} - at.y);
-    }
-
     /// Splits the edge that leaves a at p if that keeps the mesh valid. Returns the new point, or none.
     [[nodiscard]] result<std::uint32_t> try_split(refinable_mesh& mesh, std::uint32_t a, grid_point p, float t) noexcept
     {
@@ -140,6 +134,13 @@ private:
         if (v == none) return error::out_of_memory;
         if (!near_.is_stale(mesh) && (!near_.add(mesh, a) || !near_.add(mesh, v))) return error::out_of_memory;
         return v;
+    }
+
+private:
+    [[nodiscard]] static std::int64_t dot(grid_point at, grid_point p, grid_point q) noexcept
+    {
+        return (std::int64_t{p.x} - at.x) * (std::int64_t{q.x} - at.x) +
+               (std::int64_t{p.y} - at.y) * (std::int64_t{q.y} - at.y);
     }
 
     const region* region_ = nullptr;

@@ -58,7 +58,7 @@ public:
         region_ = &r;
         limits_ = {};
         limits_.max_points = limits.max_points;
-        near_.clear();
+        cut_.open(r);
         edges_.clear();
         waiting_.clear();
         kept_ = 0;
@@ -173,27 +173,36 @@ private:
         const auto goal = static_cast<double>(line);
         const auto coordinate = [is_level](point at) noexcept { return is_level ? at.x : at.y; };
         const auto on_line = [&](point at) noexcept { return is_level ? point{goal, at.y} : point{at.x, goal}; };
-        const double first = coordinate(as_point(p)), share = (goal - first) / (coordinate(as_point(q)) - first);
-        const point on_chord = on_line(lerp(as_point(p), as_point(q), share));
+        const double first = coordinate(boundary_cutter::as_point(p)),
+                     share = (goal - first) / (coordinate(boundary_cutter::as_point(q)) - first);
+        const point on_chord = on_line(lerp(boundary_cutter::as_point(p), boundary_cutter::as_point(q), share));
         double t = as_double(edge.t0) + share * (as_double(edge.t1) - as_double(edge.t0));
-        if (ends_on_curve(mesh_.at(a).source)) {
+        if (cut_.ends_on_curve(mesh_.at(a).source)) {
             double before = as_double(edge.t0), after = as_double(edge.t1);
-            const bool is_below = coordinate(place_on(edge.curve, before)) < goal;
-            if ((coordinate(place_on(edge.curve, after)) < goal) == is_below) return split(a);
+            const bool is_below = coordinate(cut_.place_on(edge.curve, before)) < goal;
+            if ((coordinate(cut_.place_on(edge.curve, after)) < goal) == is_below) return split(a);
             for (int halvings = 0; halvings < 40; ++halvings) {
                 t = 0.5 * (before + after);
-                ((coordinate(place_on(edge.curve, t)) < goal) == is_below ? before : after) = t;
+                ((coordinate(cut_.place_on(edge.curve, t)) < goal) == is_below ? before : after) = t;
             }
-            const point on_curve = on_line(place_on(edge.curve, t)), off = on_curve - on_chord;
+            const point on_curve = on_line(cut_.place_on(edge.curve, t)), off = on_curve - on_chord;
             if (typemesh::dot(off, off) >= 0.09 * static_cast<double>(squared_distance(p, q))) return split(a);
-            const auto done = try_split(a, rounded(on_curve, 0), static_cast<float>(t));
+            const auto done = try_split(a, boundary_cutter::rounded(on_curve, 0), static_cast<float>(t));
             if (!done || *done) return done.error();
         }
         for (const int next_best : {0, 1, 2, 3}) {
-            const auto done = try_split(a, rounded(on_chord, next_best), static_cast<float>(t));
+            const auto done = try_split(a, boundary_cutter::rounded(on_chord, next_best), static_cast<float>(t));
             if (!done || *done) return done.error();
         }
         return {};
+    }
+
+    /// Splits the edge that leaves a at p if that keeps the mesh valid; returns whether it did.
+    [[nodiscard]] result<bool> try_split(std::uint32_t a, grid_point p, float t) noexcept
+    {
+        const auto made = cut_.try_split(mesh_, a, p, t);
+        if (!made || *made == none) return made ? result<bool>{false} : result<bool>{made.error()};
+        return check_changed() ? result<bool>{true} : result<bool>{error::out_of_memory};
     }
 
     // ---- corners of squares
@@ -220,7 +229,7 @@ private:
             std::uint32_t last = t;  // the walk to the next corner begins here
             const bool done = tree_.each_corner(in, old, [&](grid_point p) noexcept {
                 if (tree_.is_close(p)) return true;
-                std::uint32_t holder = locate(last, p);
+                std::uint32_t holder = mesh_.locate(last, p).triangle;
                 if (holder == none) holder = walk(given.a, p);
                 if (holder == none || is_corner(holder, p)) return true;
                 last = holder;
