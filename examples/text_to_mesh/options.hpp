@@ -51,10 +51,11 @@ struct refine_options {
     float max_edge = 0.0f;    ///< em; 0: any length
 };
 
-/// Bent letters, as bent.hpp has them.
+/// Bent letters, as bent.hpp has them, or warped ones, as warped.hpp has them.
 struct bend_options {
-    bool is_on = false;
+    bool is_on = false;  ///< bent
     chosen_bend how;
+    chosen_warp warp;
 };
 
 /// What the command line requests.

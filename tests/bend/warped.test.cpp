@@ -84,7 +84,7 @@ double from_line(point p, const curve& line)
 /// The greatest distance between an outline's ideal image and the curves of its warped one, over about so many samples,
 /// by the parameters with which the warped pieces follow each other. Checks that the contours are closed bit for bit.
 template <class W>
-double farthest(const W& how, const outline& drawn, const outline_place& at, double tolerance, std::size_t samples,
+double farthest(const W& how, const outline& drawn, const drawn_place& at, double tolerance, std::size_t samples,
                 std::size_t& pieces)
 {
     outline out;
@@ -146,7 +146,7 @@ TEST_CASE("cubics of a warped outline stay within a quarter of the tolerance, at
                 for (const affine& turn : {affine{}, affine{0.6, -0.8, 0.8, 0.6}, affine{-1.0, 0.0, 0.0, 1.0}}) {
                     const outline drawn = turned(glyph, turn);
                     std::size_t pieces = 0;
-                    const outline_place at{{1.25, 0.1}, 1e-3, wide};
+                    const drawn_place at{{1.25, 0.1}, 1e-3, wide};
                     const double off = farthest(how, drawn, at, tolerance, 100'000, pieces);
                     CHECK(off <= 0.25 * tolerance + 1e-12);
                     CHECK(pieces >= drawn.curves.size());
@@ -162,7 +162,7 @@ TEST_CASE("cubics of a warped outline stay within a quarter of the tolerance, at
 TEST_CASE("affine warps map curves of every degree exactly and leave the whole tolerance", "[bend][warp]")
 {
     const outline drawn = nasty_glyph();
-    const outline_place at{{0.5, 0.25}, 1e-3, wide};
+    const drawn_place at{{0.5, 0.25}, 1e-3, wide};
     outline out;
     const auto rest = warped{affine_warp{0.8, 0.3, -0.1, 1.2}}(drawn, at, 0.01, 1000, out);
     REQUIRE(rest);
@@ -186,7 +186,7 @@ TEST_CASE("affine warps map curves of every degree exactly and leave the whole t
 TEST_CASE("lines that a warp keeps straight stay one line each", "[bend][warp]")
 {
     const outline drawn = glyph_of(2);
-    const outline_place at{{0.5, 0.0}, 1e-3, wide};
+    const drawn_place at{{0.5, 0.0}, 1e-3, wide};
     outline out;
     REQUIRE(warped{perspective{.scale = 0.3}}(drawn, at, 1e-5, 1000, out));
     CHECK(out.curves.size() == drawn.curves.size());
@@ -217,7 +217,7 @@ TEST_CASE("outlines that fold, and more curves than allowed, are refused", "[ben
 {
     const outline drawn = glyph_of(1);
     outline out;
-    const outline_place at{{}, 1e-3, wide};
+    const drawn_place at{{}, 1e-3, wide};
     CHECK(warped{arc{.degrees = -350, .width = 1.0}}(drawn, at, 0.01, 1000, out).error() == error::folds_over);
     CHECK(warped{arch{.rise = 0.0, .baseline = 0.8, .width = 1.0}}(drawn, at, 0.01, 1000, out).error() ==
           error::folds_over);

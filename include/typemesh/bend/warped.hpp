@@ -9,7 +9,7 @@
 #include <typemesh/core/finite.hpp>
 #include <typemesh/core/option_bits.hpp>
 #include <typemesh/core/outline.hpp>
-#include <typemesh/core/outline_place.hpp>
+#include <typemesh/core/drawn_place.hpp>
 #include <typemesh/core/result.hpp>
 
 #include <cstdint>
@@ -79,7 +79,7 @@ struct warped {
     }
 
     /// See outline_step.
-    [[nodiscard]] result<double> operator()(const outline& drawn, const outline_place& at, double tolerance,
+    [[nodiscard]] result<double> operator()(const outline& drawn, const drawn_place& at, double tolerance,
                                             std::uint32_t most, outline& out) const noexcept
     {
         out.clear();

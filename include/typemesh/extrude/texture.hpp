@@ -141,7 +141,7 @@ inline std::uint32_t measure_sides(const region& filled, array_view<side_point> 
             for (std::uint32_t i = from; i < to; ++i) {
                 const grid_point a = points[i], b = points[i + 1];  // below 2^28: the differences fit, and integers are
                                                                     // cheaper
-                along += length({static_cast<double>(b.x - a.x), static_cast<double>(b.y - a.y)});
+                along += length(point{static_cast<double>(b.x - a.x), static_cast<double>(b.y - a.y)});
                 sides[i + 1].along = static_cast<float>(along);
                 doubled += sides[i + 1].doubled;
             }

@@ -7,7 +7,7 @@
 #include <typemesh/core/grid.hpp>
 #include <typemesh/core/max_pieces.hpp>
 #include <typemesh/core/outline.hpp>
-#include <typemesh/core/outline_place.hpp>
+#include <typemesh/core/drawn_place.hpp>
 #include <typemesh/core/point.hpp>
 #include <typemesh/core/result.hpp>
 #include <typemesh/core/touching.hpp>
@@ -41,7 +41,7 @@ struct glyph_settings {
     /// distance from the origin at which glyphs are written, so that floats distinguish neighbouring cells.
     double max_cells = 0x1p40;
 
-    box text = {};  ///< outline_place::text; matters only for outline steps
+    box text = {};  ///< drawn_place::text; matters only for outline steps
 };
 
 /// A source to record a glyph from: an outline_source, or any other type with a record().

@@ -4,7 +4,7 @@
 #include <typemesh/core/box.hpp>
 #include <typemesh/core/error.hpp>
 #include <typemesh/core/outline.hpp>
-#include <typemesh/core/outline_place.hpp>
+#include <typemesh/core/drawn_place.hpp>
 #include <typemesh/core/result.hpp>
 
 #include <concepts>
@@ -24,7 +24,7 @@ namespace typemesh::inline TYPEMESH_ABI {
 ///     s.cache_key()          not needed: glyphs with such a step are built at their places and not cached
 template <class S>
 concept outline_step =
-    requires(const S& s, const outline& drawn, const outline_place& at, std::uint32_t most, outline& out) {
+    requires(const S& s, const outline& drawn, const drawn_place& at, std::uint32_t most, outline& out) {
         { s(drawn, at, 1.0, most, out) } noexcept -> std::same_as<result<double>>;
         { s.refused(at.text) } noexcept -> std::same_as<error>;
     };

@@ -7,7 +7,7 @@
 #include <typemesh/core/error.hpp>
 #include <typemesh/core/impl/same.hpp>
 #include <typemesh/core/outline.hpp>
-#include <typemesh/core/outline_place.hpp>
+#include <typemesh/core/drawn_place.hpp>
 
 #include <cmath>
 #include <cstdint>
@@ -26,7 +26,7 @@ template <plane_warp W>
 class curve_warper {
 public:
     /// `allowed` is the largest distance, in em.
-    curve_warper(const W& w, const outline_place& at, double allowed, std::uint32_t most, outline& out) noexcept
+    curve_warper(const W& w, const drawn_place& at, double allowed, std::uint32_t most, outline& out) noexcept
         : warps_{w}, at_{at}, allowed_{allowed}, most_{most}, out_{out}
     {
     }
@@ -184,7 +184,7 @@ private:
     }
 
     const W& warps_;
-    const outline_place& at_;
+    const drawn_place& at_;
     double allowed_;
     std::uint32_t most_;
     outline& out_;

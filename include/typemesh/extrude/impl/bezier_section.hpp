@@ -36,7 +36,7 @@ struct bezier_section {
         if (!(scale.tolerance > 0.0)) return 8;
         const auto bend = [&scale](point a, point b, point d) noexcept {
             const point difference = a - 2.0 * b + d;
-            return length({scale.width * difference.x, scale.depth * difference.y});
+            return length(point{scale.width * difference.x, scale.depth * difference.y});
         };
         const cubic c = curve();
         const double most = std::fmax(bend(c.p0, c.p1, c.p2), bend(c.p1, c.p2, c.p3));

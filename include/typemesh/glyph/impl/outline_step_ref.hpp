@@ -14,7 +14,7 @@ class outline_step_ref {
 public:
     /// One table for each type of step.
     struct calls {
-        result<double> (*step)(const void* how, const outline& drawn, const outline_place& at, double tolerance,
+        result<double> (*step)(const void* how, const outline& drawn, const drawn_place& at, double tolerance,
                                std::uint32_t most, outline& out) noexcept;  // null: no_outline_step
         error (*refused)(const void* how, const box& text) noexcept;
     };
@@ -35,7 +35,7 @@ public:
     [[nodiscard]] bool is_none() const noexcept { return does_->step == nullptr; }
 
     /// Needs a step.
-    [[nodiscard]] result<double> operator()(const outline& drawn, const outline_place& at, double tolerance,
+    [[nodiscard]] result<double> operator()(const outline& drawn, const drawn_place& at, double tolerance,
                                             std::uint32_t most, outline& out) const noexcept
     {
         return does_->step(how_, drawn, at, tolerance, most, out);
@@ -58,7 +58,7 @@ template <class S>
 constinit const outline_step_ref::calls outline_step_ref::table<S>::of = [] {
     calls made{nullptr, nullptr};
     if constexpr (outline_step<S>) {
-        made.step = [](const void* how, const outline& drawn, const outline_place& at, double tolerance,
+        made.step = [](const void* how, const outline& drawn, const drawn_place& at, double tolerance,
                        std::uint32_t most, outline& out) noexcept -> result<double> {
             return (*static_cast<const S*>(how))(drawn, at, tolerance, most, out);
         };

@@ -94,7 +94,7 @@ private:
     /// Fails  error::bad_option "depth_in": in a unit_box, a depth in output units depends on the box of all solids
     error find_places(const call& now) noexcept;
 
-    /// The box of a run's pen positions, in em: outline_place::text. A run without lines ends at its last origin.
+    /// The box of a run's pen positions, in em: drawn_place::text. A run without lines ends at its last origin.
     [[nodiscard]] box pens_of(const glyph_run& run) const noexcept;
 
     /// Numbers the run's different glyphs; glyphs that are not drawn get no_room.
