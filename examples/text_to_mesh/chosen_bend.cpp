@@ -17,7 +17,7 @@ struct kind {
     std::string_view name;
     std::size_t numbers;  ///< that follow it
 };
-constexpr kind kinds[] = {{"cylinder", 1}, {"sphere", 1}, {"twist", 1}, {"taper", 1}, {"wave", 2},
+constexpr kind kinds[] = {{"cylinder", 1}, {"sphere", 1}, {"twist", 1}, {"taper", 1},      {"wave", 2},
                           {"arc", 1},      {"arch", 2},   {"flag", 2},  {"perspective", 1}};
 
 }  // namespace

@@ -42,8 +42,7 @@ struct chosen_bend {
 };
 
 /// A warp in the plane that is chosen at run time; none with monostate.
-using chosen_warp =
-    std::variant<std::monostate, typemesh::arc, typemesh::arch, typemesh::flag, typemesh::perspective>;
+using chosen_warp = std::variant<std::monostate, typemesh::arc, typemesh::arch, typemesh::flag, typemesh::perspective>;
 
 /// "cylinder:2", "wave:0.1,2" into `out`; "arc:90", "flag:0.2,0" into `warp`. Gives an empty string, or what is wrong:
 /// "must ...".

@@ -386,10 +386,11 @@ void add_refine_options(CLI::App& app, options& out, raw_values& raw)
         "a number from 0 to 1000", [](double n) { return n >= 0.0 && n <= 1000.0; },
         [&out](double n) { out.refine.max_edge = static_cast<float>(n); })
         ->type_name("EM");
-    app.add_option("--bend", raw.bend,
-                   "bend the text: cylinder:RADIUS, sphere:RADIUS, twist:DEGREES, taper:GROWTH or wave:HEIGHT,LENGTH; or "
-                   "warp it in its plane: arc:DEGREES, arch:TOP,BASELINE, flag:HEIGHT,LENGTH (a length of 0 is the "
-                   "text's) or perspective:SCALE")
+    app.add_option(
+           "--bend", raw.bend,
+           "bend the text: cylinder:RADIUS, sphere:RADIUS, twist:DEGREES, taper:GROWTH or wave:HEIGHT,LENGTH; or "
+           "warp it in its plane: arc:DEGREES, arch:TOP,BASELINE, flag:HEIGHT,LENGTH (a length of 0 is the "
+           "text's) or perspective:SCALE")
         ->type_name("SHAPE");
 }
 

@@ -240,8 +240,8 @@ TEST_CASE("walls and bevels of warped letters have the normals of their curves",
 TEST_CASE("texture boxes span warped letters as if they were drawn so", "[text][warp]")
 {
     for (const texture_box over : {texture_box::text, texture_box::line, texture_box::glyph}) {
-        const test::lit_mesh m = mesh_of_warped("oE", {.texture_over = over}, round_text,
-                                                extruded<>{.texture = texture_mapping::box});
+        const test::lit_mesh m =
+            mesh_of_warped("oE", {.texture_over = over}, round_text, extruded<>{.texture = texture_mapping::box});
         vec2 low{2.0f, 2.0f}, high{-1.0f, -1.0f};
         for (const auto& v : m.vertices) {
             low = {(std::min)(low.x, v.uv.x), (std::min)(low.y, v.uv.y)};
@@ -258,8 +258,8 @@ TEST_CASE("units and depths of warped text are those of other text", "[text][war
 {
     const test::lit_mesh em = mesh_of_warped("oE", {}, round_text);
     const test::lit_mesh twelve = mesh_of_warped("oE", {.size = 12.0}, round_text);
-    const test::lit_mesh boxed = mesh_of_warped(
-        "oE", {.unit = output_unit::unit_box, .depth_in = depth_unit::output}, round_text, extruded<>{.depth = 0.3f});
+    const test::lit_mesh boxed = mesh_of_warped("oE", {.unit = output_unit::unit_box, .depth_in = depth_unit::output},
+                                                round_text, extruded<>{.depth = 0.3f});
     REQUIRE(em.vertices.size() == twelve.vertices.size());
     CHECK(em.vertices.size() == boxed.vertices.size());
     for (std::size_t i = 0; i < em.vertices.size(); ++i)

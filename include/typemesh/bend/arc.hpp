@@ -68,7 +68,10 @@ struct arc {
 
 private:
     /// The turn in radians per em.
-    [[nodiscard]] double per_em() const noexcept { return degrees * 0.017453292519943295 / (width > 0.0 ? width : 1.0); }
+    [[nodiscard]] double per_em() const noexcept
+    {
+        return degrees * 0.017453292519943295 / (width > 0.0 ? width : 1.0);
+    }
 };
 static_assert(plane_warp<arc>);
 

@@ -9,7 +9,6 @@
 #include <typemesh/core/finite.hpp>
 #include <typemesh/core/option_bits.hpp>
 #include <typemesh/core/outline.hpp>
-#include <typemesh/core/drawn_place.hpp>
 #include <typemesh/core/result.hpp>
 
 #include <cstdint>

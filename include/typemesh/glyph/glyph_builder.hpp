@@ -7,7 +7,6 @@
 #include <typemesh/core/grid.hpp>
 #include <typemesh/core/max_pieces.hpp>
 #include <typemesh/core/outline.hpp>
-#include <typemesh/core/drawn_place.hpp>
 #include <typemesh/core/point.hpp>
 #include <typemesh/core/result.hpp>
 #include <typemesh/core/touching.hpp>
@@ -59,7 +58,8 @@ concept recordable = requires(F& font, glyph_id id, outline& out) {
 ///                                policies{certified{}, monotone{}, flat{}, nobody});
 class glyph_builder {
 public:
-    explicit glyph_builder(memory source = heap()) noexcept : outline_{source}, warped_{source}, caps_{source}, planner_{source}
+    explicit glyph_builder(memory source = heap()) noexcept
+        : outline_{source}, warped_{source}, caps_{source}, planner_{source}
     {
     }
 
@@ -130,7 +130,8 @@ private:
         if (outline_.curves.empty()) return region{};
         if (warp.is_none()) return fill_curves(outline_, how.tolerance, units_per_em, how, with);
         if (!is_finite(units_per_em) || !(units_per_em > 0.0)) return error::bad("units_per_em");
-        const auto rest = warp(outline_, {origin, 1.0 / units_per_em, how.text}, how.tolerance, how.max_points, warped_);
+        const auto rest =
+            warp(outline_, {origin, 1.0 / units_per_em, how.text}, how.tolerance, how.max_points, warped_);
         if (!rest) return rest.error();
         return fill_curves(warped_, *rest, units_per_em, how, with);
     }

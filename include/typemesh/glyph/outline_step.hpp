@@ -4,7 +4,6 @@
 #include <typemesh/core/box.hpp>
 #include <typemesh/core/error.hpp>
 #include <typemesh/core/outline.hpp>
-#include <typemesh/core/drawn_place.hpp>
 #include <typemesh/core/result.hpp>
 
 #include <concepts>

@@ -118,9 +118,10 @@ template <class P>
 constexpr void refuse_policy() noexcept
 {
     constexpr bool several = kind_of<P>() == policy_kind::several;
-    static_assert(!several,
-                  "typemesh: this type models several of discretiser, triangulator, region_step, outline_step, extruder "
-                  "and stage_observer, as a call operator for any argument does: name the types of its parameters.");
+    static_assert(
+        !several,
+        "typemesh: this type models several of discretiser, triangulator, region_step, outline_step, extruder "
+        "and stage_observer, as a call operator for any argument does: name the types of its parameters.");
     if constexpr (several)
         return;
     else if constexpr (nearly_discretiser<P>)

@@ -127,8 +127,8 @@ public:
     /// The solid, for changing its options between texts. A plan keeps the options with which it was made.
     [[nodiscard]] Solid& solid() noexcept { return solid_; }
 
-    /// The discretiser, triangulator, steps or observer, for changing its options between texts or reading the data that
-    /// it gathered. Null if the mesher's policy has another type.
+    /// The discretiser, triangulator, steps or observer, for changing its options between texts or reading the data
+    /// that it gathered. Null if the mesher's policy has another type.
     template <class Policy>
     [[nodiscard]] Policy* policy() noexcept
     {

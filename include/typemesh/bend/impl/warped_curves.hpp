@@ -7,7 +7,6 @@
 #include <typemesh/core/error.hpp>
 #include <typemesh/core/impl/same.hpp>
 #include <typemesh/core/outline.hpp>
-#include <typemesh/core/drawn_place.hpp>
 
 #include <cmath>
 #include <cstdint>
@@ -18,10 +17,10 @@ namespace typemesh::inline TYPEMESH_ABI::detail {
 ///
 /// A piece of a curve becomes the cubic with the same ends and the same derivatives there, H. The image is f = w(B(t)).
 /// Let A be the warp's affine map in the middle of the piece. Then f - H = (w - A)(B) - (H - A(B)). The second
-/// derivatives of both terms have bounds, D together: those of the first one follow from w.bend(), the second one is a
+/// derivatives of both terms have bounds, D together: the first from w.bend(), the second because that term is a
 /// cubic. The distance |f - H| is measured at n - 1 places, and between them it is at most D / 8n^2 larger. So the
-/// proof needs no derivative of the warp beyond the second. Pieces are halved until it holds, so there are at most about
-/// twice as many as cubics with these ends and derivatives need.
+/// proof needs no derivative of the warp beyond the second. Pieces are halved until it holds, so
+/// there are at most about twice as many as cubics with these ends and derivatives need.
 template <plane_warp W>
 class curve_warper {
 public:
@@ -77,8 +76,7 @@ private:
     {
         if constexpr (keeps_lines<W>()) return true;
         const point v = line.p[1] - line.p[0];
-        const double x = std::fabs(v.x), y = std::fabs(v.y),
-                     bent = by.xx * x * x + 2.0 * by.xy * x * y + by.yy * y * y;
+        const double x = std::fabs(v.x), y = std::fabs(v.y), bent = by.xx * x * x + 2.0 * by.xy * x * y + by.yy * y * y;
         if (is_zero(bent)) return true;
         constexpr double share = 0x1p-6, half_a_turn_to_radians = 0x1p-10;
         const bool close = bent <= 8.0 * share * allowed_ &&
@@ -149,10 +147,10 @@ private:
             const double left = length(images[i] - bends[i].x * w.x - bends[i].y * w.y);
             rest = left > rest ? left : rest;
         }
-        const double curved = 9.0 * (by.xx * slope.x * slope.x + 2.0 * by.xy * slope.x * slope.y +
-                                     by.yy * slope.y * slope.y),
-                     turned = 6.0 * ((by.xx * half.x + by.xy * half.y) * bend.x +
-                                     (by.xy * half.x + by.yy * half.y) * bend.y);
+        const double curved = 9.0 *
+                              (by.xx * slope.x * slope.x + 2.0 * by.xy * slope.x * slope.y + by.yy * slope.y * slope.y),
+                     turned = 6.0 *
+                              ((by.xx * half.x + by.xy * half.y) * bend.x + (by.xy * half.x + by.yy * half.y) * bend.y);
         return (1.0 + 0x1p-30) * (curved + turned + 6.0 * rest);  // more than all roundings together
     }
 

@@ -150,11 +150,12 @@ error text_planner::each_glyph(const call& now, const glyph_settings& how, const
             if (error e = build(k, font, builder_, glyphs_.store, now.with)) return e;
         return {};
     }
-    return now.team->each(keys.size(), [&](std::size_t k, font_ref from, glyph_builder& builder,
-                                           glyph_store& store) noexcept {
-        no_observer nobody;
-        return build(k, from, builder, store, {now.with.flatten, now.with.cut, now.with.raise, nobody, now.with.step, now.with.warp});
-    });
+    return now.team->each(
+        keys.size(), [&](std::size_t k, font_ref from, glyph_builder& builder, glyph_store& store) noexcept {
+            no_observer nobody;
+            return build(k, from, builder, store,
+                         {now.with.flatten, now.with.cut, now.with.raise, nobody, now.with.step, now.with.warp});
+        });
 }
 
 // If floats must distinguish cells, letters that reach farther from their pens than expected are built again. On the
