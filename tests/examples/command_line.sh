@@ -837,6 +837,25 @@ expect 2 "^text_to_mesh: --refine does not work with --outline\.$" x --font $san
 expect 2 "^text_to_mesh: --min-angle must be a number from 0 to 33, not 60\.$" x --font $sans --output x.glb --refine delaunay --min-angle 60
 expect 1 "^text_to_mesh: --max-edge is too small for this font: give a larger number\.$" x --font $sans --output x.glb --refine delaunay --max-edge 1e-6
 
+# Text that is warped in its plane: the letters differ, bevels and outlines stay closed, and the front stays flat.
+expect 0 "" "HILL" --font $sans --output flat.obj
+for warp in arc:90 arch:0.3,0 flag:0.2,0 flag:0.1,1 perspective:0.5; do
+    expect 0 "" "HILL" --font $sans --output warped.obj --bend $warp
+    that "--bend $warp changes the letters" differ warped.obj flat.obj
+    that "--bend $warp keeps the depth" larger "$(widest warped.obj 4)" "$(widest flat.obj 4)" 0
+    expect 0 "" "HILL" --font $sans --output warped.stl --bend $warp --bevel 0.01
+    expect 0 "" "HILL" --font $sans --output warped.stl --bend $warp --outline 0.02 --outline-letter --bevel 0.005
+    expect 2 "^text_to_mesh: --bend does not work with --instances" x --font $sans --output x.glb --bend $warp --instances
+done
+expect 0 "" "IIII" --font $sans --output far.obj --bend perspective:0.25
+that "--bend perspective lets a text recede" differ far.obj flat.obj
+expect 1 "longer than the circumference" "HILL" --font $sans --output x.glb --bend arc:361
+expect 1 "folds the letters" "HILL" --font $sans --output x.glb --bend arc:-350
+for written in arc arc: arc:90,2 arch:0.3 flag:0.2 perspective perspective:1,2; do
+    expect 2 "^text_to_mesh: --bend must be cylinder:RADIUS, .* or perspective:SCALE, not $written\.$" x --font $sans --output x.glb --bend $written
+done
+expect 2 "^text_to_mesh: --bend has a number that is out of range: perspective:0\.$" x --font $sans --output x.glb --bend perspective:0
+
 for option in "--outline-place outer" --outline-letter; do
     # shellcheck disable=SC2086  # an option and its value
     expect 2 "^text_to_mesh: ${option% *} needs --outline\.$" x --font $sans --output x.glb $option
