@@ -118,6 +118,15 @@ refined=(--font /usr/share/fonts/truetype/dejavu/DejaVuSans.ttf --depth 0.15 --t
 "$program" "Rag" "${refined[@]}" --refine delaunay --max-edge 0.06 --picture "$scratch/edges.png"
 convert "$scratch"/{plain,angles,edges}.png -resize 700x +append refined.png
 
+# Bent letters, refined as far as they bend.
+bent=(--font /usr/share/fonts/truetype/dejavu/DejaVuSans.ttf --depth 0.15 --align centre)
+"$program" "coffee" "${bent[@]}" --bend cylinder:1.2 --turn 25 --picture "$scratch/cup.png"
+"$program" "coffee" "${bent[@]}" --bend cylinder:1.2 --turn 25 --show triangles --picture "$scratch/cup_triangles.png"
+"$program" "Twisted text" "${bent[@]}" --bend twist:15 --turn 10 --picture "$scratch/twist.png"
+"$program" "Waving flag" "${bent[@]}" --bend wave:0.25,2.5 --turn 30 --picture "$scratch/wave.png"
+mogrify -resize 700x360 -background '#eef0f3' -gravity center -extent 700x360 "$scratch"/{cup,cup_triangles,twist,wave}.png
+montage "$scratch"/{cup,cup_triangles,twist,wave}.png -tile 2x2 -geometry +0+0 bent.png
+
 # A headline of three styles in three fonts; the styled range of a line of both directions is two stretches.
 "$program" "Type سلام 活字" --font $serif-Bold.ttf --fallback ${arabic/Regular/Bold} --fallback $japanese --bevel 0.015 --profile round \
     --style 0..4:colour=blue,underline --style 5..9:colour=red,size=1.25 --style 10..12:colour=green,overline --picture "$scratch/headline.png"
@@ -127,4 +136,4 @@ convert "$scratch"/{headline,range}.png -resize 900x -append styles.png
 g++ -std=c++20 -I../../include selection.cpp -o "$scratch/selection" $(pkg-config --cflags --libs harfbuzz)
 convert -size 910x160 xc:white -draw "$("$scratch/selection" /usr/share/fonts/truetype/dejavu/DejaVuSans.ttf)" selection.png
 
-pngquant --quality 90-100 --speed 1 --force --ext .png paragraph.png normals.png bevels.png bevelled_scripts.png bold_and_hollow.png refined.png styles.png textures.png
+pngquant --quality 90-100 --speed 1 --force --ext .png paragraph.png normals.png bevels.png bevelled_scripts.png bent.png bold_and_hollow.png refined.png styles.png textures.png

@@ -515,7 +515,6 @@ std::string settle_bend(options& out, const raw_values& raw)
     out.bend.is_on = out.bend.warp.index() == 0;
     if (out.instances) return "--bend does not work with --instances, because every bent letter is another mesh";
     if (!out.bend.is_on) return {};
-    if (out.bevel.width > 0.0f) return "--bend does not work with --bevel";
     if (out.outline.width > 0.0f) return "--bend does not work with --outline";
     if (out.refine.is_on) return "--bend does not work with --refine, because it adds the points that it needs";
     return {};

@@ -54,6 +54,8 @@ plain_solid plain_of(const options& o)
 
 chosen_solid solid_of(const options& o)
 {
+    if (o.bend.is_on && o.bevel.width > 0.0f)
+        return bent_bevels{.solid = bevelled_of(o), .how = o.bend.how, .tolerance = o.tolerance};
     if (o.bend.is_on) return bent_solid{.solid = plain_of(o), .how = o.bend.how, .tolerance = o.tolerance};
     if (o.refine.is_on)
         return refined_solid{.solid = plain_of(o),

@@ -33,7 +33,8 @@ using letter_solid = typemesh::one_of<plain_solid, typemesh::bevelled>;
 using hollow_solid = typemesh::outlined<letter_solid, plain_solid>;
 using refined_solid = typemesh::refined<plain_solid>;
 using bent_solid = typemesh::bent<chosen_bend, plain_solid>;
-using chosen_solid = typemesh::one_of<letter_solid, hollow_solid, refined_solid, bent_solid>;
+using bent_bevels = typemesh::bent<chosen_bend, typemesh::bevelled>;
+using chosen_solid = typemesh::one_of<letter_solid, hollow_solid, refined_solid, bent_solid, bent_bevels>;
 
 using chosen_mesher = typemesh::text_mesher<chosen_solid>;
 using chosen_plan = typemesh::text_plan<chosen_solid>;

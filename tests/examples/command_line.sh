@@ -856,6 +856,16 @@ for written in arc arc: arc:90,2 arch:0.3 flag:0.2 perspective perspective:1,2; 
 done
 expect 2 "^text_to_mesh: --bend has a number that is out of range: perspective:0\.$" x --font $sans --output x.glb --bend perspective:0
 
+# Bent letters: more triangles; a text that goes around or folds, and a shape without its numbers, are refused.
+expect 0 "" "Rag" --font $sans --output bent.stl --stats --bend cylinder:1.5 && cp out bent.stats
+that "bending adds triangles: $(triangles plain.stats) to $(triangles bent.stats)" [ "$(triangles bent.stats)" -gt "$(triangles plain.stats)" ]
+expect 0 "" "Rag" --font $sans --output bent.stl --bend wave:0.2,1 --bevel 0.02 --profile round
+expect 1 "^text_to_mesh: The text is longer than the circumference or curve that it follows: shorten it\.$" "Around and around" --font $sans --output x.glb --bend cylinder:0.5
+expect 1 "^text_to_mesh: glyph [0-9]*: The deformation folds the letters: bend them less, or make them smaller\.$" x --font $sans --output x.glb --bend taper:-5
+expect 2 "^text_to_mesh: --bend must be cylinder:RADIUS, sphere:RADIUS, twist:DEGREES, taper:GROWTH, wave:HEIGHT,LENGTH, arc:DEGREES, arch:TOP,BASELINE, flag:HEIGHT,LENGTH or perspective:SCALE, not tube:2\.$" x --font $sans --output x.glb --bend tube:2
+expect 2 "^text_to_mesh: --bend must not have a 0 here: cylinder:0\.$" x --font $sans --output x.glb --bend cylinder:0
+expect 2 "^text_to_mesh: --bend does not work with --refine, because it adds the points that it needs\.$" x --font $sans --output x.glb --bend cylinder:2 --refine delaunay
+
 for option in "--outline-place outer" --outline-letter; do
     # shellcheck disable=SC2086  # an option and its value
     expect 2 "^text_to_mesh: ${option% *} needs --outline\.$" x --font $sans --output x.glb $option

@@ -6,6 +6,7 @@
 #include <typemesh/bend/twist.hpp>
 #include <typemesh/bend/wave.hpp>
 #include <typemesh/extrude/bent.hpp>
+#include <typemesh/extrude/bevelled.hpp>
 #include <typemesh/extrude/cap_normals.hpp>
 #include <typemesh/extrude/flat.hpp>
 #include <typemesh/glyph/cap_builder.hpp>
@@ -23,7 +24,7 @@
 using namespace typemesh;
 using namespace meshes;
 
-static_assert(extruder<bent<on_cylinder>> && extruder<bent<twist, flat>>);
+static_assert(extruder<bent<on_cylinder>> && extruder<bent<twist, flat>> && extruder<bent<taper, bevelled>>);
 static_assert(has_heights<bent<on_cylinder>> && refuses_texts<bent<on_cylinder>> && !refuses_texts<extruded<>>);
 
 namespace {
@@ -152,7 +153,7 @@ void check_bent(const D& d, double tolerance, bool keeps_volume, const Solid& so
             REQUIRE(m);
             CHECK(m->vertices.size() == m->announced.vertices);
             CHECK(m->triangles.size() == m->announced.triangles);
-            if constexpr (part_count_of<Solid> == 3 && requires { solid.depth; }) CHECK(open_edges(*m) == 0);
+            if constexpr (requires { solid.depth; }) CHECK(open_edges(*m) == 0);
             CHECK(deviation(*m, d, 6) <= tolerance + 1e-6);
             CHECK(normal_error(*m, d) < 0.05);
             std::size_t outside = 0;
@@ -196,6 +197,25 @@ TEST_CASE("each deformation keeps its tolerance, fine or coarse", "[extrude][ben
         check_bent(displaced<wave>{{.height = 0.2, .length = 1.0, .direction = 30.0, .phase = 90.0}}, tolerance, true);
     }
     check_bent(on_cylinder{1.0}, 1.0 / 800, false, flat{});
+}
+
+TEST_CASE("bevelled letters are bent with their bevels", "[extrude][bent]")
+{
+    for (const bevel_sides sides : {bevel_sides::both, bevel_sides::front}) {
+        bevelled solid{.depth = 0.2f, .width = 0.02f, .bevel_depth = 0.02f, .sides = sides};
+        check_bent(on_cylinder{1.2}, 1.0 / 400, false, solid);
+        solid.profile = round_profile(4);
+        check_bent(twist{30.0}, 1.0 / 800, true, solid);
+        solid.outward = true;
+        check_bent(displaced<wave>{{.height = 0.15, .length = 1.5}}, 1.0 / 800, true, solid);
+    }
+    // The cap within the bevels gets points of its own.
+    const shapes::shape sheet{"sheet", {shapes::polygon({{0, 0}, {900, 0}, {900, 900}, {0, 900}})}, {}, 1};
+    plan_data_of<bent<on_sphere, bevelled>> data;
+    const auto m = bend(sheet, bent<on_sphere, bevelled>{.how = {1.2}, .tolerance = 1.0 / 800}, data);
+    REQUIRE(m);
+    CHECK(m->sizes.triangles[part::front] > m->sizes.vertices[part::front]);
+    CHECK(open_edges(*m) == 0);
 }
 
 TEST_CASE("a bar once around a cylinder has the volume of a tube", "[extrude][bent]")

@@ -228,4 +228,5 @@ TEST_CASE("one_of chooses between bent and flat letters", "[text][bent]")
     CHECK(plan->meshes().size() == 2);
     CHECK_FALSE(round == straight);
     CHECK(plan->bounds().low.z < lowest - 0.01f);
+    CHECK(mesher.plan("ooooooooooooooooo").error() == error::goes_around);
 }

@@ -39,6 +39,7 @@ struct bend_bounds {
 ///     d.refused_options()  the error with which it refuses its options, or none
 ///     d.refused_text(box)  optional: the error for a text that fills this box, or none; for deformations that bring
 ///                          two places of a long text together although they do not fold it
+///     D::keeps_volume      optional: true if its Jacobian determinant is 1 everywhere, so that it can fold nothing
 ///     d.cache_key()        not needed: bent letters are not cached
 ///
 /// Its second derivatives need not be continuous, but its first derivatives must be. Where its Jacobian determinant is

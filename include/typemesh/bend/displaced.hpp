@@ -37,6 +37,8 @@ template <height_surface Surface>
 struct displaced {
     Surface surface = {};
 
+    static constexpr bool keeps_volume = true;  ///< see deformation.hpp
+
     [[nodiscard]] error refused_options() const noexcept { return surface.refused_options(); }
 
     [[nodiscard]] deformed_point operator()(const double3& p) const noexcept

@@ -40,8 +40,11 @@ struct on_cylinder {
     [[nodiscard]] deformed_point operator()(const double3& p) const noexcept
     {
         const bool up = axis == text_axis::up;
-        const double angle = (up ? p.x : p.y) / radius, sine = std::sin(angle), cosine = std::cos(angle);
-        const double from_axis = radius + p.z, stretch = from_axis / radius, out = from_axis * cosine - radius;
+        // By the half angle: from_axis * cosine - radius would lose the depth of text on a cylinder of a huge radius.
+        const double half = 0.5 * (up ? p.x : p.y) / radius, half_sine = std::sin(half);
+        const double sine = 2.0 * half_sine * std::cos(half), cosine = 1.0 - 2.0 * half_sine * half_sine;
+        const double from_axis = radius + p.z, stretch = from_axis / radius,
+                     out = p.z * cosine - 2.0 * (radius * half_sine) * half_sine;
         if (up)
             return {{from_axis * sine, p.y, out},
                     {stretch * cosine, 0.0, -stretch * sine},

@@ -40,11 +40,15 @@ struct on_sphere {
 
     [[nodiscard]] deformed_point operator()(const double3& p) const noexcept
     {
-        const double longitude = p.x / radius, latitude = p.y / radius;
-        const double sine = std::sin(longitude), cosine = std::cos(longitude), up = std::sin(latitude),
-                     out = std::cos(latitude), from_centre = radius + p.z, stretch = from_centre / radius;
+        // By the half angles: from_centre * away.z - radius would lose the depth of text on a sphere of a huge radius.
+        const double half_x = 0.5 * p.x / radius, half_y = 0.5 * p.y / radius, sine_x = std::sin(half_x),
+                     sine_y = std::sin(half_y);
+        const double sine = 2.0 * sine_x * std::cos(half_x), cosine = 1.0 - 2.0 * sine_x * sine_x,
+                     up = 2.0 * sine_y * std::cos(half_y), out = 1.0 - 2.0 * sine_y * sine_y;
+        const double from_centre = radius + p.z, stretch = from_centre / radius,
+                     behind = 2.0 * (out * (radius * sine_x) * sine_x + (radius * sine_y) * sine_y);
         const double3 away{out * sine, up, out * cosine};
-        return {{from_centre * away.x, from_centre * away.y, from_centre * away.z - radius},
+        return {{from_centre * away.x, from_centre * away.y, p.z * away.z - behind},
                 {stretch * out * cosine, 0.0, -stretch * out * sine},
                 {-stretch * up * sine, stretch * out, -stretch * up * cosine},
                 away};

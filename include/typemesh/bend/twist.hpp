@@ -26,6 +26,8 @@ struct twist {
     double across = 0.0;  ///< the axis's place in the text's plane, in em
     double depth = 0.0;   ///< the axis's z, in em; negative: behind the text's front
 
+    static constexpr bool keeps_volume = true;  ///< see deformation.hpp
+
     [[nodiscard]] error refused_options() const noexcept
     {
         if (!is_finite(degrees_per_em)) return error::bad("degrees_per_em");

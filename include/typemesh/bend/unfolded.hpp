@@ -3,6 +3,7 @@
 
 #include <typemesh/bend/deformation.hpp>
 #include <typemesh/bend/double3.hpp>
+#include <typemesh/core/finite.hpp>
 
 #include <cstddef>
 
@@ -45,18 +46,23 @@ template <deformation D>
 /// Whether a deformation is proven to turn nothing inside out in a box: its Jacobian determinant is positive at all
 /// points. The box is halved until the bounds of the second derivatives prove it.
 ///
-/// False if the determinant is not positive somewhere, or so small that 4096 pieces prove nothing.
+/// False if the determinant is somewhere not more than 2^-40 of its value in the middle of the box, so that roundings
+/// cannot matter, or so small that 4096 pieces prove nothing. A deformation that keeps all volumes (D::keeps_volume)
+/// needs no proof.
 template <deformation D>
 [[nodiscard]] bool is_unfolded(const D& d, const box3& whole) noexcept
 {
     constexpr std::size_t depth = 48;
     box3 waiting[depth + 1] = {whole};
     std::size_t count = 1;
+    double least = 0.0;
     for (int pieces = 0; count != 0; ++pieces) {
         const box3 b = waiting[--count];
         const detail::determinant_bound bound = detail::bound_determinant(d, b);
-        if (bound.lowest > 0.0) continue;
-        if (!(bound.middle > 0.0) || pieces == 4096 || count + 2 > depth) return false;
+        if constexpr (requires { requires D::keeps_volume; }) return bound.middle > 0.0 && is_finite(bound.lowest);
+        if (pieces == 0) least = 0x1p-40 * bound.middle;
+        if (bound.lowest > least) continue;
+        if (!(bound.middle > least) || pieces >= 4096 || count + 2 > depth) return false;
         box3 first = b, second = b;
         const double3 middle = 0.5 * (b.low + b.high);
         switch (bound.longest) {

@@ -7,9 +7,9 @@
 #include <typemesh/bend/unfolded.hpp>
 #include <typemesh/core/box.hpp>
 #include <typemesh/core/buffer.hpp>
+#include <typemesh/core/contours.hpp>
 #include <typemesh/core/finite.hpp>
 #include <typemesh/core/max_pieces.hpp>
-#include <typemesh/discretise/quality.hpp>
 #include <typemesh/extrude/extruded.hpp>
 #include <typemesh/extrude/extruder.hpp>
 #include <typemesh/extrude/impl/bent_measure.hpp>
@@ -21,6 +21,7 @@
 #include <typemesh/refine/impl/edge_bisection.hpp>
 
 #include <cmath>
+#include <concepts>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
@@ -35,6 +36,32 @@ struct bent_form {
     std::uint32_t unused = 0;
 };
 
+/// Refines the caps of an extruder; for the concept bendable_caps.
+struct cap_refiner {
+    error region_cap(std::uint32_t& added) noexcept;
+    error cap(buffer<grid_point>& points, array_view<const std::uint32_t> starts, buffer<triangle>& triangles,
+              std::uint32_t& added) noexcept;
+};
+
+/// An extruder that makes caps of its own and can have them refined, such as bevelled:
+///
+///     e.reach()                            about how far its slopes reach from an edge in the plane, in em
+///     e.refine_caps(refine, data, made)    after plan(): has each cap that it draws refined, and adds their points and
+///                                          triangles to made.sizes. Each inner point adds two triangles
+///     refine.region_cap(added)             refines the region's own cap. The points follow the region's points
+///     refine.cap(points, starts, triangles, added)     refines another cap. Inner points are appended to its points,
+///                                          and its triangles are replaced
+template <class E>
+concept bendable_caps =
+    extruder<E> && requires(const E& e, cap_refiner& refine, plan_data_of<E>& data, solid_plan& made) {
+        { e.reach() } noexcept -> std::same_as<double>;
+        { e.refine_caps(refine, data, made) } noexcept -> std::same_as<error>;
+    };
+
+/// An extruder whose solids can be bent.
+template <class E>
+concept bendable = refinable_extruder<E> || bendable_caps<E>;
+
 /// The plan data of bent: the solid of the refined region, which is not bent yet.
 template <class Solid>
 struct bent_data {
@@ -48,8 +75,21 @@ struct bent_data {
     refined_solid<Solid> flat;
     detail::edge_bisection working;  // not stored with the glyph
     buffer<double3> places;          // likewise
+    contours rim, same_rim;          // likewise, of a cap that is refined, and of the refined cap
+    buffer<grid_point> inner;
+    triangle_list triangles;
 
-    explicit bent_data(memory source = heap()) noexcept : form{source}, flat{source}, working{source}, places{source} {}
+    explicit bent_data(memory source = heap()) noexcept
+        : form{source},
+          flat{source},
+          working{source},
+          places{source},
+          rim{source},
+          same_rim{source},
+          inner{source},
+          triangles{source}
+    {
+    }
     void clear() noexcept
     {
         form.clear();
@@ -77,11 +117,70 @@ struct bent_data {
     }
 };
 
+namespace detail {
+
+/// Refines the caps of a solid that makes its own, and keeps their edges: see bendable_caps.
+template <class Solid, deformation Deformation>
+class bent_caps {
+public:
+    bent_caps(bent_data<Solid>& data, const bent_measure<Deformation>& measure, std::uint32_t max_points) noexcept
+        : data_{data}, measure_{measure}, max_points_{max_points}
+    {
+    }
+
+    /// Fails  error::out_of_memory, error::too_many_points; error::folds_over if a triangle turns
+    error region_cap(std::uint32_t& added) noexcept
+    {
+        auto& flat = data_.flat;
+        if (error e = refine(region::proven(flat.loops, 0, 0), flat.triangles.view(), flat.loops.points.view()))
+            return e;
+        return take(flat.loops.points, flat.triangles, added);
+    }
+    error cap(buffer<grid_point>& points, array_view<const std::uint32_t> starts, buffer<triangle>& triangles,
+              std::uint32_t& added) noexcept
+    {
+        contours& rim = data_.rim;
+        rim.clear();
+        contour_edge* const edges = rim.edges.append(points.size());
+        if (edges == nullptr || !rim.points.append(points.view()) || !rim.starts.append(starts))
+            return error::out_of_memory;
+        for (std::size_t i = 0; i < points.size(); ++i) edges[i] = {};
+        if (error e = refine(region::proven(rim, 0, 0), triangles.view(), points.view())) return e;
+        return take(points, triangles, added);
+    }
+
+private:
+    error refine(const region& r, array_view<const triangle> triangles, array_view<const grid_point> points) noexcept
+    {
+        edge_bisection& working = data_.working;
+        if (error e = working.run(r, triangles, measure_, max_points_, edge_bisection::boundary::keep)) return e;
+        std::uint32_t kept = 0;
+        if (error e = working.write({data_.same_rim, data_.inner, data_.triangles, kept})) return e;
+        const bool turns = measure_.any_turns(points, data_.inner.view(), data_.triangles.view());
+        return turns ? error{error::folds_over} : error{};
+    }
+    error take(buffer<grid_point>& points, buffer<triangle>& triangles, std::uint32_t& added) noexcept
+    {
+        triangles.clear();
+        if (!points.append(data_.inner.view()) || !triangles.append(data_.triangles.view()))
+            return error::out_of_memory;
+        added = static_cast<std::uint32_t>(data_.inner.size());
+        return {};
+    }
+
+    bent_data<Solid>& data_;
+    const bent_measure<Deformation>& measure_;
+    std::uint32_t max_points_;
+};
+
+}  // namespace detail
+
 /// An extruder that bends the solid of another extruder: around a cup, along a wave, twisted, or by a deformation of
 /// your own (bend/deformation.hpp). Letters are bent where they stand in the text.
 ///
 ///     bent<on_cylinder>{.how = {.radius = 1.5}}
 ///     bent<displaced<wave>, extruded<>>{.solid = {.depth = 0.1f}, .how = {{.height = 0.2}}}
+///     bent<twist, bevelled>{.solid = {.width = 0.02f}}      the boundary gets its points before it is bevelled
 ///
 /// Caps and walls get as many points as they need, so that no point of the mesh is farther than `tolerance` from its
 /// place on the bent solid. The promise rests on bounds of the deformation's second derivatives (bend_error.hpp), not
@@ -101,11 +200,11 @@ struct bent_data {
 ///        error::folds_over: the deformation turns letters inside out; error::goes_around: see the deformation
 ///        error::too_many_points: a glyph needs more than max_points; error::out_of_memory
 /// Cost   O(1) for each point
-template <deformation Deformation, refinable_extruder Solid = extruded<>>
+template <deformation Deformation, bendable Solid = extruded<>>
 struct bent {
     Solid solid = {};
     Deformation how = {};
-    double tolerance = quality::high;               ///< the largest distance from the bent solid, in em
+    double tolerance = 1.0 / 800;                   ///< the largest distance from the bent solid, in em
     std::uint32_t max_points = default_max_points;  ///< the greatest number of points of one glyph's cap
 
     static constexpr std::size_t part_count = part_count_of<Solid>;
@@ -133,46 +232,46 @@ struct bent {
         const double em = filled.grid().cells * filled.grid().units_per_em;
         if (!(em > 0.0)) return error::bad("units_per_em");
         const height_range heights = solid.heights();
-        detail::bent_measure<Deformation> measure{how,
-                                                  place.origin,
-                                                  1.0 / em,
-                                                  heights.low * place.em_per_depth,
-                                                  heights.high * place.em_per_depth,
-                                                  0.0,
-                                                  (1.0 - 0x1p-10) * tolerance};
-        const box3 around = box_of(filled, measure);
+        detail::bent_measure<Deformation> measure{
+            how, place.origin, 1.0 / em, heights.low * place.em_per_depth, heights.high * place.em_per_depth,
+            0.0, 0.0,          tolerance};
+        if constexpr (bendable_caps<Solid>) measure.across = solid.reach();
+        box of_region;
+        for (const grid_point p : filled.points()) of_region.add(placement::exact(p));
+        const box3 around = box_of(of_region, measure);
         if (error e = typemesh::refused_text(how, around)) return e;
         if (!is_unfolded(how, around)) return error::folds_over;
-        bent_form form;
-        form.segments = segments_for(filled, measure, around);
-        measure.step = (measure.high - measure.low) / form.segments;
-        if (error e = data.working.run(filled, caps.triangles(), measure, max_points)) return e;
-        std::uint32_t kept = 0;
-        if (error e = data.working.write(data.flat.out(kept))) return e;
-        auto made = data.flat.plan_refined(in_segments(form.segments), filled, caps);
-        if (!made) return made;
-
-        const planned s{{}, {{}, data.flat.read()}};
-        const placement at = flat_placement(measure, place);
         detail::bent_surface<Deformation> surface{how, data.places};
-        const Solid own = in_segments(form.segments);
-        if (error e = surface.read(own, s.data.flat, *made, at)) return e;
-        if (!(surface.greatest_error() <= tolerance)) return error::bad("tolerance");
-        for (const triangle t : data.flat.triangles) {
-            const auto& points = data.flat.loops.points;
-            for (const double height : {measure.low, measure.high})
-                if (measure.turns(points[t.a], points[t.b], points[t.c], height)) return error::folds_over;
+        const placement at = flat_placement(measure, place);
+        // Bevels add to the error of their edges. Other solids need one round.
+        for (double share = 1.0; share > 0.05; share *= 0.7) {
+            data.flat.clear();
+            measure.tolerance = (1.0 - 0x1p-10) * share * tolerance;
+            bent_form form;
+            form.segments = segments_for(filled, measure, around);
+            measure.step = (measure.high - measure.low) / form.segments;
+            // What a point of the boundary bends by: no finer boundary makes this less.
+            if (measure.edge(filled.points().front(), filled.points().front()) > 0.9) return error::bad("tolerance");
+            const Solid own = in_segments(form.segments);
+            auto made = plan_flat(own, filled, measure, data, caps);
+            if (!made) return made;
+            const box3 whole = box_of(made->around, measure);
+            if (error e = typemesh::refused_text(how, whole)) return e;
+            if (!is_unfolded(how, whole)) return error::folds_over;
+            if (error e = surface.read(own, data.flat.read(), *made, at)) return e;
+            if (!(surface.greatest_error() <= tolerance)) continue;
+            made->textured = made->around;
+            const box3 bounds = surface.bounds();
+            constexpr double margin = 0x1p-10;  // cells; more than the rounding of the sums below
+            const point low = em * (point{bounds.low.x, bounds.low.y} - place.origin),
+                        high = em * (point{bounds.high.x, bounds.high.y} - place.origin);
+            made->around = {{low.x - margin, low.y - margin}, {high.x + margin, high.y + margin}};
+            form.low = (bounds.low.z - margin * measure.em_per_cell) / place.em_per_depth;
+            form.high = (bounds.high.z + margin * measure.em_per_cell) / place.em_per_depth;
+            if (!data.form.template of<bent_form>().push_back(form)) return error::out_of_memory;
+            return made;
         }
-        made->textured = made->around;
-        const box3 bounds = surface.bounds();
-        const double margin = 0x1p-10;  // cells; more than the rounding of the sums below
-        made->around = {
-            {(bounds.low.x - place.origin.x) * em - margin, (bounds.low.y - place.origin.y) * em - margin},
-            {(bounds.high.x - place.origin.x) * em + margin, (bounds.high.y - place.origin.y) * em + margin}};
-        form.low = (bounds.low.z - margin * measure.em_per_cell) / place.em_per_depth;
-        form.high = (bounds.high.z + margin * measure.em_per_cell) / place.em_per_depth;
-        if (!data.form.template of<bent_form>().push_back(form)) return error::out_of_memory;
-        return made;
+        return error::bad("tolerance");
     }
 
     /// The heights before the solid is bent.
@@ -226,13 +325,39 @@ private:
         return own;
     }
 
-    [[nodiscard]] static box3 box_of(const region& filled, const detail::bent_measure<Deformation>& measure) noexcept
+    [[nodiscard]] static box3 box_of(const box& around, const detail::bent_measure<Deformation>& measure) noexcept
     {
-        box around;
-        for (const grid_point p : filled.points()) around.add(placement::exact(p));
         const point low = measure.em_per_cell * around.low + measure.origin,
                     high = measure.em_per_cell * around.high + measure.origin;
         return {{low.x, low.y, measure.low}, {high.x, high.y, measure.high}};
+    }
+
+    /// The plan of the flat solid, with the points that it needs to be bent.
+    template <cap_maker Caps>
+    [[nodiscard]] result<solid_plan> plan_flat(const Solid& own, const region& filled,
+                                               const detail::bent_measure<Deformation>& measure, plan_data& data,
+                                               Caps& caps) const noexcept
+    {
+        std::uint32_t kept = 0;
+        if constexpr (bendable_caps<Solid>) {
+            // Only the boundary's points count, which other caps inherit. Each cap gets inner points of its own later.
+            if (error e = data.working.run(filled, caps.triangles(), measure, max_points)) return e;
+            if (error e = data.working.write(data.flat.out(kept))) return e;
+            data.flat.inner.clear();
+            data.flat.triangles.clear();
+            if (error e = caps(data.flat.boundary_of(filled), data.flat.triangles)) return e;
+            auto made = data.flat.plan(own, data.flat.boundary_of(filled), caps);
+            if (!made) return made;
+            detail::bent_caps<Solid, Deformation> refine{data, measure, max_points};
+            if (error e = own.refine_caps(refine, data.flat.data, *made)) return e;
+            return made;
+        } else {
+            if (error e = data.working.run(filled, caps.triangles(), measure, max_points)) return e;
+            if (error e = data.working.write(data.flat.out(kept))) return e;
+            if (measure.any_turns(data.flat.loops.points.view(), data.flat.inner.view(), data.flat.triangles.view()))
+                return error::folds_over;
+            return data.flat.plan_refined(own, filled, caps);
+        }
     }
 
     /// The number of segments that needs the fewest vertices. More segments make longer edges possible, because the
@@ -246,9 +371,16 @@ private:
             const double height = measure.high - measure.low;
             if (!(height > 0.0)) return fewest;
             const bend_bounds by = how.bend(around);
-            std::uint32_t best = fewest;
+            const auto at_a_point = [&](std::uint32_t n) noexcept {  // how much a wall bends beside its bevel
+                detail::bent_measure<Deformation> of_segment = measure;
+                of_segment.step = height / n;
+                return of_segment.edge(filled.points().front(), filled.points().front());
+            };
+            std::uint32_t first = fewest;
+            while (first < wall_rows::most && at_a_point(first) > 0.5) ++first;
+            std::uint32_t best = first;
             double least = -1.0;
-            for (std::uint32_t n = fewest; n <= wall_rows::most; n += 1 + n / 8) {
+            for (std::uint32_t n = first; n <= wall_rows::most; n += 1 + n / 8) {
                 const double points = points_for(filled, measure, by, height / n);
                 const double cost = points * (n + 3.0);  // the rows of the walls, and two caps
                 if (least >= 0.0 && points > 0.0 && cost >= least) break;

@@ -164,6 +164,36 @@ struct bevelled {
         return made;
     }
 
+    /// See bendable_caps in bent.hpp: how far bevels reach from an edge or a corner, about.
+    [[nodiscard]] double reach() const noexcept
+    {
+        const double limit = mitre_limit > 1.0f ? as_double(mitre_limit) : is_zero(mitre_limit) ? 4.0 : 1.0;
+        return as_double(width) * limit;
+    }
+    /// Likewise.
+    template <class Refine>
+    [[nodiscard]] error refine_caps(Refine& refine, plan_data& data, solid_plan& made) const noexcept
+    {
+        if (data.of<bevel_rims>().empty()) return {};
+        const auto is_own = [&](bool in_front) noexcept {
+            return data.of<bevel_rims>()[0].has_own_cap(own_heights().is_bevelled(in_front));
+        };
+        std::uint32_t own = 0, within = 0;
+        if ((front && is_own(true)) || (back && is_own(false)))
+            if (error e = refine.region_cap(own)) return e;
+        if (!data.of<triangle>().empty())
+            if (error e =
+                    refine.cap(data.of<grid_point>(), data.of<std::uint32_t>().view(), data.of<triangle>(), within))
+                return e;
+        for (const bool in_front : {true, false}) {
+            const part cap = in_front ? part::front : part::back;
+            if (made.sizes.triangles[cap] == 0) continue;
+            made.sizes.vertices[cap] += is_own(in_front) ? own : within;
+            made.sizes.triangles[cap] += 2 * (is_own(in_front) ? own : within);
+        }
+        return {};
+    }
+
     [[nodiscard]] height_range heights() const noexcept { return {own_heights().low(), own_heights().high()}; }
 
     /// The heights of a planned solid: its bevels may meet in a ridge below their full height.

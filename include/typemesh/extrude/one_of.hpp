@@ -182,6 +182,16 @@ public:
     {
         return visit([](auto, const auto& how) noexcept { return typemesh::plans_in_place(how); });
     }
+    [[nodiscard]] error refused_text(const box& text) const noexcept
+        requires(refuses_texts<Solids> || ...)
+    {
+        return visit([&text]<class Solid>(auto, const Solid& how) noexcept {
+            if constexpr (refuses_texts<Solid>)
+                return how.refused_text(text);
+            else
+                return error{};
+        });
+    }
     /// Whether the triangles of the chosen extruder are not the region's own.
     [[nodiscard]] bool has_own_caps() const noexcept
     {

@@ -4,10 +4,13 @@
 #include <typemesh/bend/bend_error.hpp>
 #include <typemesh/bend/deformation.hpp>
 #include <typemesh/bend/double3.hpp>
+#include <typemesh/core/array_view.hpp>
 #include <typemesh/core/point.hpp>
+#include <typemesh/core/triangle.hpp>
 #include <typemesh/extrude/placement.hpp>
 
 #include <cmath>
+#include <cstdint>
 
 namespace typemesh::inline TYPEMESH_ABI::detail {
 
@@ -21,9 +24,17 @@ struct bent_measure {
     double low = 0.0;  ///< the solid's heights, in em
     double high = 0.0;
     double step = 0.0;       ///< the height of one segment of its walls, in em; 0 without walls
+    double across = 0.0;     ///< how far bevels reach from an edge, in em; 0 without bevels
     double tolerance = 0.0;  ///< in em
 
-    [[nodiscard]] double edge(grid_point p, grid_point q) const noexcept { return size_of({around(p, q)}, step); }
+    /// Includes the wall and the bevel that stand on the edge.
+    [[nodiscard]] double edge(grid_point p, grid_point q) const noexcept
+    {
+        box3 b = around(p, q);
+        b.low = b.low - double3{across, across, 0.0};
+        b.high = b.high + double3{across, across, 0.0};
+        return bend_error(bends.bend(b), {b.high.x - b.low.x - across, b.high.y - b.low.y - across, step}) / tolerance;
+    }
     [[nodiscard]] double length(grid_point p, grid_point q) const noexcept { return size_of({around(p, q)}, 0.0); }
 
     /// Triangles that turn when they are bent are too large as well.
@@ -46,6 +57,20 @@ struct bent_measure {
         const double3 facing = cross(corners[1].at - corners[0].at, corners[2].at - corners[0].at);
         for (const deformed_point& c : corners)
             if (!(dot(facing, cross(c.x, c.y)) > 0.0)) return true;
+        return false;
+    }
+
+    /// Whether any of these triangles turns, at the lowest or at the greatest height. Their corners are `points`,
+    /// followed by `inner`.
+    [[nodiscard]] bool any_turns(array_view<const grid_point> points, array_view<const grid_point> inner,
+                                 array_view<const typemesh::triangle> triangles) const noexcept
+    {
+        const auto corner = [&](std::uint32_t i) noexcept {
+            return i < points.size() ? points[i] : inner[i - points.size()];
+        };
+        for (const typemesh::triangle& t : triangles)
+            for (const double height : {low, high})
+                if (turns(corner(t.a), corner(t.b), corner(t.c), height)) return true;
         return false;
     }
 

@@ -110,17 +110,19 @@ public:
             solid.triangles(p, s, first, [&](std::uint32_t a, std::uint32_t b, std::uint32_t c) noexcept {
                 const double3 corners[] = {places_[a], places_[b], places_[c]};
                 const double error_of = error_over(corners);
-                if (!(error_of <= greatest_)) greatest_ = error_of;
+                if (is_number(greatest_) && !(error_of <= greatest_)) greatest_ = error_of;
             });
         return {};
     }
 
-    /// No point of the bent triangles is farther than this from its place on the bent solid, in em.
+    /// No point of the bent triangles is farther than this from its place on the bent solid, in em. Not a number if
+    /// the deformation's bounds of a triangle are not.
     [[nodiscard]] double greatest_error() const noexcept { return greatest_; }
     /// The box around all bent vertices, in em.
     [[nodiscard]] box3 bounds() const noexcept { return bounds_; }
 
 private:
+    [[nodiscard]] static bool is_number(double v) noexcept { return v == v; }
     [[nodiscard]] double error_over(const double3 (&corners)[3]) const noexcept
     {
         box3 b{corners[0], corners[0]};

@@ -86,7 +86,8 @@ public:
         if (!heights_.has_walls(rims_.wall)) return;
         const upright_walls upright{heights_.rim(true, rims_.wall), heights_.rim(false, rims_.wall), heights_.high(),
                                     texture_, segments_};
-        upright.vertices<Wants>(solid_.points, solid_.data.of<side_point>(), axes, at, put);
+        const auto sides = solid_.data.of<side_point>();  // inner points may follow the loops' points
+        upright.vertices<Wants>(solid_.points.first(sides.size()), sides, axes, at, put);
     }
 
     template <attribute Wants, class Axes, class Put>

@@ -35,12 +35,17 @@ struct refined_solid : inner_solid<E> {
     /// For a refiner to write to. Both references must outlive the result.
     [[nodiscard]] refined_cap out(std::uint32_t& kept) noexcept { return {this->loops, inner, this->triangles, kept}; }
 
+    /// The region that the refined loops bound, before their points are followed by the inner points.
+    [[nodiscard]] region boundary_of(const region& filled) const noexcept
+    {
+        return region::proven(this->loops, filled.holes(), filled.outers(), filled.is_touching());
+    }
+
     /// The other extruder's plan for the refined cap of the region `filled`.
     template <cap_maker Caps>
     [[nodiscard]] result<solid_plan> plan_refined(const E& how, const region& filled, Caps& caps) noexcept
     {
-        auto made =
-            this->plan(how, region::proven(this->loops, filled.holes(), filled.outers(), filled.is_touching()), caps);
+        auto made = this->plan(how, boundary_of(filled), caps);
         if (!made) return made;
         // The caps get the inner points as well. Each adds two triangles.
         const auto added = static_cast<std::uint32_t>(inner.size());

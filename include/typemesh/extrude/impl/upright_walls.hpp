@@ -165,9 +165,10 @@ private:
     }
 
     /// The same for several segments: bit for bit, the first and the last vertex of a column are the pair of write().
+    /// Inlined beside write(), it cost the common case 1 %.
     template <attribute Wants, class Mapping, class Axes, class Put>
-    void write_columns(array_view<const grid_point> points, array_view<const side_point> side_points, const Axes& axes,
-                       const placement& at, Put& put) const noexcept
+    [[gnu::noinline]] void write_columns(array_view<const grid_point> points, array_view<const side_point> side_points,
+                                         const Axes& axes, const placement& at, Put& put) const noexcept
     {
         struct level {
             float z, v;  // as written

@@ -32,11 +32,15 @@ namespace typemesh::inline TYPEMESH_ABI::detail {
 ///     measure.triangle(p, q, r)   the size of a triangle
 ///     measure.length(p, q)        for the choice: the edge of a triangle with the greatest length is halved
 ///
-/// Sizes above 1 are too large. New points on the boundary lie on the curves, see boundary_cutter. All inner edges stay
-/// Delaunay. The middle of an edge is decided exactly; where it would come within four cells of another point, the edge
-/// stays.
+/// With `boundary::keep`, boundary edges stay as they are, however large.
+///
+/// Sizes above 1, and sizes that are not a number, are too large. New points on the boundary lie on the curves, see
+/// boundary_cutter. All inner edges stay Delaunay. The middle of an edge is decided exactly; where it would come within
+/// four cells of a corner of the triangle in which it lies, the edge stays.
 class edge_bisection {
 public:
+    enum class boundary : bool { keep, cut };
+
     explicit edge_bisection(memory source = heap()) noexcept
         : mesh_{source}, cut_{source}, edges_{source}, waiting_{source}, numbers_{source}
     {
@@ -45,9 +49,10 @@ public:
     /// Fails  error::out_of_memory, error::too_many_points
     template <class Measure>
     [[nodiscard]] error run(const region& r, array_view<const triangle> triangles, const Measure& measure,
-                            std::uint32_t max_points) noexcept
+                            std::uint32_t max_points, boundary edges = boundary::cut) noexcept
     {
         region_ = &r;
+        cuts_boundary_ = edges == boundary::cut;
         cut_.open(r);
         edges_.clear();
         waiting_.clear();
@@ -57,19 +62,10 @@ public:
         for (std::uint32_t t = 0; t < mesh_.triangle_count(); ++t)
             if (!list(measure, t)) return error::out_of_memory;
         while (!edges_.empty() || !waiting_.empty()) {
-            if (mesh_.vertex_count() > max_points) return error::too_many_points;
-            if (!edges_.empty()) {
-                const std::uint32_t v = edges_.back();
-                edges_.truncate(edges_.size() - 1);
-                if (!is_too_large(measure, v)) continue;
-                if (error e = halve_boundary(measure, v)) return e;
-                continue;
-            }
-            const listed one = waiting_.back();
-            waiting_.truncate(waiting_.size() - 1);
-            const std::uint32_t h = 4 * one.t;
-            if (mesh_.origin(h) != one.a || mesh_.origin(h + 1) != one.b || mesh_.origin(h + 2) != one.c) continue;
-            if (error e = halve_longest(measure, one.t)) return e;
+            const std::uint32_t before = mesh_.vertex_count();
+            if (error e = halve_next(measure)) return e;
+            const std::uint32_t after = mesh_.vertex_count();
+            if (after != before && after > max_points) return error::too_many_points;
         }
         return {};
     }
@@ -87,10 +83,26 @@ private:
         std::uint32_t t, a, b, c;
     };
 
+    /// Halves the last edge of the list, or an edge of the last triangle.
+    template <class Measure>
+    [[nodiscard]] error halve_next(const Measure& measure) noexcept
+    {
+        if (!edges_.empty()) {
+            const std::uint32_t v = edges_.back();
+            edges_.truncate(edges_.size() - 1);
+            return is_too_large(measure, v) ? halve_boundary(measure, v) : error{};
+        }
+        const listed one = waiting_.back();
+        waiting_.truncate(waiting_.size() - 1);
+        const std::uint32_t h = 4 * one.t;
+        if (mesh_.origin(h) != one.a || mesh_.origin(h + 1) != one.b || mesh_.origin(h + 2) != one.c) return {};
+        return halve_longest(measure, one.t);
+    }
+
     template <class Measure>
     [[nodiscard]] bool is_too_large(const Measure& measure, std::uint32_t v) const noexcept
     {
-        return measure.edge(mesh_.place(v), mesh_.place(mesh_.next_on_boundary(v))) > 1.0;
+        return cuts_boundary_ && !(measure.edge(mesh_.place(v), mesh_.place(mesh_.next_on_boundary(v))) <= 1.0);
     }
 
     /// Lists a triangle if it is too large. False if out of memory.
@@ -98,7 +110,7 @@ private:
     [[nodiscard]] bool list(const Measure& measure, std::uint32_t t) noexcept
     {
         const std::uint32_t h = 4 * t;
-        if (!(measure.triangle(mesh_.start(h), mesh_.start(h + 1), mesh_.start(h + 2)) > 1.0)) return true;
+        if (measure.triangle(mesh_.start(h), mesh_.start(h + 1), mesh_.start(h + 2)) <= 1.0) return true;
         return waiting_.push_back({t, mesh_.origin(h), mesh_.origin(h + 1), mesh_.origin(h + 2)});
     }
 
@@ -130,17 +142,25 @@ private:
         std::uint32_t h = none;
         double greatest = -1.0;
         for (std::uint32_t k = 4 * t; k < 4 * t + 3; ++k) {
+            if (!cuts_boundary_ && mesh_.is_boundary(k)) continue;
             const double length = measure.length(mesh_.start(k), mesh_.place(mesh_.target(k)));
-            if (length > greatest) {
+            if (h == none || length > greatest) {  // if no length is a number: any edge
                 greatest = length;
                 h = k;
             }
         }
+        if (h == none) return {};
         if (mesh_.is_boundary(h)) return halve_boundary(measure, mesh_.origin(h));
         const grid_point p = mesh_.start(h), q = mesh_.place(mesh_.target(h));
         const grid_point middle{halved(std::int64_t{p.x} + q.x), halved(std::int64_t{p.y} + q.y)};
         const auto [in, behind] = mesh_.locate(t, middle);
-        if (behind != none) return halve_boundary(measure, behind);
+        if (behind != none) {
+            if (!cuts_boundary_) return {};
+            // The triangle itself may stay as it is, and is then looked at again.
+            const std::uint32_t before = mesh_.vertex_count();
+            if (error e = halve_boundary(measure, behind)) return e;
+            return mesh_.vertex_count() == before || list(measure, t) ? error{} : error{error::out_of_memory};
+        }
         if (in == none) return {};
         for (std::uint32_t k = 4 * in; k < 4 * in + 3; ++k)
             if (squared_distance(mesh_.start(k), middle) < refinable_mesh::spacing * refinable_mesh::spacing) return {};
@@ -156,6 +176,7 @@ private:
     buffer<listed> waiting_;
     buffer<std::uint32_t> numbers_;
     const region* region_ = nullptr;
+    bool cuts_boundary_ = true;
 };
 
 }  // namespace typemesh::inline TYPEMESH_ABI::detail
