@@ -5,6 +5,7 @@
 
 #include <cstddef>
 #include <optional>
+#include <type_traits>
 #include <vector>
 
 namespace text_to_mesh {
@@ -16,14 +17,16 @@ struct kind {
     std::string_view name;
     std::size_t numbers;  ///< that follow it
 };
-constexpr kind kinds[] = {{"cylinder", 1}, {"sphere", 1}, {"twist", 1}, {"taper", 1}, {"wave", 2}};
+constexpr kind kinds[] = {{"cylinder", 1}, {"sphere", 1}, {"twist", 1}, {"taper", 1},      {"wave", 2},
+                          {"arc", 1},      {"arch", 2},   {"flag", 2},  {"perspective", 1}};
 
 }  // namespace
 
-std::string read_bend(std::string_view written, chosen_bend& out)
+std::string read_bend(std::string_view written, chosen_bend& out, chosen_warp& warp)
 {
     const std::string wrong =
-        "must be cylinder:RADIUS, sphere:RADIUS, twist:DEGREES, taper:GROWTH or wave:HEIGHT,LENGTH, not " +
+        "must be cylinder:RADIUS, sphere:RADIUS, twist:DEGREES, taper:GROWTH, wave:HEIGHT,LENGTH, arc:DEGREES, "
+        "arch:TOP,BASELINE, flag:HEIGHT,LENGTH or perspective:SCALE, not " +
         std::string{written};
     const auto colon = written.find(':');
     if (colon == std::string_view::npos) return wrong;
@@ -49,8 +52,25 @@ std::string read_bend(std::string_view written, chosen_bend& out)
         out.of = taper{.growth = numbers[0]};
     else if (name == "wave")
         out.of = displaced<wave>{{.height = numbers[0], .length = numbers[1]}};
+    else if (name == "arc")
+        warp = arc{.degrees = numbers[0]};
+    else if (name == "arch")
+        warp = arch{.rise = numbers[0], .baseline = numbers[1]};
+    else if (name == "flag")
+        warp = flag{.height = numbers[0], .length = numbers[1]};
+    else if (name == "perspective")
+        warp = perspective{.scale = numbers[0]};
     else
         return wrong;
+    const bool refused = std::visit(
+        [](const auto& w) noexcept {
+            if constexpr (plane_warp<std::decay_t<decltype(w)>>)
+                return bool{w.refused_options()};
+            else
+                return false;
+        },
+        warp);
+    if (refused) return "has a number that is out of range: " + std::string{written};
     if (out.refused_options()) return "must not have a 0 here: " + std::string{written};
     return {};
 }

@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <typemesh/bend/arc.hpp>
+#include <typemesh/bend/arch.hpp>
+#include <typemesh/bend/flag.hpp>
 #include <typemesh/bend/on_cylinder.hpp>
 #include <typemesh/bend/on_sphere.hpp>
+#include <typemesh/bend/perspective.hpp>
 #include <typemesh/bend/taper.hpp>
 #include <typemesh/bend/twist.hpp>
 #include <typemesh/bend/wave.hpp>
@@ -37,7 +41,11 @@ struct chosen_bend {
     }
 };
 
-/// "cylinder:2", "wave:0.1,2". Gives an empty string, or what is wrong: "must ...".
-[[nodiscard]] std::string read_bend(std::string_view written, chosen_bend& out);
+/// A warp in the plane that is chosen at run time; none with monostate.
+using chosen_warp = std::variant<std::monostate, typemesh::arc, typemesh::arch, typemesh::flag, typemesh::perspective>;
+
+/// "cylinder:2", "wave:0.1,2" into `out`; "arc:90", "flag:0.2,0" into `warp`. Gives an empty string, or what is wrong:
+/// "must ...".
+[[nodiscard]] std::string read_bend(std::string_view written, chosen_bend& out, chosen_warp& warp);
 
 }  // namespace text_to_mesh

@@ -408,8 +408,11 @@ void add_refine_options(CLI::App& app, options& out, raw_values& raw)
         "a number from 0 to 1000", [](double n) { return n >= 0.0 && n <= 1000.0; },
         [&out](double n) { out.refine.max_edge = static_cast<float>(n); })
         ->type_name("EM");
-    app.add_option("--bend", raw.bend,
-                   "bend the text: cylinder:RADIUS, sphere:RADIUS, twist:DEGREES, taper:GROWTH or wave:HEIGHT,LENGTH")
+    app.add_option(
+           "--bend", raw.bend,
+           "bend the text: cylinder:RADIUS, sphere:RADIUS, twist:DEGREES, taper:GROWTH or wave:HEIGHT,LENGTH; or "
+           "warp it in its plane: arc:DEGREES, arch:TOP,BASELINE, flag:HEIGHT,LENGTH (a length of 0 is the "
+           "text's) or perspective:SCALE")
         ->type_name("SHAPE");
 }
 
@@ -576,14 +579,16 @@ std::string refused_inflation(const options& out, const raw_values& raw)
 /// Finishes bent letters. Gives an empty string, or one sentence of what is wrong.
 std::string settle_bend(options& out, const raw_values& raw)
 {
-    out.bend.is_on = !raw.bend.empty();
+    if (raw.bend.empty()) return {};
+    if (const std::string trouble = read_bend(raw.bend, out.bend.how, out.bend.warp); !trouble.empty())
+        return "--bend " + trouble;
+    out.bend.is_on = out.bend.warp.index() == 0;
+    if (out.instances) return "--bend does not work with --instances, because every bent letter is another mesh";
     if (!out.bend.is_on) return {};
-    if (const std::string trouble = read_bend(raw.bend, out.bend.how); !trouble.empty()) return "--bend " + trouble;
     if (out.outline.width > 0.0f) return "--bend does not work with --outline";
     if (out.refine.is_on) return "--bend does not work with --refine, because it adds the points that it needs";
     if (out.carve.tool_angle > 0.0f) return "--bend does not work with --carve";
     if (out.inflate.height > 0.0f) return "--bend does not work with --inflate";
-    if (out.instances) return "--bend does not work with --instances, because every bent letter is another mesh";
     return {};
 }
 

@@ -61,10 +61,11 @@ struct refine_options {
     std::optional<float> max_edge;  ///< em; of delaunay, 0: any length
 };
 
-/// Bent letters, as bent.hpp has them.
+/// Bent letters, as bent.hpp has them, or warped ones, as warped.hpp has them.
 struct bend_options {
-    bool is_on = false;
+    bool is_on = false;  ///< bent
     chosen_bend how;
+    chosen_warp warp;
 };
 
 /// Inflated letters, as inflated.hpp has them.

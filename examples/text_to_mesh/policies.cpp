@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "policies.hpp"
 
+#include <type_traits>
+#include <variant>
+
 namespace text_to_mesh {
 namespace {
 
@@ -95,6 +98,14 @@ void choose_policies(const options& o, double units_per_em, chosen_mesher& meshe
         mesher.use(typemesh::embolden{.by = o.embolden});
     else
         mesher.use(typemesh::no_step{});
+    std::visit(
+        [&mesher](const auto& warp) {
+            if constexpr (typemesh::plane_warp<std::decay_t<decltype(warp)>>)
+                mesher.use(typemesh::warped{warp});
+            else
+                mesher.use(typemesh::no_outline_step{});
+        },
+        o.bend.warp);
     with_discretiser(o, units_per_em, [&mesher](const auto& discretiser) { mesher.use(discretiser); });
     if (o.triangulator == triangulator_name::delaunay)
         mesher.use(typemesh::constrained_delaunay{});

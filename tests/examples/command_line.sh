@@ -867,13 +867,32 @@ expect 2 "^text_to_mesh: --refine does not work with --carve\.$" x --font $sans 
 expect 2 "--normals does not work with --carve" x --font $sans --output x.glb --carve 60 --normals cap
 expect 2 "--carve-as groove is an open surface, but a \.stl file contains solids" x --font $sans --output x.stl --carve 60 --carve-as groove
 
+# Text that is warped in its plane: the letters differ, bevels and outlines stay closed, and the front stays flat.
+expect 0 "" "HILL" --font $sans --output flat.obj
+for warp in arc:90 arch:0.3,0 flag:0.2,0 flag:0.1,1 perspective:0.5; do
+    expect 0 "" "HILL" --font $sans --output warped.obj --bend $warp
+    that "--bend $warp changes the letters" differ warped.obj flat.obj
+    that "--bend $warp keeps the depth" larger "$(widest warped.obj 4)" "$(widest flat.obj 4)" 0
+    expect 0 "" "HILL" --font $sans --output warped.stl --bend $warp --bevel 0.01
+    expect 0 "" "HILL" --font $sans --output warped.stl --bend $warp --outline 0.02 --outline-letter --bevel 0.005
+    expect 2 "^text_to_mesh: --bend does not work with --instances" x --font $sans --output x.glb --bend $warp --instances
+done
+expect 0 "" "IIII" --font $sans --output far.obj --bend perspective:0.25
+that "--bend perspective lets a text recede" differ far.obj flat.obj
+expect 1 "longer than the circumference" "HILL" --font $sans --output x.glb --bend arc:361
+expect 1 "folds the letters" "HILL" --font $sans --output x.glb --bend arc:-350
+for written in arc arc: arc:90,2 arch:0.3 flag:0.2 perspective perspective:1,2; do
+    expect 2 "^text_to_mesh: --bend must be cylinder:RADIUS, .* or perspective:SCALE, not $written\.$" x --font $sans --output x.glb --bend $written
+done
+expect 2 "^text_to_mesh: --bend has a number that is out of range: perspective:0\.$" x --font $sans --output x.glb --bend perspective:0
+
 # Bent letters: more triangles; a text that goes around or folds, and a shape without its numbers, are refused.
 expect 0 "" "Rag" --font $sans --output bent.stl --stats --bend cylinder:1.5 && cp out bent.stats
 that "bending adds triangles: $(triangles plain.stats) to $(triangles bent.stats)" [ "$(triangles bent.stats)" -gt "$(triangles plain.stats)" ]
 expect 0 "" "Rag" --font $sans --output bent.stl --bend wave:0.2,1 --bevel 0.02 --profile round
 expect 1 "^text_to_mesh: The text is longer than the circumference or curve that it follows: shorten it\.$" "Around and around" --font $sans --output x.glb --bend cylinder:0.5
 expect 1 "^text_to_mesh: glyph [0-9]*: The deformation folds the letters: bend them less, or make them smaller\.$" x --font $sans --output x.glb --bend taper:-5
-expect 2 "^text_to_mesh: --bend must be cylinder:RADIUS, sphere:RADIUS, twist:DEGREES, taper:GROWTH or wave:HEIGHT,LENGTH, not tube:2\.$" x --font $sans --output x.glb --bend tube:2
+expect 2 "^text_to_mesh: --bend must be cylinder:RADIUS, sphere:RADIUS, twist:DEGREES, taper:GROWTH, wave:HEIGHT,LENGTH, arc:DEGREES, arch:TOP,BASELINE, flag:HEIGHT,LENGTH or perspective:SCALE, not tube:2\.$" x --font $sans --output x.glb --bend tube:2
 expect 2 "^text_to_mesh: --bend must not have a 0 here: cylinder:0\.$" x --font $sans --output x.glb --bend cylinder:0
 expect 2 "^text_to_mesh: --bend does not work with --refine, because it adds the points that it needs\.$" x --font $sans --output x.glb --bend cylinder:2 --refine delaunay
 

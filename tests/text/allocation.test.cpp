@@ -7,6 +7,8 @@
 #include "support/mesh_laws.hpp"
 #include "support/toy_font.hpp"
 
+#include <typemesh/bend/arc.hpp>
+#include <typemesh/bend/warped.hpp>
 #include <typemesh/extrude/bevelled.hpp>
 #include <typemesh/extrude/embolden.hpp>
 #include <typemesh/extrude/outlined.hpp>
@@ -66,6 +68,7 @@ TEST_CASE("after warm-up a text asks nobody for memory, in any layout of the out
             CHECK(asked_by(text_mesher{font}.with(embolden{}).with(bevelled{}), options) == 0);
             CHECK(asked_by(text_mesher{font}.with(outlined<extruded<>, extruded<>>{}), options) == 0);
             CHECK(asked_by(text_mesher{font}.with(cached_in{cache, 1}), options) == 0);
+            CHECK(asked_by(text_mesher{font}.with(warped{arc{.degrees = 20}}).with(bevelled{}), options) == 0);
         }
     }
 }

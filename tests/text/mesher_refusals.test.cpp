@@ -57,6 +57,7 @@ TEST_CASE("what refuses takes no room in a mesher", "[text][refusals]")
         stored_policy<discretiser_ref> discretiser;
         stored_policy<triangulator_ref> triangulator;
         stored_policy<region_step_ref> step;
+        stored_policy<outline_step_ref> warp;
         stored_policy<observer_ref> observer;
         extruded<> solid;
     };

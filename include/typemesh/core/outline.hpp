@@ -5,6 +5,7 @@
 #include <typemesh/core/buffer.hpp>
 #include <typemesh/core/curve.hpp>
 #include <typemesh/core/fill_rule.hpp>
+#include <typemesh/core/point.hpp>
 
 #include <cstdint>
 
@@ -34,6 +35,14 @@ struct outline {
         starts.clear();
         bounds = {};
     }
+};
+
+/// The place of a glyph's outline in the text, for steps that depend on it.
+struct drawn_place {
+    point origin = {};         ///< the glyph's own origin, relative to the text's, in em
+    double em_per_unit = 0.0;  ///< em per font unit
+    box text = {};             ///< from the first pen position of the text to its last, lowest and highest baseline
+                               ///< included, in em; empty: unknown
 };
 
 }  // namespace typemesh::inline TYPEMESH_ABI

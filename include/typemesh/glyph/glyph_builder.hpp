@@ -1,15 +1,19 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <typemesh/core/box.hpp>
 #include <typemesh/core/contours.hpp>
+#include <typemesh/core/finite.hpp>
 #include <typemesh/core/grid.hpp>
 #include <typemesh/core/max_pieces.hpp>
 #include <typemesh/core/outline.hpp>
+#include <typemesh/core/point.hpp>
 #include <typemesh/core/result.hpp>
 #include <typemesh/core/touching.hpp>
 #include <typemesh/extrude/extruder.hpp>
 #include <typemesh/glyph/built_glyph.hpp>
 #include <typemesh/glyph/cap_builder.hpp>
+#include <typemesh/glyph/impl/outline_step_ref.hpp>
 #include <typemesh/glyph/policies.hpp>
 #include <typemesh/glyph/solid_planner.hpp>
 #include <typemesh/outline/outline_recorder.hpp>
@@ -35,6 +39,8 @@ struct glyph_settings {
     /// The largest number of cells per em in the grid, a power of two, ignored with touching::keep. It depends on the
     /// distance from the origin at which glyphs are written, so that floats distinguish neighbouring cells.
     double max_cells = 0x1p40;
+
+    box text = {};  ///< drawn_place::text; matters only for outline steps
 };
 
 /// A source to record a glyph from: an outline_source, or any other type with a record().
@@ -52,11 +58,14 @@ concept recordable = requires(F& font, glyph_id id, outline& out) {
 ///                                policies{certified{}, monotone{}, flat{}, nobody});
 class glyph_builder {
 public:
-    explicit glyph_builder(memory source = heap()) noexcept : outline_{source}, caps_{source}, planner_{source} {}
+    explicit glyph_builder(memory source = heap()) noexcept
+        : outline_{source}, warped_{source}, caps_{source}, planner_{source}
+    {
+    }
 
     /// The glyph's draft, which is stored in this builder until its next call. A glyph that cannot be built is no
     /// failure here: its draft is empty and carries the reason. `place` matters only for extruders that plan in place
-    /// (extruder.hpp).
+    /// (extruder.hpp), and for outline steps (outline_step.hpp).
     ///
     /// Fails  with errors that do not concern the glyph alone: error::out_of_memory, bad_option, bad_tolerance,
     ///        too_large
@@ -74,17 +83,19 @@ public:
         return made;
     }
 
-    /// The region that the glyph fills, in this builder until its next call; empty for a blank glyph.
+    /// The region that the glyph fills, in this builder until its next call; empty for a blank glyph. An outline step
+    /// warps it at its origin.
     ///
     /// Fails  with any error of the glyph
     template <recordable Font>
     [[nodiscard]] result<region> build_region(Font& font, glyph_id id, const glyph_settings& how,
-                                              const cap_policies& with) noexcept
+                                              const cap_policies& with, outline_step_ref warp = {},
+                                              point origin = {}) noexcept
     {
         parting_ = {};
         with.observe(stage::outline);
         if (const auto done = record(font, id, outline_, how.max_points); !done) return done.error();
-        return fill_outline(font.units_per_em(), how, with);
+        return fill_outline(font.units_per_em(), how, with, warp, origin);
     }
 
     /// The changes of the last build_region() to touching corners.
@@ -96,6 +107,7 @@ public:
         caps_.trim();
         planner_.trim();
         outline_ = outline{caps_.source()};
+        warped_ = outline{caps_.source()};
     }
 
     /// Whether a text may continue without the glyph that has this error.
@@ -111,23 +123,35 @@ public:
 
 private:
     /// The region of the outline that was recorded.
-    result<region> fill_outline(double units_per_em, const glyph_settings& how, const cap_policies& with) noexcept
+    result<region> fill_outline(double units_per_em, const glyph_settings& how, const cap_policies& with,
+                                outline_step_ref warp, point origin) noexcept
     {
         parting_ = {};
         if (outline_.curves.empty()) return region{};
-        const auto fitting = grid::fitting(units_per_em, outline_.bounds);
+        if (warp.is_none()) return fill_curves(outline_, how.tolerance, units_per_em, how, with);
+        if (!is_finite(units_per_em) || !(units_per_em > 0.0)) return error::bad("units_per_em");
+        const auto rest =
+            warp(outline_, {origin, 1.0 / units_per_em, how.text}, how.tolerance, how.max_points, warped_);
+        if (!rest) return rest.error();
+        return fill_curves(warped_, *rest, units_per_em, how, with);
+    }
+
+    result<region> fill_curves(outline& drawn, double tolerance, double units_per_em, const glyph_settings& how,
+                               const cap_policies& with) noexcept
+    {
+        const auto fitting = grid::fitting(units_per_em, drawn.bounds);
         if (!fitting) return fitting.error();
         grid cells = *fitting;
         if (how.corners != touching::keep) cells.coarsen(how.max_cells);
-        const cap_settings filled{how.fill.value_or(outline_.rule), how.max_pieces, how.max_points, how.corners};
-        const auto made = caps_.build(outline_, how.tolerance * units_per_em, cells, filled, with);
-        return made ? caps_.part(*made, outline_.curves, filled, with, parting_) : made;
+        const cap_settings filled{how.fill.value_or(drawn.rule), how.max_pieces, how.max_points, how.corners};
+        const auto made = caps_.build(drawn, tolerance * units_per_em, cells, filled, with);
+        return made ? caps_.part(*made, drawn.curves, filled, with, parting_) : made;
     }
 
     error try_to_build(double units_per_em, const glyph_settings& how, const policies& with, const solid_place& place,
                        glyph_draft& made) noexcept
     {
-        const auto filled = fill_outline(units_per_em, how, with);
+        const auto filled = fill_outline(units_per_em, how, with, with.warp, place.origin);
         if (!filled) return filled.error();
         if (filled->points().empty()) return {};
 
@@ -139,6 +163,7 @@ private:
     }
 
     outline outline_;
+    outline warped_;
     cap_builder caps_;
     solid_planner planner_;
     corner_parting parting_;

@@ -2,13 +2,14 @@
 #pragma once
 
 #include <typemesh/glyph/cap_policies.hpp>
+#include <typemesh/glyph/impl/outline_step_ref.hpp>
 #include <typemesh/glyph/impl/region_step_ref.hpp>
 #include <typemesh/glyph/impl/solid_ref.hpp>
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// The policies for building a glyph: one of each kind, the observer of stages, and the step before the solid, if any.
-/// The structure refers to them; none is copied.
+/// The policies for building a glyph: one of each kind, the observer of stages, the step before the solid, and the
+/// step after the font, if any. The structure refers to them; none is copied.
 ///
 ///     certified flatten;
 ///     monotone cut;
@@ -21,6 +22,7 @@ struct policies {
     solid_ref raise;
     observer_ref observe;
     region_step_ref step = {};
+    outline_step_ref warp = {};
 
     /// The policies that caps need.
     operator cap_policies() const noexcept { return {flatten, cut, observe}; }

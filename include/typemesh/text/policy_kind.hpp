@@ -9,6 +9,7 @@
 #include <typemesh/extrude/extruder.hpp>
 #include <typemesh/extrude/region_step.hpp>
 #include <typemesh/glyph/glyph_cache.hpp>
+#include <typemesh/glyph/outline_step.hpp>
 #include <typemesh/glyph/stage.hpp>
 #include <typemesh/triangulate/triangulator.hpp>
 
@@ -18,7 +19,17 @@
 namespace typemesh::inline TYPEMESH_ABI {
 
 /// The concept of text_mesher::with() that a type models.
-enum class policy_kind : std::uint8_t { none, discretiser, triangulator, step, extruder, observer, cache, several };
+enum class policy_kind : std::uint8_t {
+    none,
+    discretiser,
+    triangulator,
+    step,
+    outline_step,
+    extruder,
+    observer,
+    cache,
+    several
+};
 
 /// The kind of a policy.
 template <class P>
@@ -31,6 +42,7 @@ template <class P>
     models(discretiser<P>, policy_kind::discretiser);
     models(triangulator<P>, policy_kind::triangulator);
     models(region_step<P> || std::is_same_v<P, no_step>, policy_kind::step);
+    models(outline_step<P> || std::is_same_v<P, no_outline_step>, policy_kind::outline_step);
     models(extruder<P>, policy_kind::extruder);
     models(stage_observer<P>, policy_kind::observer);
     models(std::is_same_v<P, cached_in> || std::is_same_v<P, no_cache>, policy_kind::cache);
@@ -106,9 +118,10 @@ template <class P>
 constexpr void refuse_policy() noexcept
 {
     constexpr bool several = kind_of<P>() == policy_kind::several;
-    static_assert(!several,
-                  "typemesh: this type models several of discretiser, triangulator, region_step, extruder and "
-                  "stage_observer, as a call operator for any argument does: name the types of its parameters.");
+    static_assert(
+        !several,
+        "typemesh: this type models several of discretiser, triangulator, region_step, outline_step, extruder "
+        "and stage_observer, as a call operator for any argument does: name the types of its parameters.");
     if constexpr (several)
         return;
     else if constexpr (nearly_discretiser<P>)
@@ -125,8 +138,8 @@ constexpr void refuse_policy() noexcept
                       "typemesh: this type is nearly a stage_observer; the compiler's notes name what is missing.");
     else
         static_assert(sizeof(P) == 0,
-                      "typemesh: a mesher takes a discretiser, a triangulator, a region_step, an extruder, a "
-                      "stage_observer or cached_in, but this type is none of them: static_assert its "
+                      "typemesh: a mesher takes a discretiser, a triangulator, a region_step, an outline_step, an "
+                      "extruder, a stage_observer or cached_in, but this type is none of them: static_assert its "
                       "concept to see what is missing.");
 }
 

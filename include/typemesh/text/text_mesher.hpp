@@ -34,6 +34,7 @@ concept run_edit = std::is_nothrow_invocable_v<E&, glyph_run&>;
 ///     text_mesher flat_text{font, flat{}};
 ///     text_mesher deep_text{font, extruded<>{.depth = 0.5f}, two_lines{}};
 ///     text_mesher bold_text{font, embolden{.by = 0.02f}};       // a step before the solid, see region_step.hpp
+///     text_mesher round_text{font, warped{arc{.degrees = 90}}}; // a step before all others, see outline_step.hpp
 ///     text_mesher quick_text{font, cached_in{cache, 1}};        // see glyph_cache.hpp
 ///
 /// The type names only the solid, because the solid writes each vertex. The other policies are called once per glyph
@@ -126,8 +127,8 @@ public:
     /// The solid, for changing its options between texts. A plan keeps the options with which it was made.
     [[nodiscard]] Solid& solid() noexcept { return solid_; }
 
-    /// The discretiser, triangulator, step or observer, for changing its options between texts or reading the data that
-    /// it gathered. Null if the mesher's policy has another type.
+    /// The discretiser, triangulator, steps or observer, for changing its options between texts or reading the data
+    /// that it gathered. Null if the mesher's policy has another type.
     template <class Policy>
     [[nodiscard]] Policy* policy() noexcept
     {
@@ -138,6 +139,8 @@ public:
             return triangulator_.template get<Policy>();
         else if constexpr (kind == policy_kind::step)
             return step_.template get<Policy>();
+        else if constexpr (kind == policy_kind::outline_step)
+            return warp_.template get<Policy>();
         else if constexpr (kind == policy_kind::observer)
             return observer_.template get<Policy>();
         else
@@ -245,6 +248,7 @@ private:
           discretiser_{std::move(before.discretiser_)},
           triangulator_{std::move(before.triangulator_)},
           step_{std::move(before.step_)},
+          warp_{std::move(before.warp_)},
           observer_{std::move(before.observer_)},
           solid_{std::move(solid)}
     {
@@ -264,6 +268,8 @@ private:
             triangulator_ = std::move(option);
         else if constexpr (kind == policy_kind::step)
             step_ = std::move(option);
+        else if constexpr (kind == policy_kind::outline_step)
+            warp_ = std::move(option);
         else if constexpr (kind == policy_kind::observer)
             observer_ = std::move(option);
         else if constexpr (kind == policy_kind::extruder) {
@@ -281,7 +287,7 @@ private:
 
     [[nodiscard]] policies all_policies() noexcept
     {
-        return {discretiser_.ref(), triangulator_.ref(), solid_, observer_.ref(), step_.ref()};
+        return {discretiser_.ref(), triangulator_.ref(), solid_, observer_.ref(), step_.ref(), warp_.ref()};
     }
 
     template <class Sink>
@@ -331,6 +337,7 @@ private:
     stored_policy<discretiser_ref> discretiser_{certified{}};
     stored_policy<triangulator_ref> triangulator_{monotone{}};
     stored_policy<region_step_ref> step_{no_step{}};
+    stored_policy<outline_step_ref> warp_{no_outline_step{}};
     stored_policy<observer_ref> observer_{no_observer{}};
     Solid solid_{};
 };

@@ -3,8 +3,10 @@
 
 #include <typemesh/core/array_view.hpp>
 #include <typemesh/core/assert.hpp>
+#include <typemesh/core/box.hpp>
 #include <typemesh/core/finite.hpp>
 #include <typemesh/core/impl/same.hpp>
+#include <typemesh/core/point.hpp>
 #include <typemesh/core/touching.hpp>
 #include <typemesh/glyph/glyph_builder.hpp>
 #include <typemesh/glyph/glyph_cache.hpp>
@@ -20,6 +22,7 @@
 #include <typemesh/text/impl/text_glyphs.hpp>
 #include <typemesh/text/text_options.hpp>
 
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <utility>
@@ -86,10 +89,13 @@ private:
     /// Copies the run's reports.
     void report(const glyph_run& run) noexcept;
 
-    /// Prepares the places of solids that differ from place to place.
+    /// Prepares the places of glyphs that differ from place to place.
     ///
     /// Fails  error::bad_option "depth_in": in a unit_box, a depth in output units depends on the box of all solids
     error find_places(const call& now) noexcept;
+
+    /// The box of a run's pen positions, in em: drawn_place::text. A run without lines ends at its last origin.
+    [[nodiscard]] box pens_of(const glyph_run& run) const noexcept;
 
     /// Numbers the run's different glyphs; glyphs that are not drawn get no_room.
     error collect(const glyph_run& run, const text_options& options) noexcept;
@@ -144,11 +150,12 @@ error text_planner::each_glyph(const call& now, const glyph_settings& how, const
             if (error e = build(k, font, builder_, glyphs_.store, now.with)) return e;
         return {};
     }
-    return now.team->each(keys.size(), [&](std::size_t k, font_ref from, glyph_builder& builder,
-                                           glyph_store& store) noexcept {
-        no_observer nobody;
-        return build(k, from, builder, store, {now.with.flatten, now.with.cut, now.with.raise, nobody, now.with.step});
-    });
+    return now.team->each(
+        keys.size(), [&](std::size_t k, font_ref from, glyph_builder& builder, glyph_store& store) noexcept {
+            no_observer nobody;
+            return build(k, from, builder, store,
+                         {now.with.flatten, now.with.cut, now.with.raise, nobody, now.with.step, now.with.warp});
+        });
 }
 
 // If floats must distinguish cells, letters that reach farther from their pens than expected are built again. On the
@@ -182,7 +189,8 @@ inline error text_planner::plan_once(const call& now, double reach) noexcept
     if (!e) e = find_places(now);
     if (!e) e = glyphs_.glyph_styles.read(run, font);
     if (!e) e = collect(run, options);
-    const glyph_settings how = settings_of(options, reach);
+    glyph_settings how = settings_of(options, reach);
+    if (!e && !with.warp.is_none()) e = with.warp.refused(how.text = pens_of(run));
     if (!e) e = build_glyphs(now, how);
     if (!e && options.merge) e = merger_(glyphs_, run, builder_, font, how, with);
     if (!e) e = place_glyphs(glyphs_, run, options.merge && options.corners != touching::keep);
@@ -227,16 +235,36 @@ inline void text_planner::report(const glyph_run& run) noexcept
 
 inline error text_planner::find_places(const call& now) noexcept
 {
-    glyphs_.in_place = now.with.raise.plans_in_place();
+    const bool solids_differ = now.with.raise.plans_in_place();
+    glyphs_.in_place = solids_differ || !now.with.warp.is_none();
     if (!glyphs_.in_place) return {};
     const text_options& options = now.options;
     const double units_per_em = font.units_per_em();
     glyphs_.em_per_font_unit = 1.0 / units_per_em;
     glyphs_.em_per_depth = 1.0;
-    if (options.depth_in == depth_unit::em) return {};
+    if (!solids_differ || options.depth_in == depth_unit::em) return {};
     if (options.unit == output_unit::unit_box) return error::bad("depth_in");
     glyphs_.em_per_depth = 1.0 / (unit_per_font_unit(options, units_per_em, {}) * units_per_em);
     return {};
+}
+
+inline box text_planner::pens_of(const glyph_run& run) const noexcept
+{
+    box pens;
+    const double em = 1.0 / font.units_per_em();
+    for (const placed_glyph& glyph : run.glyphs)
+        if (glyph.cluster != no_cluster && is_finite(glyph.origin.x) && is_finite(glyph.origin.y))
+            pens.add(em * glyph.origin);
+    for (const text_line& line : run.lines) {
+        if (!is_finite(line.advance) || !is_finite(line.origin.x) || !is_finite(line.origin.y)) continue;
+        const auto glyphs = run.letters_of(line);
+        if (glyphs.empty()) continue;
+        const point step = glyphs.back().origin - glyphs.front().origin;
+        const bool is_column = std::fabs(step.y) > std::fabs(step.x);
+        pens.add(em * line.origin);
+        pens.add(em * (line.origin + (is_column ? point{0.0, -line.advance} : point{line.advance, 0.0})));
+    }
+    return pens;
 }
 
 inline error text_planner::collect(const glyph_run& run, const text_options& options) noexcept
