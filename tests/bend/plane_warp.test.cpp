@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 
-// The ready warps: their derivatives, their bounds, where they leave the text, and their options.
+// The ready warps: their derivatives and their bounds.
 
 #include <typemesh/bend/arc.hpp>
 #include <typemesh/bend/arch.hpp>
@@ -10,8 +10,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
-#include <string>
 
 #include "support/catch.hpp"
 
@@ -74,49 +72,8 @@ TEST_CASE("second derivatives never exceed a warp's bounds, which are not far to
     });
 }
 
-TEST_CASE("fitted warps end where the text ends", "[bend][warp]")
+TEST_CASE("the span of columns, of single pens and of no pens at all is one em", "[bend][warp]")
 {
-    const box text{{1.0, 0.0}, {5.0, 0.0}};
-    const arc round = arc{.degrees = 90}.fitted(text);
-    CHECK(length(round({3.0, 0.0}).at - point{3.0, 0.0}) < 1e-12);
-    const point left = round({1.0, 0.0}).x, right = round({5.0, 0.0}).x;
-    CHECK(std::atan2(cross(right, left), dot(right, left)) == Catch::Approx(1.5707963267948966));
-    CHECK(length(left) == Catch::Approx(1.0));
-    CHECK(round({1.0, 0.0}).at.y < -0.5);  // arched upwards
-    CHECK(arc{.degrees = -90}.fitted(text)({1.0, 0.0}).at.y > 0.5);
-
-    const arch upper = arch{.rise = 0.4}.fitted(text);
-    CHECK(length(upper({3.0, 0.7}).at - point{3.0, 1.1}) < 1e-12);
-    CHECK(length(upper({3.0, 0.0}).at - point{3.0, 0.0}) < 1e-12);
-    CHECK(length(upper({5.0, 0.7}).at - point{5.0, 0.7}) < 1e-12);
-
-    const flag waving = flag{.height = 0.4}.fitted(text);
-    CHECK(length(waving({2.0, 0.3}).at - point{2.0, 0.7}) < 1e-12);
-    CHECK(length(waving({5.0, 0.3}).at - point{5.0, 0.3}) < 1e-10);
-
-    const perspective wall = perspective{.scale = 0.5, .horizon = 0.3}.fitted(text);
-    CHECK(length(wall({1.0, 0.9}).at - point{1.0, 0.9}) < 1e-12);
-    CHECK(length(wall({5.0, 0.9}).at - point{3.0, 0.6}) < 1e-12);
-    CHECK(wall({2.0, 0.3}).at.y == Catch::Approx(0.3));
-
-    // Columns, single pens and no pens at all.
     CHECK(text_span::of({{2.0, -5.0}, {2.0, 0.0}}).width == 1.0);
     CHECK(text_span::of({}).middle() == 0.5);
-}
-
-TEST_CASE("warps refuse options that are no numbers or out of range", "[bend][warp]")
-{
-    const double nan = std::numeric_limits<double>::quiet_NaN();
-    CHECK(arc{.degrees = nan}.refused_options().option == std::string{"degrees"});
-    CHECK(arc{.width = -1.0}.refused_options().option == std::string{"width"});
-    CHECK(arc{.middle = nan}.refused_options().option == std::string{"middle"});
-    CHECK(arch{.top = 0.0}.refused_options() == error::bad_option);
-    CHECK(arch{.rise = nan}.refused_options() == error::bad_option);
-    CHECK(arch{.baseline = nan}.refused_options() == error::bad_option);
-    CHECK(flag{.height = nan}.refused_options() == error::bad_option);
-    CHECK(flag{.length = -1.0}.refused_options() == error::bad_option);
-    CHECK(flag{.phase = nan}.refused_options() == error::bad_option);
-    CHECK(perspective{.scale = 0.0}.refused_options() == error::bad_option);
-    CHECK(perspective{.scale = -1.0}.refused_options() == error::bad_option);
-    CHECK(perspective{.horizon = nan}.refused_options() == error::bad_option);
 }

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: MIT
+#include <typemesh/bend/impl/steady.hpp>
+
+#include <cmath>
+
+#include "support/catch.hpp"
+
+using namespace typemesh;
+
+TEST_CASE("steady numbers are near, and the same for neighbours", "[bend][warp]")
+{
+    for (double v = -3.0; v < 3.0; v += 0.0371) {
+        const double s = detail::steady(v);
+        CHECK(std::fabs(s - v) <= 0x1p-40 * std::fabs(v));
+        CHECK(detail::steady(s) == s);
+        CHECK(detail::steady(std::nextafter(s, 9.0)) == s);
+        CHECK(detail::steady(std::nextafter(s, -9.0)) == s);
+    }
+    CHECK(detail::steady(0.0) == 0.0);
+    CHECK(detail::steady_sine(0.0) == 0.0);
+    CHECK(detail::steady_cosine(0.0) == 1.0);
+    CHECK(detail::farthest(-3.0, 1.0, 0.0) == 3.0);
+    CHECK(detail::farthest(2.0, 5.0, 3.0) == 2.0);
+}
