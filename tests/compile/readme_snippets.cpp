@@ -5,11 +5,17 @@
 
 #include <typemesh/adapt/harfbuzz.hpp>
 #include <typemesh/adapt/threads.hpp>
+#include <typemesh/bend/on_cylinder.hpp>
+#include <typemesh/bend/twist.hpp>
+#include <typemesh/bend/wave.hpp>
+#include <typemesh/extrude/bent.hpp>
 #include <typemesh/extrude/bevelled.hpp>
+#include <typemesh/extrude/carved.hpp>
 #include <typemesh/extrude/embolden.hpp>
 #include <typemesh/extrude/flat_curved.hpp>
 #include <typemesh/extrude/one_of.hpp>
 #include <typemesh/extrude/outlined.hpp>
+#include <typemesh/extrude/inflated.hpp>
 #include <typemesh/extrude/refined.hpp>
 #include <typemesh/inspect/closedness.hpp>
 #include <typemesh/inspect/normal_check.hpp>
@@ -121,6 +127,16 @@ auto spaced = bolder.plan("Hamburg", {.shape = {.letter_spacing = 2 * 0.015}});
 auto short_edges = typemesh::text_mesher{*font, typemesh::refined<>{.how = {.max_edge = 0.05f}}};
 auto fine_flat = typemesh::text_mesher{*font, typemesh::refined<typemesh::flat>{.how = {.min_angle = 30.0f}}};
     use(short_edges, fine_flat);
+auto sign = typemesh::text_mesher{*font, typemesh::carved{.tool_angle = 60.0f, .max_depth = 0.05f}};
+    use(sign);
+auto balloon = typemesh::text_mesher{*font, typemesh::inflated{}};
+auto pillow = typemesh::text_mesher{*font, typemesh::inflated{.limit = 0.05f}};
+auto dome = typemesh::text_mesher{*font, typemesh::inflated{.height = 0.5f, .form = typemesh::inflated_form::dome, .depth = 0.1f}};
+    use(balloon, pillow, dome);
+auto cup = typemesh::text_mesher{*font, typemesh::bent<typemesh::on_cylinder>{.how = {.radius = 1.5}}};
+auto flag = typemesh::text_mesher{*font, typemesh::bent<typemesh::displaced<typemesh::wave>>{.how = {{.height = 0.2}}}};
+auto screw = typemesh::text_mesher{*font, typemesh::bent<typemesh::twist, typemesh::bevelled>{.how = {.degrees_per_em = 15.0}}};
+    use(cup, flag, screw);
 typemesh::text_mesher over_the_text{*font, typemesh::extruded<>{.texture = typemesh::texture_mapping::box}};
     use(over_the_text);
 

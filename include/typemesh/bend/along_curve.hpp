@@ -25,12 +25,14 @@ struct along_curve {
     const text_path* path = nullptr;  ///< must outlive the plan
     double start = 0.0;               ///< the distance along the curve of the text's origin, in em
 
+    /// See deformation.
     [[nodiscard]] error refused_options() const noexcept
     {
         if (path == nullptr || path->empty()) return error::bad("path");
         return is_finite(start) ? error{} : error::bad("start");
     }
 
+    /// See deformation.
     [[nodiscard]] error refused_text(const box3& text) const noexcept
     {
         const bool fits = start + text.low.x >= 0.0 && start + text.high.x <= path->length();
@@ -43,6 +45,7 @@ struct along_curve {
         return {f.at + p.y * f.up + p.z * f.toward, f.speed + p.y * f.up_by + p.z * f.toward_by, f.up, f.toward};
     }
 
+    /// See deformation.
     [[nodiscard]] bend_bounds bend(const box3& b) const noexcept
     {
         const text_path::bounds by = path->between(start + b.low.x, start + b.high.x);

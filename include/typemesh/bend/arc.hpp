@@ -29,6 +29,7 @@ struct arc {
     double width = 0.0;   ///< in em; 0: as wide as the text
     double middle = 0.0;  ///< the top of the arc, in em; matters only if there is a width
 
+    /// See plane_warp.
     [[nodiscard]] error refused_options() const noexcept
     {
         if (!is_finite(degrees) || std::fabs(degrees) > 0x1p20) return error::bad("degrees");
@@ -43,6 +44,7 @@ struct arc {
         return {degrees, span.width, span.middle()};
     }
 
+    /// See plane_warp.
     [[nodiscard]] error refused_text(const box& text) const noexcept
     {
         constexpr double full_turn = 360.0 * (1.0 + 0x1p-30);
@@ -60,6 +62,7 @@ struct arc {
                 {sine, cosine}};
     }
 
+    /// See plane_warp.
     [[nodiscard]] bend_bounds bend(const box& b) const noexcept
     {
         const double turn = std::fabs(per_em());

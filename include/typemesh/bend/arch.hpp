@@ -28,6 +28,7 @@ struct arch {
     double width = 0.0;     ///< in em; 0: as wide as the text
     double middle = 0.0;    ///< in em; matters only if there is a width
 
+    /// See plane_warp.
     [[nodiscard]] error refused_options() const noexcept
     {
         if (!is_finite(rise)) return error::bad("rise");
@@ -52,6 +53,7 @@ struct arch {
                 {0.0, 1.0 + per_height() * (1.0 - s * s)}};
     }
 
+    /// See plane_warp.
     [[nodiscard]] bend_bounds bend(const box& b) const noexcept
     {
         const double half = half_width(), low = std::fabs(lift_at(b.low.y)), high = std::fabs(lift_at(b.high.y)),

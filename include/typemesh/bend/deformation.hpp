@@ -22,12 +22,12 @@ struct deformed_point {
 
 /// Upper bounds of the lengths of a deformation's second derivatives: xy is the bound of the derivative by x and by y.
 struct bend_bounds {
-    double xx = 0.0;
-    double yy = 0.0;
-    double zz = 0.0;
-    double xy = 0.0;
-    double xz = 0.0;
-    double yz = 0.0;
+    double xx = 0.0;  ///< by x twice
+    double yy = 0.0;  ///< by y twice
+    double zz = 0.0;  ///< by z twice
+    double xy = 0.0;  ///< by x and by y
+    double xz = 0.0;  ///< by x and by z
+    double yz = 0.0;  ///< by y and by z
 };
 
 /// A smooth map of space that bends flat text: x along the text, y up, z towards the reader, in em, relative to the

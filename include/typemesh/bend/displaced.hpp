@@ -12,8 +12,8 @@ namespace typemesh::inline TYPEMESH_ABI {
 /// The height of a surface at a place, and its derivatives there.
 struct surface_height {
     double z = 0.0;
-    double by_x = 0.0;
-    double by_y = 0.0;
+    double by_x = 0.0;  ///< its derivative by x
+    double by_y = 0.0;  ///< and by y
 };
 
 /// A surface z = h(x, y) over the text's plane, in em.

@@ -18,11 +18,14 @@ struct double3 {
     friend constexpr double3 operator*(double s, double3 a) noexcept { return {s * a.x, s * a.y, s * a.z}; }
 };
 
+/// The dot product.
 [[nodiscard]] constexpr double dot(double3 a, double3 b) noexcept { return a.x * b.x + a.y * b.y + a.z * b.z; }
+/// The cross product.
 [[nodiscard]] constexpr double3 cross(double3 a, double3 b) noexcept
 {
     return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
+/// The Euclidean length.
 [[nodiscard]] inline double length(double3 a) noexcept { return std::sqrt(dot(a, a)); }
 
 /// A box in space.

@@ -22,6 +22,7 @@ struct flag {
     double left = 0.0;    ///< the beginning of a wave, in em; matters only if there is a length
     double phase = 0.0;   ///< in degrees
 
+    /// See plane_warp.
     [[nodiscard]] error refused_options() const noexcept
     {
         if (!is_finite(height)) return error::bad("height");
@@ -30,6 +31,7 @@ struct flag {
         return is_finite(phase) ? error{} : error::bad("phase");
     }
 
+    /// See plane_warp.
     [[nodiscard]] flag fitted(const box& text) const noexcept
     {
         if (length > 0.0) return *this;
@@ -45,6 +47,7 @@ struct flag {
                 {0.0, 1.0}};
     }
 
+    /// See plane_warp.
     [[nodiscard]] bend_bounds bend(const box&) const noexcept
     {
         return {.xx = std::fabs(height) * per_em() * per_em()};

@@ -25,11 +25,13 @@ struct on_cylinder {
     double radius = 2.0;             ///< in em
     text_axis axis = text_axis::up;  ///< the direction of the cylinder's axis
 
+    /// See deformation.
     [[nodiscard]] error refused_options() const noexcept
     {
         return is_finite(radius) && std::fabs(radius) >= 0x1p-20 ? error{} : error::bad("radius");
     }
 
+    /// See deformation.
     [[nodiscard]] error refused_text(const box3& text) const noexcept
     {
         const double3 size = text.high - text.low;
@@ -56,6 +58,7 @@ struct on_cylinder {
                 {0.0, sine, cosine}};
     }
 
+    /// See deformation.
     [[nodiscard]] bend_bounds bend(const box3& b) const noexcept
     {
         const double curvature = 1.0 / std::fabs(radius), low = std::fabs(radius + b.low.z),

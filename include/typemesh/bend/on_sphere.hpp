@@ -25,11 +25,13 @@ namespace typemesh::inline TYPEMESH_ABI {
 struct on_sphere {
     double radius = 3.0;  ///< in em
 
+    /// See deformation.
     [[nodiscard]] error refused_options() const noexcept
     {
         return is_finite(radius) && std::fabs(radius) >= 0x1p-20 ? error{} : error::bad("radius");
     }
 
+    /// See deformation.
     [[nodiscard]] error refused_text(const box3& text) const noexcept
     {
         constexpr double pi = 3.141592653589793;
@@ -54,6 +56,7 @@ struct on_sphere {
                 away};
     }
 
+    /// See deformation.
     [[nodiscard]] bend_bounds bend(const box3& b) const noexcept
     {
         const double curvature = 1.0 / std::fabs(radius);

@@ -21,6 +21,7 @@ namespace typemesh::inline TYPEMESH_ABI {
 /// Fails  error::bad_option: scale is not 1/1024 to 1024, another number is not finite, width is negative ("scale",
 ///        "horizon", "width", "left"); error::folds_over: letters reach behind the reader
 struct perspective {
+    /// See plane_warp.
     static constexpr bool keeps_lines = true;
 
     double scale = 0.5;     ///< of the right end
@@ -28,6 +29,7 @@ struct perspective {
     double width = 0.0;     ///< in em; 0: as wide as the text
     double left = 0.0;      ///< the left end, in em; matters only if there is a width
 
+    /// See plane_warp.
     [[nodiscard]] error refused_options() const noexcept
     {
         if (!(scale >= 0x1p-10 && scale <= 0x1p10)) return error::bad("scale");
@@ -36,6 +38,7 @@ struct perspective {
         return is_finite(left) ? error{} : error::bad("left");
     }
 
+    /// See plane_warp.
     [[nodiscard]] perspective fitted(const box& text) const noexcept
     {
         if (width > 0.0) return *this;
@@ -49,6 +52,7 @@ struct perspective {
         return {{left + x * s, horizon + y * s}, {s * s, -a * y * s * s}, {0.0, s}};
     }
 
+    /// See plane_warp.
     [[nodiscard]] bend_bounds bend(const box& b) const noexcept
     {
         const double a = per_em(), one = 1.0 + a * (b.low.x - left), other = 1.0 + a * (b.high.x - left),

@@ -20,8 +20,10 @@ struct taper {
     double growth = -0.1;               ///< per em
     text_axis axis = text_axis::along;  ///< the direction along which the factor changes
 
+    /// See deformation.
     [[nodiscard]] error refused_options() const noexcept { return is_finite(growth) ? error{} : error::bad("growth"); }
 
+    /// See deformation.
     [[nodiscard]] error refused_text(const box3& text) const noexcept
     {
         const bool along = axis == text_axis::along;
@@ -39,6 +41,7 @@ struct taper {
         return {{p.x * f, p.y, p.z * f}, {f, 0.0, 0.0}, {growth * p.x, 1.0, growth * p.z}, {0.0, 0.0, f}};
     }
 
+    /// See deformation.
     [[nodiscard]] bend_bounds bend(const box3&) const noexcept
     {
         const double change = growth < 0.0 ? -growth : growth;

@@ -37,8 +37,10 @@ public:
     /// A frame, with its derivatives along the curve.
     struct frame {
         double3 at, tangent, up, toward;
-        double3 speed;  ///< the derivative of `at`; its length is nearly 1
-        double3 tangent_by, up_by, toward_by;
+        double3 speed;       ///< the derivative of `at`; its length is nearly 1
+        double3 tangent_by;  ///< the derivative of the tangent
+        double3 up_by;       ///< the derivative of `up`
+        double3 toward_by;   ///< the derivative of `toward`
     };
 
     /// Bounds over a part of the curve.

@@ -28,6 +28,7 @@ struct twist {
 
     static constexpr bool keeps_volume = true;  ///< see deformation.hpp
 
+    /// See deformation.
     [[nodiscard]] error refused_options() const noexcept
     {
         if (!is_finite(degrees_per_em)) return error::bad("degrees_per_em");
@@ -54,6 +55,7 @@ struct twist {
                 {-sine, 0.0, cosine}};
     }
 
+    /// See deformation.
     [[nodiscard]] bend_bounds bend(const box3& b) const noexcept
     {
         const bool along = axis == text_axis::along;

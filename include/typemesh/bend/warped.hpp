@@ -62,7 +62,7 @@ struct warp_in_space {
 /// Cost   a few evaluations of the warp for each point of the flattened curve
 template <plane_warp W>
 struct warped {
-    W how = {};
+    W how = {};  ///< the warp
 
     /// See option_bits. Warped glyphs are not cached; this key names the policy.
     [[nodiscard]] option_bits cache_key() const noexcept { return {}; }

@@ -21,6 +21,7 @@ struct wave {
     double direction = 0.0;  ///< in which the waves follow each other, in degrees: 0 along the text, 90 up
     double phase = 0.0;      ///< in degrees
 
+    /// See height_surface.
     [[nodiscard]] error refused_options() const noexcept
     {
         if (!is_finite(height)) return error::bad("height");
@@ -36,6 +37,7 @@ struct wave {
         return {height * std::sin(angle), slope * cosine, slope * sine};
     }
 
+    /// See height_surface.
     [[nodiscard]] bend_bounds bend(const box3&) const noexcept
     {
         const double k = per_em(), bent = std::fabs(height) * k * k, cosine = std::fabs(std::cos(radians(direction))),

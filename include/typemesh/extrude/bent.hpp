@@ -33,12 +33,14 @@ struct bent_form {
     double low = 0.0;  ///< its heights after it is bent, in the extruder's unit
     double high = 0.0;
     std::uint32_t segments = 1;  ///< of its walls
-    std::uint32_t unused = 0;
+    std::uint32_t unused = 0;    ///< fills the structure up to a multiple of its alignment
 };
 
 /// Refines the caps of an extruder; for the concept bendable_caps.
 struct cap_refiner {
+    /// Refines the region's own cap.
     error region_cap(std::uint32_t& added) noexcept;
+    /// Refines another cap.
     error cap(buffer<grid_point>& points, array_view<const std::uint32_t> starts, buffer<triangle>& triangles,
               std::uint32_t& added) noexcept;
 };
@@ -65,19 +67,21 @@ concept bendable = refinable_extruder<E> || bendable_caps<E>;
 /// The plan data of bent: the solid of the refined region, which is not bent yet.
 template <class Solid>
 struct bent_data {
-    using arrays = plan_arrays<bent_form>;
+    using arrays = plan_arrays<bent_form>;  ///< one bent_form
+    /// The parts that are stored with the glyph.
     struct view {
         typename arrays::view form;
         solid_of<Solid> flat;
     };
 
     arrays form;
-    refined_solid<Solid> flat;
-    detail::edge_bisection working;  // not stored with the glyph
-    buffer<double3> places;          // likewise
-    contours rim, same_rim;          // likewise, of a cap that is refined, and of the refined cap
-    buffer<grid_point> inner;
-    triangle_list triangles;
+    refined_solid<Solid> flat;       ///< the other extruder's solid
+    detail::edge_bisection working;  ///< the refiner's memory, which is not stored with the glyph
+    buffer<double3> places;          ///< likewise, for the certificate
+    contours rim;                    ///< likewise, the loops of a cap that is refined
+    contours same_rim;               ///< the same loops, as the refiner writes them
+    buffer<grid_point> inner;        ///< and the points that it adds
+    triangle_list triangles;         ///< and its triangles
 
     explicit bent_data(memory source = heap()) noexcept
         : form{source},
@@ -216,6 +220,7 @@ struct bent {
 
     /// See extruder.hpp.
     [[nodiscard]] bool plans_in_place() const noexcept { return true; }
+    /// See extruder.hpp.
     [[nodiscard]] error refused_text(const box& text) const noexcept
     {
         return typemesh::refused_text(how, {{text.low.x, text.low.y, 0.0}, {text.high.x, text.high.y, 0.0}});

@@ -39,14 +39,15 @@ struct carved_depth {
 
 /// The plan data of carved: the solid of bevelled, its depths, and the ridges.
 struct carved_data {
-    using own_arrays = plan_arrays<carved_depth, ridge_point>;
+    using own_arrays = plan_arrays<carved_depth, ridge_point>;  ///< one carved_depth, and the ridges
+    /// The parts as their readers see them.
     struct view {
         typename own_arrays::view own;
         bevel_data::view bevel;
     };
 
-    own_arrays own;
-    bevel_data bevel;
+    own_arrays own;    ///< its depths and ridges
+    bevel_data bevel;  ///< the solid of bevelled
 
     explicit carved_data(memory source = heap()) noexcept : own{source}, bevel{source} {}
     void clear() noexcept
@@ -160,6 +161,7 @@ struct carved {
     {
         return range_to(max_depth > 0.0f ? as_double(max_depth) : widest / tangent());
     }
+    /// The name of the option that is at fault if the heights cannot be written.
     [[nodiscard]] const char* heights_name() const noexcept { return "max_depth"; }
 
     /// The heights of a planned solid: its slopes may meet sooner.

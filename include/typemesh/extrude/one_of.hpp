@@ -137,11 +137,12 @@ public:
         return std::get_if<Solid>(&choice_);
     }
 
-    /// The number of segments of the chosen extruder's walls, and the option to change it: see wall_segments.hpp.
+    /// The number of segments of the chosen extruder's walls; 1 if they cannot be divided.
     [[nodiscard]] std::uint32_t wall_segments() const noexcept
     {
         return visit([](auto, const auto& how) noexcept { return segments_of(how); });
     }
+    /// Changes this number, if the walls can be divided.
     void set_wall_segments(std::uint32_t segments) noexcept
     {
         visit([segments](auto, auto& how) noexcept { set_segments(how, segments); });
@@ -178,10 +179,12 @@ public:
     {
         return visit([](auto, const auto& how) noexcept { return heights_name_of(how); });
     }
+    /// See extruder.hpp.
     [[nodiscard]] bool plans_in_place() const noexcept
     {
         return visit([](auto, const auto& how) noexcept { return typemesh::plans_in_place(how); });
     }
+    /// See extruder.hpp.
     [[nodiscard]] error refused_text(const box& text) const noexcept
         requires(refuses_texts<Solids> || ...)
     {

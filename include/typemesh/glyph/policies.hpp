@@ -22,7 +22,7 @@ struct policies {
     solid_ref raise;
     observer_ref observe;
     region_step_ref step = {};
-    outline_step_ref warp = {};
+    outline_step_ref warp = {};  ///< the step after the font, if any
 
     /// The policies that caps need.
     operator cap_policies() const noexcept { return {flatten, cut, observe}; }

@@ -40,6 +40,7 @@ public:
     }
     /// Scratch memory, shared with the stages.
     [[nodiscard]] workspace& space() noexcept { return caps_.space(); }
+    /// The place of the region in the text.
     [[nodiscard]] solid_place place() const noexcept { return place_; }
 
 private:

@@ -25,7 +25,7 @@ enum class ridge_step : std::uint32_t {
 struct ridge_point {
     grid_point at;
     float distance = 0.0f;
-    ridge_step step = ridge_step::on;
+    ridge_step step = ridge_step::on;  ///< its role in the polyline
 };
 
 /// Finds the ridges of a region that was swept inwards in one band: the lines where its slopes meet and fall to both
