@@ -5,8 +5,10 @@
 
 #include <typemesh/adapt/harfbuzz.hpp>
 #include <typemesh/adapt/threads.hpp>
+#include <typemesh/bend/arc.hpp>
 #include <typemesh/bend/on_cylinder.hpp>
 #include <typemesh/bend/twist.hpp>
+#include <typemesh/bend/warped.hpp>
 #include <typemesh/bend/wave.hpp>
 #include <typemesh/extrude/bent.hpp>
 #include <typemesh/extrude/bevelled.hpp>
@@ -127,8 +129,8 @@ auto spaced = bolder.plan("Hamburg", {.shape = {.letter_spacing = 2 * 0.015}});
 auto short_edges = typemesh::text_mesher{*font, typemesh::refined<>{.how = {.max_edge = 0.05f}}};
 auto fine_flat = typemesh::text_mesher{*font, typemesh::refined<typemesh::flat>{.how = {.min_angle = 30.0f}}};
     use(short_edges, fine_flat);
-auto sign = typemesh::text_mesher{*font, typemesh::carved{.tool_angle = 60.0f, .max_depth = 0.05f}};
-    use(sign);
+auto carved_sign = typemesh::text_mesher{*font, typemesh::carved{.tool_angle = 60.0f, .max_depth = 0.05f}};
+    use(carved_sign);
 auto balloon = typemesh::text_mesher{*font, typemesh::inflated{}};
 auto pillow = typemesh::text_mesher{*font, typemesh::inflated{.limit = 0.05f}};
 auto dome = typemesh::text_mesher{*font, typemesh::inflated{.height = 0.5f, .form = typemesh::inflated_form::dome, .depth = 0.1f}};
@@ -137,6 +139,8 @@ auto cup = typemesh::text_mesher{*font, typemesh::bent<typemesh::on_cylinder>{.h
 auto flag = typemesh::text_mesher{*font, typemesh::bent<typemesh::displaced<typemesh::wave>>{.how = {{.height = 0.2}}}};
 auto screw = typemesh::text_mesher{*font, typemesh::bent<typemesh::twist, typemesh::bevelled>{.how = {.degrees_per_em = 15.0}}};
     use(cup, flag, screw);
+auto rainbow = typemesh::text_mesher{*font, typemesh::bevelled{}, typemesh::warped{typemesh::arc{.degrees = 120}}};
+    use(rainbow);
 typemesh::text_mesher over_the_text{*font, typemesh::extruded<>{.texture = typemesh::texture_mapping::box}};
     use(over_the_text);
 
@@ -154,7 +158,7 @@ auto em = fit_size(words, 30.0, 10.0);                                          
 if (!em) return std::puts(em.error().message()), 1;
 if (auto laid = words.lay_out({.width = 30.0 / *em}, page); !laid) return std::puts(laid.error().message()), 1;
 auto sign = mesher.plan(page, {.size = *em});
-    use(sign);
+    use(carved_sign);
 typemesh::paragraph even{*font, typemesh::heap(), typemesh::unicode_analyser{}, typemesh::total_fit{.tolerance = 0.8}};
     use(even);
 typemesh::paragraph parted{*font, typemesh::heap(), typemesh::hyphenating{typemesh::unicode_analyser{}, my_patterns{}}};

@@ -6,6 +6,7 @@
 #include <typemesh/bend/double3.hpp>
 #include <typemesh/core/buffer.hpp>
 #include <typemesh/core/error.hpp>
+#include <typemesh/core/finite.hpp>
 #include <typemesh/extrude/extruder.hpp>
 #include <typemesh/extrude/placement.hpp>
 #include <typemesh/vertex/surface_point.hpp>
@@ -98,6 +99,8 @@ public:
     [[nodiscard]] error read(const E& solid, const solid_of<E>& s, const solid_plan& plan, const placement& at) noexcept
     {
         places_.clear();
+        is_empty_ = true;
+        greatest_ = 0.0;
         bool fits = true;
         const auto keep = [&](const surface_point<attribute::position>& v) noexcept {
             fits = fits && places_.push_back(as_double3(v.position));
@@ -110,19 +113,18 @@ public:
             solid.triangles(p, s, first, [&](std::uint32_t a, std::uint32_t b, std::uint32_t c) noexcept {
                 const double3 corners[] = {places_[a], places_[b], places_[c]};
                 const double error_of = error_over(corners);
-                if (is_number(greatest_) && !(error_of <= greatest_)) greatest_ = error_of;
+                if (is_finite(greatest_) && !(error_of <= greatest_)) greatest_ = error_of;
             });
         return {};
     }
 
-    /// No point of the bent triangles is farther than this from its place on the bent solid, in em. Not a number if
-    /// the deformation's bounds of a triangle are not.
+    /// No point of the bent triangles is farther than this from its place on the bent solid, in em. Not finite
+    /// if the deformation's bounds of a triangle are not.
     [[nodiscard]] double greatest_error() const noexcept { return greatest_; }
     /// The box around all bent vertices, in em.
     [[nodiscard]] box3 bounds() const noexcept { return bounds_; }
 
 private:
-    [[nodiscard]] static bool is_number(double v) noexcept { return v == v; }
     [[nodiscard]] double error_over(const double3 (&corners)[3]) const noexcept
     {
         box3 b{corners[0], corners[0]};

@@ -236,7 +236,7 @@ private:
     {
         const std::uint64_t both =
             std::uint64_t{static_cast<std::uint32_t>(column)} << 32 | static_cast<std::uint32_t>(row);
-        return static_cast<std::size_t>((both * 0x9E37'79B9'7F4A'7C15u) >> 32) & (roots_.size() - 1);
+        return std::size_t{static_cast<std::uint32_t>((both * 0x9E37'79B9'7F4A'7C15u) >> 32)} & (roots_.size() - 1);
     }
     [[nodiscard]] std::uint32_t find_root(std::int32_t column, std::int32_t row) const noexcept
     {
