@@ -48,8 +48,7 @@ public:
     ///
     /// Fails  as the step and the extruder do
     [[nodiscard]] result<planned_draft> plan(const region& drawn, cap_builder& caps, const policies& with,
-                                             const corner_parting& parted,
-                                             const solid_place& place = {}) noexcept
+                                             const corner_parting& parted, const solid_place& place = {}) noexcept
     {
         stepped_region made{drawn, caps.triangles().view()};
         if (!with.step.is_none()) {
