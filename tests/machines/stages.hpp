@@ -7,15 +7,25 @@
 
 #include "support/toy_shaper.hpp"
 
+#include <typemesh/bend/arc.hpp>
+#include <typemesh/bend/on_cylinder.hpp>
+#include <typemesh/bend/twist.hpp>
+#include <typemesh/bend/warped.hpp>
 #include <typemesh/discretise/adaptive_subdivision.hpp>
 #include <typemesh/discretise/thesis_quality.hpp>
 #include <typemesh/discretise/two_lines.hpp>
+#include <typemesh/extrude/bent.hpp>
 #include <typemesh/extrude/bevelled.hpp>
+#include <typemesh/extrude/carved.hpp>
 #include <typemesh/extrude/embolden.hpp>
 #include <typemesh/extrude/flat.hpp>
+#include <typemesh/extrude/flat_curved.hpp>
+#include <typemesh/extrude/inflated.hpp>
 #include <typemesh/extrude/outlined.hpp>
+#include <typemesh/extrude/refined.hpp>
 #include <typemesh/paragraph/paragraph.hpp>
 #include <typemesh/paragraph/total_fit.hpp>
+#include <typemesh/refine/quadtree_refined.hpp>
 #include <typemesh/triangulate/constrained_delaunay.hpp>
 #include <typemesh/typemesh.hpp>
 
@@ -299,6 +309,16 @@ inline std::vector<stage_hash> hash_stages(const faces& all)
           [&](hash& h) { hash_mesh(h, all, bevelled{.depth = 0.2f, .width = 0.05f, .profile = round_profile()}); });
     stage("mesh: emboldened", [&](hash& h) { hash_mesh(h, all, embolden{.by = 0.02f}); });
     stage("mesh: outlined", [&](hash& h) { hash_mesh(h, all, outlined<>{}); });
+    stage("mesh: refined, delaunay", [&](hash& h) { hash_mesh(h, all, refined<>{.how = {.max_edge = 0.1f}}); });
+    stage("mesh: refined, quadtree", [&](hash& h) {
+        hash_mesh(h, all, refined<extruded<>, quadtree_refined>{.how = {.max_edge = 0.1f}});
+    });
+    stage("mesh: bent, cylinder", [&](hash& h) { hash_mesh(h, all, bent<on_cylinder>{.how = {50.0}}); });
+    stage("mesh: bent, twisted bevels", [&](hash& h) { hash_mesh(h, all, bent<twist, bevelled>{.how = {5.0}}); });
+    stage("mesh: warped, arc", [&](hash& h) { hash_mesh(h, all, warped{arc{.degrees = 90.0}}); });
+    stage("mesh: carved", [&](hash& h) { hash_mesh(h, all, carved{}); });
+    stage("mesh: inflated", [&](hash& h) { hash_mesh(h, all, inflated{.edge = 0.1f}); });
+    stage("mesh: flat_curved", [&](hash& h) { hash_mesh(h, all, flat_curved{}); });
     stage("text: levels, graphemes, breaks, scripts", [](hash& h) { hash_analysis(h); });
     stage("text: lines, first_fit", [](hash& h) { hash_lines(h, {}, first_fit{}); });
     stage("text: lines, first_fit, justified",
