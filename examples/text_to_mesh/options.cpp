@@ -568,7 +568,7 @@ std::string refused_inflation(const options& out, const raw_values& raw)
         return raw.of_inflating.empty() ? std::string{} : raw.of_inflating + " needs --inflate";
     if (out.bevel.width > 0.0f) return "--inflate does not work with --bevel";
     if (out.outline.width > 0.0f) return "--inflate does not work with --outline";
-    if (out.refine.is_on) return "--inflate does not work with --refine";
+    if (out.refine.refiner != refiner_name::none) return "--inflate does not work with --refine";
     if (out.carve.tool_angle > 0.0f) return "--inflate does not work with --carve";
     if (raw.normals_given) return "--normals does not work with --inflate, which has normals of its own";
     if (out.inflate.form == typemesh::inflated_form::dome && out.depth == 0.0f)
@@ -586,7 +586,8 @@ std::string settle_bend(options& out, const raw_values& raw)
     if (out.instances) return "--bend does not work with --instances, because every bent letter is another mesh";
     if (!out.bend.is_on) return {};
     if (out.outline.width > 0.0f) return "--bend does not work with --outline";
-    if (out.refine.is_on) return "--bend does not work with --refine, because it adds the points that it needs";
+    if (out.refine.refiner != refiner_name::none)
+        return "--bend does not work with --refine, because it adds the points that it needs";
     if (out.carve.tool_angle > 0.0f) return "--bend does not work with --carve";
     if (out.inflate.height > 0.0f) return "--bend does not work with --inflate";
     return {};

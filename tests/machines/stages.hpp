@@ -310,9 +310,8 @@ inline std::vector<stage_hash> hash_stages(const faces& all)
     stage("mesh: emboldened", [&](hash& h) { hash_mesh(h, all, embolden{.by = 0.02f}); });
     stage("mesh: outlined", [&](hash& h) { hash_mesh(h, all, outlined<>{}); });
     stage("mesh: refined, delaunay", [&](hash& h) { hash_mesh(h, all, refined<>{.how = {.max_edge = 0.1f}}); });
-    stage("mesh: refined, quadtree", [&](hash& h) {
-        hash_mesh(h, all, refined<extruded<>, quadtree_refined>{.how = {.max_edge = 0.1f}});
-    });
+    stage("mesh: refined, quadtree",
+          [&](hash& h) { hash_mesh(h, all, refined<extruded<>, quadtree_refined>{.how = {.max_edge = 0.1f}}); });
     stage("mesh: bent, cylinder", [&](hash& h) { hash_mesh(h, all, bent<on_cylinder>{.how = {50.0}}); });
     stage("mesh: bent, twisted bevels", [&](hash& h) { hash_mesh(h, all, bent<twist, bevelled>{.how = {5.0}}); });
     stage("mesh: warped, arc", [&](hash& h) { hash_mesh(h, all, warped{arc{.degrees = 90.0}}); });
