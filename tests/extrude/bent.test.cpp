@@ -209,6 +209,16 @@ TEST_CASE("bevelled letters are bent with their bevels", "[extrude][bent]")
         solid.outward = true;
         check_bent(displaced<wave>{{.height = 0.15, .length = 1.5}}, 1.0 / 800, true, solid);
     }
+    // Wide bevels, and too fine a tolerance for any number of points.
+    for (const float width : {0.05f, 0.1f, 0.2f}) {
+        plan_data_of<bent<on_cylinder, bevelled>> data;
+        const bent<on_cylinder, bevelled> how{.solid = {.width = width}};
+        CHECK(bend(shapes::letter_e(), how, data));
+    }
+    {
+        plan_data_of<bent<on_cylinder>> data;
+        CHECK(bend(shapes::letter_e(), bent<on_cylinder>{.tolerance = 1e-12}, data).error() == error::too_many_points);
+    }
     // The cap within the bevels gets points of its own.
     const shapes::shape sheet{"sheet", {shapes::polygon({{0, 0}, {900, 0}, {900, 900}, {0, 900}})}, {}, 1};
     plan_data_of<bent<on_sphere, bevelled>> data;

@@ -209,6 +209,8 @@ TEST_CASE("a text that goes around or folds is refused, with its sentence", "[te
     const error folded = refusal(bent<taper>{.how = {-0.4}}, "oooooooo");
     CHECK(folded == error::folds_over);
     CHECK(folded.glyph != no_glyph);
+    CHECK(folded.cluster != no_cluster);
+    CHECK(folded.cluster > 0);
     CHECK_FALSE(refusal(bent<twist>{.how = {90.0}}, "oooooooooo"));
     CHECK_FALSE(refusal(bent<displaced<wave>>{}, ""));
     CHECK(refusal(bent<on_cylinder>{.how = {0.0}}, "") == error::bad_option);

@@ -2,6 +2,7 @@
 
 // Carved texts, and their ridges: on the surface of the mesh, wherever it goes.
 
+#include <typemesh/extrude/one_of.hpp>
 #include <typemesh/text/each_ridge.hpp>
 #include <typemesh/typemesh.hpp>
 
@@ -57,6 +58,20 @@ std::size_t off_surface(const Plan& plan, const test::lit_mesh& m)
 }
 
 }  // namespace
+
+TEST_CASE("carved letters refuse depths in output units", "[text][carved]")
+{
+    test::toy_font font;
+    text_mesher mesher{font, carved{}};
+    const auto refused = mesher.plan("o", {.depth_in = depth_unit::output});
+    REQUIRE_FALSE(refused);
+    CHECK(refused.error() == error::bad_option);
+    CHECK(std::string{refused.error().option} == "depth_in");
+    text_mesher<one_of<extruded<>, carved>> either{font};
+    CHECK(either.plan("o", {.depth_in = depth_unit::output}));
+    either.solid() = carved{};
+    CHECK(either.plan("o", {.depth_in = depth_unit::output}).error() == error::bad_option);
+}
 
 TEST_CASE("carved letters and their ridges come out of caches and teams as they are built alone", "[text][ridges]")
 {

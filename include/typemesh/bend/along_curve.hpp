@@ -18,11 +18,14 @@ namespace typemesh::inline TYPEMESH_ABI {
 ///     if (error e = path.through(points)) ...
 ///     bent<along_curve>{.how = {.path = &path, .start = 0.5}}      x = 0 is half an em behind the first point
 ///
-/// Fails  error::bad_option: there is no path, or it is empty ("path"), or start is not finite ("start");
-///        error::goes_around: the text reaches beyond an end of the curve; error::folds_over: the curve bends more
-///        tightly than the letters are high or deep
+/// A centred text begins before its origin: set start to length() / 2.
+///
+/// Fails  error::bad_option: there is no path, or it is empty ("path"); start is not finite, or the text begins before
+///        the curve ("start")
+///        error::goes_around: the text reaches beyond the curve's end
+///        error::folds_over: the curve bends more tightly than the letters are high or deep
 struct along_curve {
-    const text_path* path = nullptr;  ///< must outlive the plan
+    const text_path* path = nullptr;  ///< must outlive the plan, and must not change before it is written
     double start = 0.0;               ///< the distance along the curve of the text's origin, in em
 
     /// See deformation.
@@ -35,8 +38,8 @@ struct along_curve {
     /// See deformation.
     [[nodiscard]] error refused_text(const box3& text) const noexcept
     {
-        const bool fits = start + text.low.x >= 0.0 && start + text.high.x <= path->length();
-        return fits ? error{} : error{error::goes_around};
+        if (!(start + text.low.x >= 0.0)) return error::bad("start");
+        return start + text.high.x <= path->length() ? error{} : error{error::goes_around};
     }
 
     [[nodiscard]] deformed_point operator()(const double3& p) const noexcept

@@ -43,7 +43,7 @@ struct bend_bounds {
 ///     d.cache_key()        not needed: bent letters are not cached
 ///
 /// Its second derivatives need not be continuous, but its first derivatives must be. Where its Jacobian determinant is
-/// not positive, it turns letters inside out: such letters are refused (error::folds_over).
+/// not positive, it turns letters inside out: the text is then refused (error::folds_over).
 template <class D>
 concept deformation = std::copyable<D> && requires(const D& d, const double3& p, const box3& b) {
     { d(p) } noexcept -> std::same_as<deformed_point>;

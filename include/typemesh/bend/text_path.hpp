@@ -4,6 +4,7 @@
 #include <typemesh/bend/double3.hpp>
 #include <typemesh/bend/impl/uniform_spline.hpp>
 #include <typemesh/core/array_view.hpp>
+#include <typemesh/core/assert.hpp>
 #include <typemesh/core/buffer.hpp>
 #include <typemesh/core/error.hpp>
 #include <typemesh/core/finite.hpp>
@@ -58,9 +59,9 @@ public:
     /// Makes the curve through these points. `up` is the direction of the text's height at the first point; the part of
     /// it that is perpendicular to the curve counts.
     ///
-    /// Fails  error::bad_option: fewer than two points, equal consecutive points, or numbers that are not finite or
-    ///        above 2^20 ("points"); `up` is parallel to the curve ("up"); a turn so sharp that its curvature is not
-    ///        bounded ("points")
+    /// Fails  error::bad_option: fewer than two points or more than 2^20, equal consecutive points, numbers that are
+    ///        not finite or above 2^20, or a turn so sharp that its curvature is not bounded ("points"); `up` is
+    ///        parallel to the curve ("up")
     ///        error::out_of_memory. The path is then empty
     /// Cost   O(points)
     [[nodiscard]] error through(array_view<const double3> points, const double3& up = {0.0, 1.0, 0.0}) noexcept
@@ -81,6 +82,7 @@ public:
     /// The frame at a distance along the curve, from 0 to length(). Precondition: not empty.
     [[nodiscard]] frame at(double distance) const noexcept
     {
+        TYPEMESH_ASSERT(!empty(), "a text_path has no curve: call through() first");
         const detail::spline_value c = place_.at(distance), v = upward_.at(distance);
         frame f;
         f.at = c.at;

@@ -36,7 +36,9 @@ struct bent_form {
     std::uint32_t unused = 0;    ///< fills the structure up to a multiple of its alignment
 };
 
-/// Refines the caps of an extruder; for the concept bendable_caps.
+namespace detail {
+
+/// A stand-in with which the concept bendable_caps is checked; it is never defined.
 struct cap_refiner {
     /// Refines the region's own cap.
     error region_cap(std::uint32_t& added) noexcept;
@@ -44,6 +46,8 @@ struct cap_refiner {
     error cap(buffer<grid_point>& points, array_view<const std::uint32_t> starts, buffer<triangle>& triangles,
               std::uint32_t& added) noexcept;
 };
+
+}  // namespace detail
 
 /// An extruder that makes caps of its own and can have them refined, such as bevelled:
 ///
@@ -55,7 +59,7 @@ struct cap_refiner {
 ///                                          and its triangles are replaced
 template <class E>
 concept bendable_caps =
-    extruder<E> && requires(const E& e, cap_refiner& refine, plan_data_of<E>& data, solid_plan& made) {
+    extruder<E> && requires(const E& e, detail::cap_refiner& refine, plan_data_of<E>& data, solid_plan& made) {
         { e.reach() } noexcept -> std::same_as<double>;
         { e.refine_caps(refine, data, made) } noexcept -> std::same_as<error>;
     };
@@ -201,7 +205,8 @@ private:
 ///
 /// Fails  error::bad_option: tolerance is not positive and finite, or so small that points would come within a few
 ///        cells of each other ("tolerance"); or as the deformation and the other extruder do
-///        error::folds_over: the deformation turns letters inside out; error::goes_around: see the deformation
+///        error::folds_over: the deformation turns letters inside out, the text is refused; error::goes_around: see the
+///        deformation
 ///        error::too_many_points: a glyph needs more than max_points; error::out_of_memory
 /// Cost   O(1) for each point
 template <deformation Deformation, bendable Solid = extruded<>>
@@ -255,8 +260,12 @@ struct bent {
             bent_form form;
             form.segments = segments_for(filled, measure, around);
             measure.step = (measure.high - measure.low) / form.segments;
-            // What a point of the boundary bends by: no finer boundary makes this less.
-            if (measure.edge(filled.points().front(), filled.points().front()) > 0.9) return error::bad("tolerance");
+            // What bends beside a point of the boundary becomes no less by a finer boundary. The certificate decides.
+            const grid_point first = filled.points().front();
+            while (measure.across > 0.0 && measure.edge(first, first) > 0.5)
+                measure.across = measure.across > 0x1p-20 ? 0.5 * measure.across : 0.0;
+            if (points_for(filled, measure, how.bend(around), measure.step) > max_points)
+                return error{error::too_many_points, max_points};
             const Solid own = in_segments(form.segments);
             auto made = plan_flat(own, filled, measure, data, caps);
             if (!made) return made;

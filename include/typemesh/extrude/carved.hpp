@@ -161,6 +161,8 @@ struct carved {
     {
         return range_to(max_depth > 0.0f ? as_double(max_depth) : widest / tangent());
     }
+    /// The slope is the tool's only in em.
+    [[nodiscard]] bool measures_in_em() const noexcept { return true; }
     /// The name of the option that is at fault if the heights cannot be written.
     [[nodiscard]] const char* heights_name() const noexcept { return "max_depth"; }
 

@@ -124,6 +124,7 @@ concept plans_with_caps = requires(const E& e, const region& r, plan_data_of<E>&
 ///                                      cache is used
 ///     e.refused_text(box)              the error for a whole text whose solids fill this box (textured in solid.hpp,
 ///                                      in em), or none
+///     e.measures_in_em()               whether its heights only make sense in em: depth_unit::output is then refused
 ///     e.refit(s)                       adapts the options to a planned solid of the text, if all its solids must agree
 ///                                      in something; returns whether an option changed. It is called for each solid;
 ///                                      if one call returned true, all solids are planned again
@@ -247,6 +248,16 @@ template <extruder E>
 {
     if constexpr (requires { how.plans_in_place(); })
         return how.plans_in_place();
+    else
+        return false;
+}
+
+/// Whether an extruder's heights only make sense in em.
+template <extruder E>
+[[nodiscard]] bool measures_in_em([[maybe_unused]] const E& how) noexcept
+{
+    if constexpr (requires { how.measures_in_em(); })
+        return how.measures_in_em();
     else
         return false;
 }

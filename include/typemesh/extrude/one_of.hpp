@@ -185,6 +185,11 @@ public:
         return visit([](auto, const auto& how) noexcept { return typemesh::plans_in_place(how); });
     }
     /// See extruder.hpp.
+    [[nodiscard]] bool measures_in_em() const noexcept
+    {
+        return visit([](auto, const auto& how) noexcept { return typemesh::measures_in_em(how); });
+    }
+    /// See extruder.hpp.
     [[nodiscard]] error refused_text(const box& text) const noexcept
         requires(refuses_texts<Solids> || ...)
     {

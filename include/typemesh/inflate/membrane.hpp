@@ -5,6 +5,7 @@
 #include <typemesh/core/buffer.hpp>
 #include <typemesh/core/error.hpp>
 #include <typemesh/core/finite.hpp>
+#include <typemesh/core/max_pieces.hpp>
 #include <typemesh/core/memory.hpp>
 #include <typemesh/core/point.hpp>
 #include <typemesh/core/region.hpp>
@@ -83,6 +84,7 @@ public:
         if (!detail::rim_rings::divide_crossings(mesh_.mesh()) ||
             !detail::rim_rings::add_rings(mesh_.mesh(), rise_.data(), longest))
             return error::out_of_memory;
+        if (mesh_.mesh().vertex_count() > default_max_points) return error{error::too_many_points, default_max_points};
         if (error e = mesh_.write(out)) return e;
         if (error e = solve(out, 1e-8)) return e;
         const detail::membrane_mesh m = view_of(out);

@@ -140,7 +140,7 @@ constexpr void refuse_policy() noexcept
         static_assert(sizeof(P) == 0,
                       "typemesh: a mesher takes a discretiser, a triangulator, a region_step, an outline_step, an "
                       "extruder, a stage_observer or cached_in, but this type is none of them: static_assert its "
-                      "concept to see what is missing.");
+                      "concept to see what is missing. A deformation goes into bent<>, a warp into warped{}.");
 }
 
 }  // namespace detail

@@ -316,6 +316,7 @@ private:
     result<plan_type> plan_run(const glyph_run& run, const text_options& options, glyph_team* team) noexcept
     {
         if (!planner_.font) return error::no_font;
+        if (options.depth_in == depth_unit::output && measures_in_em(solid_)) return error::bad("depth_in");
         if (error e = planner_.plan(run, options, all_policies(), team)) return e;
         if constexpr (refuses_texts<Solid>)
             if (error e = solid_.refused_text(planner_.glyphs().textured_in_em())) return e;

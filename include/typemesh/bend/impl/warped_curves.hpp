@@ -19,7 +19,7 @@ namespace typemesh::inline TYPEMESH_ABI::detail {
 /// Let A be the warp's affine map in the middle of the piece. Then f - H = (w - A)(B) - (H - A(B)). The second
 /// derivatives of both terms have bounds, D together: the first from w.bend(), the second because that term is a
 /// cubic. The distance |f - H| is measured at n - 1 places, and between them it is at most D / 8n^2 larger. So the
-/// proof needs no derivative of the warp beyond the second. Pieces are halved until it holds, so
+/// proof needs no derivative of the warp beyond the second. Curves are divided into 2, 4, ... pieces until it holds, so
 /// there are at most about twice as many as cubics with these ends and derivatives need.
 template <plane_warp W>
 class curve_warper {
@@ -78,9 +78,9 @@ private:
         const point v = line.p[1] - line.p[0];
         const double x = std::fabs(v.x), y = std::fabs(v.y), bent = by.xx * x * x + 2.0 * by.xy * x * y + by.yy * y * y;
         if (is_zero(bent)) return true;
-        constexpr double share = 0x1p-6, half_a_turn_to_radians = 0x1p-10;
-        const bool close = bent <= 8.0 * share * allowed_ &&
-                           bent <= half_a_turn_to_radians * length(warps_(line.p[1]).at - warps_(line.p[0]).at);
+        constexpr double share = 0x1p-6, least_turn = 0x1p-10;
+        const bool close =
+            bent <= 8.0 * share * allowed_ && bent <= least_turn * length(warps_(line.p[1]).at - warps_(line.p[0]).at);
         if (close) exact_ = false;
         return close;
     }
@@ -112,7 +112,7 @@ private:
         if (!(bound < 0x1p100) || depth == deepest) return error::bad_tolerance;
         constexpr double most_samples = 128.0;
         const double samples = std::ceil(std::sqrt(bound / (8.0 * half)));
-        int parts = 8;  // powers of two, so that all parameters are exact
+        int parts = 8;  // a power of two: halvings of parameters are exact
         if (samples <= most_samples) {
             const double farthest = farthest_of(b, from, step, image, static_cast<int>(samples));
             if (farthest <= half)

@@ -124,7 +124,7 @@ private:
     {
         if (gap < 8.0) return true;
         const grid_point p{from.x + rounded(distance * direction.x), from.y + rounded(distance * direction.y)};
-        t = find(mesh, t, p);
+        t = mesh.locate(t, p).triangle;
         if (t == none) return true;
         const double nearest = 0.25 * gap * gap;
         for (std::uint32_t h = 4 * t; h < 4 * t + 3; ++h) {
@@ -145,28 +145,6 @@ private:
         const auto area = static_cast<double>(orientation(a, b, p));
         const double line = area / static_cast<double>(squared_distance(a, b)) * area;
         return line < corner ? line : corner;
-    }
-
-    /// The triangle that has p strictly inside, or on an inner edge; none if the way there leaves the mesh.
-    [[nodiscard]] static std::uint32_t find(const refinable_mesh& mesh, std::uint32_t t, grid_point p) noexcept
-    {
-        std::uint32_t came = none;
-        for (int steps = 0; steps < 256; ++steps) {
-            std::uint32_t across = none;
-            for (std::uint32_t h = 4 * t; h < 4 * t + 3; ++h) {
-                if (h == came) continue;
-                const std::int64_t side = orientation(mesh.start(h), mesh.place(mesh.target(h)), p);
-                if (side < 0 || (side == 0 && mesh.is_boundary(h))) {
-                    across = h;
-                    break;
-                }
-            }
-            if (across == none) return t;
-            if (mesh.is_boundary(across)) return none;
-            came = mesh.twin(across);
-            t = came / 4;
-        }
-        return none;
     }
 
     /// The unit vector from a boundary edge into the region.

@@ -71,11 +71,13 @@ inline error arrange(text_glyphs& all, const glyph_run& run, const text_options&
         for (std::size_t i = 0; i < lines; ++i) boxes[i] = {};
     }
     for (const drawn_glyph& s : all.records) {
-        const box textured = text_glyphs::textured_of(s);
-        all.ink.merge(text_glyphs::ink_of(s));
-        all.textured.merge(textured);
-        if (by_line) all.line_boxes[s.line].merge(textured);
+        const box ink = text_glyphs::ink_of(s);
+        all.ink.merge(ink);
+        if (all.in_place) all.textured.merge(text_glyphs::textured_of(s));
+        if (by_line) all.line_boxes[s.line].merge(all.in_place ? text_glyphs::textured_of(s) : ink);
     }
+
+    if (!all.in_place) all.textured = all.ink;
 
     text_placement& placed = all.placed;
     placed = {};

@@ -65,8 +65,14 @@ struct text_glyphs {
     glyph_set different;            ///< the glyphs that the text needs
     pinned_glyphs pinned;           ///< the built glyphs, blank and refused ones included
     buffer<std::uint32_t> numbers;  ///< for each glyph of the run, its number among the different glyphs
-    buffer<solid_place> places;     ///< of the different glyphs, if their solids differ from place to place
-    double em_per_depth = 1.0;      ///< for these places
+    /// Where a glyph stands in the text.
+    struct glyph_place {
+        solid_place place;
+        cluster_id cluster;
+    };
+
+    buffer<glyph_place> places;  ///< of the different glyphs, if they differ from place to place
+    double em_per_depth = 1.0;   ///< for these places
     double em_per_font_unit = 0.0;
     bool in_place = false;            ///< whether they do; then no glyph is drawn twice
     glyph_store store;                ///< holds the glyphs that neither a cache nor a glyph_workers keeps
@@ -108,6 +114,9 @@ struct text_glyphs {
         pinned.clear();
         numbers.clear();
         places.clear();
+        in_place = false;
+        em_per_depth = 1.0;
+        em_per_font_unit = 0.0;
         store.clear();
         lent = {};
         merged.clear();

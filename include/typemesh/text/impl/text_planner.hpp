@@ -136,9 +136,10 @@ error text_planner::each_glyph(const call& now, const glyph_settings& how, const
         const built_glyph* built = find(keys[k]);
         if (built == nullptr) {
             drawn_face face = glyphs_.glyph_styles.face_of(from, keys[k].glyph_style);
-            const solid_place place = glyphs_.in_place ? glyphs_.places[k] : solid_place{};
-            const auto draft = builder.build(face, keys[k].id, how, with, place);
-            if (!draft) return glyphs_.in_place ? draft.error().at(keys[k].id, no_cluster) : draft.error();
+            const text_glyphs::glyph_place at =
+                glyphs_.in_place ? glyphs_.places[k] : text_glyphs::glyph_place{{}, no_cluster};
+            const auto draft = builder.build(face, keys[k].id, how, with, at.place);
+            if (!draft) return glyphs_.in_place ? draft.error().at(keys[k].id, at.cluster) : draft.error();
             built = keep(keys[k], *draft, store);
             if (built == nullptr) return error::out_of_memory;
         }
@@ -281,7 +282,8 @@ inline error text_planner::collect(const glyph_run& run, const text_options& opt
             return error{error::no_such_glyph_style, run.glyph_styles.size()}.at(glyph.id, glyph.cluster);
         if (glyph.missing && !options.draw_missing) continue;
         const glyph_key key{glyph.id, glyphs_.glyph_styles.outlines_of(glyph.glyph_style)};
-        if (glyphs_.in_place && !glyphs_.places.push_back(glyphs_.place_at(glyph.origin))) return error::out_of_memory;
+        if (glyphs_.in_place && !glyphs_.places.push_back({glyphs_.place_at(glyph.origin), glyph.cluster}))
+            return error::out_of_memory;
         const bool is_repeated = options.reuse && !glyphs_.in_place;
         numbers[i] = is_repeated ? glyphs_.different.number_of(key) : glyphs_.different.append(key);
         if (numbers[i] == glyph_set::no_room) return error::out_of_memory;
