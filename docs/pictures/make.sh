@@ -132,6 +132,24 @@ bent=(--font /usr/share/fonts/truetype/dejavu/DejaVuSans.ttf --depth 0.15 --alig
 mogrify -resize 700x360 -background '#eef0f3' -gravity center -extent 700x360 "$scratch"/{cup,cup_triangles,twist,wave}.png
 montage "$scratch"/{cup,cup_triangles,twist,wave}.png -tile 2x2 -geometry +0+0 bent.png
 
+# Five ways to mesh a letter.
+ways=(--font /usr/share/fonts/truetype/dejavu/DejaVuSans.ttf --depth 0 --show triangles)
+"$program" "Rg" "${ways[@]}" --triangulator monotone --picture "$scratch/way1.png"
+"$program" "Rg" "${ways[@]}" --triangulator delaunay --picture "$scratch/way2.png"
+"$program" "Rg" "${ways[@]}" --refine delaunay --picture "$scratch/way3.png"
+"$program" "Rg" "${ways[@]}" --refine delaunay --max-edge 0.06 --picture "$scratch/way4.png"
+"$program" "Rg" "${ways[@]}" --refine quadtree --max-edge 0.06 --picture "$scratch/way5.png"
+montage "$scratch"/way[1-5].png -tile 3x2 -geometry 640x440+2+2 meshing.png
+
+# Letters like balloons; outlines that are warped.
+"$program" "Balloon" --font /usr/share/fonts/truetype/dejavu/DejaVuSans.ttf --inflate 1 --turn -25 --picture "$scratch/balloon1.png"
+"$program" "سلام" --font $arabic --inflate 1 --turn 20 --picture "$scratch/balloon2.png"
+"$program" "永和" --font $japanese --inflate 1 --turn 15 --picture "$scratch/balloon3.png"
+montage "$scratch"/balloon[1-3].png -tile 3x1 -geometry 560x400+2+2 -background '#eef0f3' inflated.png
+"$program" "Rainbow text" --font /usr/share/fonts/truetype/dejavu/DejaVuSans-Bold.ttf --bend arc:120 --bevel 0.02 --picture "$scratch/arc.png"
+"$program" "perspective" --font /usr/share/fonts/truetype/dejavu/DejaVuSans.ttf --bend perspective:0.4 --picture "$scratch/perspective.png"
+montage "$scratch"/{arc,perspective}.png -tile 2x1 -geometry 700x420+2+2 -background '#eef0f3' warped.png
+
 # A headline of three styles in three fonts; the styled range of a line of both directions is two stretches.
 "$program" "Type سلام 活字" --font $serif-Bold.ttf --fallback ${arabic/Regular/Bold} --fallback $japanese --bevel 0.015 --profile round \
     --style 0..4:colour=blue,underline --style 5..9:colour=red,size=1.25 --style 10..12:colour=green,overline --picture "$scratch/headline.png"
@@ -143,4 +161,4 @@ convert -size 910x160 xc:white -draw "$("$scratch/selection" /usr/share/fonts/tr
 g++ -std=c++20 -O2 -I../../include curved.cpp -o "$scratch/curved" $(pkg-config --cflags --libs harfbuzz)
 "$scratch/curved" /usr/share/fonts/truetype/dejavu/DejaVuSerif.ttf 'g&' | convert ppm:- curved.png
 
-pngquant --quality 90-100 --speed 1 --force --ext .png paragraph.png normals.png bevels.png bevelled_scripts.png bent.png carved.png bold_and_hollow.png refined.png styles.png textures.png
+pngquant --quality 90-100 --speed 1 --force --ext .png paragraph.png normals.png bevels.png bevelled_scripts.png bent.png carved.png inflated.png meshing.png warped.png bold_and_hollow.png refined.png styles.png textures.png
