@@ -37,7 +37,7 @@ struct turned_and_scaled {
 
 /// Receives what a solid writes flat, and keeps it bent.
 template <deformation D>
-mesh<everything> bent_mesh(const shapes::shape& s, const D& how, const placement& at)
+mesh<everything> mesh_bent_by(const shapes::shape& s, const D& how, const placement& at)
 {
     const detail::bent_axes<D> axes{how, at};
     mesh<everything> out = build(s, extruded<>{}, axes.flat());
@@ -61,7 +61,7 @@ TEST_CASE("vertices under a deformation that does nothing are those of the place
             at.em_pen = {40'000.0, -3'000.0};
             at.pen = {90'000.0, 11'000.0};
             const built placed = build(s, extruded<>{}, at);
-            const auto same = bent_mesh(s, turned_and_scaled{}, at);
+            const auto same = mesh_bent_by(s, turned_and_scaled{}, at);
             REQUIRE(same.vertices.size() == placed.vertices.size());
             double off = 0.0, turned = 0.0;
             std::size_t other_hands = 0;
