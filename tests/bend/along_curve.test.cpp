@@ -101,8 +101,8 @@ TEST_CASE("paths and places on them that cannot be used are refused", "[bend][al
     const along_curve d{&path, 1.0};
     CHECK_FALSE(d.refused_options());
     CHECK_FALSE(d.refused_text({{0.0, 0.0, 0.0}, {4.0, 1.0, 0.0}}));
-    CHECK(d.refused_text({{-1.1, 0.0, 0.0}, {4.0, 1.0, 0.0}}) == error::bad_option);
-    CHECK(d.refused_text({{0.0, 0.0, 0.0}, {6.0, 1.0, 0.0}}) == error::goes_around);
+    CHECK(d.refused_text({{-2.1, 0.0, 0.0}, {4.0, 1.0, 0.0}}) == error::bad_option);
+    CHECK(d.refused_text({{0.0, 0.0, 0.0}, {7.0, 1.0, 0.0}}) == error::goes_around);
     CHECK(along_curve{&path, std::nan("")}.refused_options() == error::bad_option);
     // A circle of radius 0.5 folds letters that reach 0.7 towards its middle, but not away from it.
     std::vector<double3> arc;

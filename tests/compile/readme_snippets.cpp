@@ -140,14 +140,15 @@ auto cup = typemesh::text_mesher{*font, typemesh::bent<typemesh::on_cylinder>{.h
 auto flag = typemesh::text_mesher{*font, typemesh::bent<typemesh::displaced<typemesh::wave>>{.how = {{.height = 0.2}}}};
 auto screw = typemesh::text_mesher{*font, typemesh::bent<typemesh::twist, typemesh::bevelled>{.how = {.degrees_per_em = 15.0}}};
     use(cup, flag, screw);
-    [&]() -> typemesh::error {
+    const auto bend_along = [&]() -> typemesh::error {
 const typemesh::double3 bends[] = {{0, 0, 0}, {2, 0, 0.5}, {4, 0.5, 0}, {6, 0, -0.5}};
 typemesh::text_path path;
 if (auto e = path.through(bends)) return e;
 auto along = typemesh::text_mesher{*font, typemesh::bent<typemesh::along_curve>{.how = {.path = &path}}};
         use(along);
         return {};
-    }();
+    };
+    use(bend_along);
 auto rainbow = typemesh::text_mesher{*font, typemesh::bevelled{}, typemesh::warped{typemesh::arc{.degrees = 120}}};
     use(rainbow);
 typemesh::text_mesher over_the_text{*font, typemesh::extruded<>{.texture = typemesh::texture_mapping::box}};

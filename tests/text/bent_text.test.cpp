@@ -213,6 +213,8 @@ TEST_CASE("a text that goes around or folds is refused, with its sentence", "[te
     CHECK(folded.cluster > 0);
     CHECK_FALSE(refusal(bent<twist>{.how = {90.0}}, "oooooooooo"));
     CHECK_FALSE(refusal(bent<displaced<wave>>{}, ""));
+    CHECK_FALSE(refusal(bent<taper>{}, ""));
+    CHECK_FALSE(refusal(bent<on_sphere>{}, " "));
     CHECK(refusal(bent<on_cylinder>{.how = {0.0}}, "") == error::bad_option);
 }
 

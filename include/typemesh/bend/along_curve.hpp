@@ -18,11 +18,12 @@ namespace typemesh::inline TYPEMESH_ABI {
 ///     if (error e = path.through(points)) ...
 ///     bent<along_curve>{.how = {.path = &path, .start = 0.5}}      x = 0 is half an em behind the first point
 ///
-/// A centred text begins before its origin: set start to length() / 2.
+/// A centred text begins before its origin: set start to length() / 2. Beyond its ends the curve goes on straight for
+/// an em, for letters that reach out a little.
 ///
-/// Fails  error::bad_option: there is no path, or it is empty ("path"); start is not finite, or the text begins before
-///        the curve ("start")
-///        error::goes_around: the text reaches beyond the curve's end
+/// Fails  error::bad_option: there is no path, or it is empty ("path"); start is not finite, or the text begins more
+///        than an em before the curve ("start")
+///        error::goes_around: the text ends more than an em after the curve
 ///        error::folds_over: the curve bends more tightly than the letters are high or deep
 struct along_curve {
     const text_path* path = nullptr;  ///< must outlive the plan, and must not change before it is written
@@ -38,8 +39,9 @@ struct along_curve {
     /// See deformation.
     [[nodiscard]] error refused_text(const box3& text) const noexcept
     {
-        if (!(start + text.low.x >= 0.0)) return error::bad("start");
-        return start + text.high.x <= path->length() ? error{} : error{error::goes_around};
+        constexpr double beyond = text_path::beyond;
+        if (!(start + text.low.x >= -beyond)) return error::bad("start");
+        return start + text.high.x <= path->length() + beyond ? error{} : error{error::goes_around};
     }
 
     [[nodiscard]] deformed_point operator()(const double3& p) const noexcept

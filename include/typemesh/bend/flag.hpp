@@ -39,6 +39,9 @@ struct flag {
         return {height, span.width, span.left, phase};
     }
 
+    /// Its Jacobian determinant is 1.
+    [[nodiscard]] static bool is_unfolded(const box&) noexcept { return true; }
+
     [[nodiscard]] warped_point operator()(point p) const noexcept
     {
         const double k = per_em(), angle = k * (p.x - left) + phase * 0.017453292519943295;

@@ -66,6 +66,13 @@ struct perspective {
         return {.xx = 2.0 * size * s * s * s * (1.0 + size * y), .xy = size * s * s};
     }
 
+    /// Its Jacobian determinant is a power of 1 / (1 + a x): positive exactly if that is at both ends.
+    [[nodiscard]] bool is_unfolded(const box& b) const noexcept
+    {
+        const double a = per_em();
+        return 1.0 + a * (b.low.x - left) > 0x1p-20 && 1.0 + a * (b.high.x - left) > 0x1p-20;
+    }
+
 private:
     [[nodiscard]] double per_em() const noexcept { return (1.0 / scale - 1.0) / (width > 0.0 ? width : 1.0); }
 };

@@ -27,8 +27,10 @@ struct warped_point {
 ///                          refused_options() has found no error before
 ///     w.refused_text(text) optional: the error of a fitted warp for a text that fills this box, or none
 ///     w.keeps_lines        optional: `static constexpr bool keeps_lines = true`: the image of every line is a line
+///     w.is_unfolded(box)   optional: whether its Jacobian determinant is positive in a box, if it knows without the
+///                          bounds
 ///
-/// Where its Jacobian determinant is not positive, it turns letters inside out: such letters are refused
+/// Where its Jacobian determinant is not positive, it turns letters inside out: the text is then refused
 /// (error::folds_over).
 template <class W>
 concept plane_warp = std::copyable<W> && requires(const W& w, point p, const box& b) {

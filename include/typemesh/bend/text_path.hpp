@@ -79,7 +79,10 @@ public:
     [[nodiscard]] double length() const noexcept { return length_; }
     [[nodiscard]] bool empty() const noexcept { return bounds_.empty(); }
 
-    /// The frame at a distance along the curve, from 0 to length(). Precondition: not empty.
+    /// How far the text may reach beyond the ends, where the curve goes on straight: an em.
+    static constexpr double beyond = 1.0;
+
+    /// The frame at a distance along the curve, from -beyond to length() + beyond. Precondition: not empty.
     [[nodiscard]] frame at(double distance) const noexcept
     {
         TYPEMESH_ASSERT(!empty(), "a text_path has no curve: call through() first");
@@ -107,12 +110,14 @@ public:
     {
         bounds most;
         const auto raise = [](double& to, double v) noexcept { to = v > to ? v : to; };
-        for (std::size_t i = place_.piece_at(low), last = place_.piece_at(high); i <= last; ++i) {
-            const bounds& b = bounds_[i];
+        const auto include = [&](const bounds& b) noexcept {
             raise(most.bend, b.bend);
             raise(most.turn, b.turn);
             raise(most.turn_2, b.turn_2);
-        }
+        };
+        for (std::size_t i = place_.piece_at(low), last = place_.piece_at(high); i <= last; ++i) include(bounds_[i]);
+        if (low < 0.0) include(before_);
+        if (high > length_) include(after_);
         return most;
     }
 
@@ -154,7 +159,7 @@ private:
         if (all == nullptr) return error::out_of_memory;
         for (std::size_t i = 0; i < pieces; ++i)
             if (!bound(i, all[i])) return error::bad("points");
-        return {};
+        return bound_straight(0, before_) && bound_straight(pieces, after_) ? error{} : error::bad("points");
     }
 
     /// The frame's `up` at each knot, by double reflection. False if it is parallel to the curve.
@@ -222,9 +227,23 @@ private:
         return true;
     }
 
+    /// Bounds beyond an end, where the tangent is constant and the spline of `up` directions straight. False if the
+    /// frame nearly flips there.
+    [[nodiscard]] bool bound_straight(std::size_t end, bounds& out) const noexcept
+    {
+        const double3 first = place_.at_knot(end).first, tangent = (1.0 / typemesh::length(first)) * first;
+        const detail::spline_value v = upward_.at_knot(end);
+        const auto across = [&](const double3& a) noexcept { return typemesh::length(a - dot(a, tangent) * tangent); };
+        const double q1 = across(v.first), q0 = across(v.at) - beyond * q1;
+        if (!(q0 > 0.25)) return false;
+        out = {0.0, 1.0001 * q1 / q0, 2.0002 * (q1 / q0) * (q1 / q0)};
+        return true;
+    }
+
     detail::chord_spline given_;
     detail::uniform_spline place_, upward_;
     buffer<bounds> bounds_;
+    bounds before_, after_;  // beyond the ends
     double length_ = 0.0;
 };
 

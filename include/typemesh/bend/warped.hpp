@@ -89,8 +89,7 @@ struct warped {
         const W own = fitted_to(how, at.text);
         const point low = at.em_per_unit * drawn.bounds.low + at.origin,
                     high = at.em_per_unit * drawn.bounds.high + at.origin;
-        if (!is_unfolded(detail::warp_in_space<W>{&own}, {{low.x, low.y, 0.0}, {high.x, high.y, 0.0}}))
-            return error::folds_over;
+        if (!is_unfolded_by(own, {low, high})) return error::folds_over;
         detail::curve_warper<W> warp{own, at, share * tolerance, most, out};
         if (!out.starts.push_back(0)) return error::out_of_memory;
         for (std::uint32_t c = 0; c < drawn.contour_count(); ++c) {
@@ -102,6 +101,14 @@ struct warped {
     }
 
 private:
+    [[nodiscard]] static bool is_unfolded_by(const W& own, const box& b) noexcept
+    {
+        if constexpr (requires { own.is_unfolded(b); })
+            return own.is_unfolded(b);
+        else
+            return is_unfolded(detail::warp_in_space<W>{&own}, {{b.low.x, b.low.y, 0.0}, {b.high.x, b.high.y, 0.0}});
+    }
+
     static constexpr double share = 0.25;  // of the tolerance
 };
 template <plane_warp W>

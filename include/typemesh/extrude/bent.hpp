@@ -51,7 +51,8 @@ struct cap_refiner {
 
 /// An extruder that makes caps of its own and can have them refined, such as bevelled:
 ///
-///     e.reach()                            about how far its slopes reach from an edge in the plane, in em
+///     e.reach(), e.rise()                  how far its slopes reach from an edge in the plane, in em, and how far they
+///                                          rise, in the unit of depths
 ///     e.refine_caps(refine, data, made)    after plan(): has each cap that it draws refined, and adds their points and
 ///                                          triangles to made.sizes. Each inner point adds two triangles
 ///     refine.region_cap(added)             refines the region's own cap. The points follow the region's points
@@ -61,6 +62,7 @@ template <class E>
 concept bendable_caps =
     extruder<E> && requires(const E& e, detail::cap_refiner& refine, plan_data_of<E>& data, solid_plan& made) {
         { e.reach() } noexcept -> std::same_as<double>;
+        { e.rise() } noexcept -> std::same_as<double>;
         { e.refine_caps(refine, data, made) } noexcept -> std::same_as<error>;
     };
 
@@ -136,12 +138,13 @@ public:
     {
     }
 
-    /// Fails  error::out_of_memory, error::too_many_points; error::folds_over if a triangle turns
+    /// The edges stay as they are, so thin triangles between them may turn, within the tolerance.
+    ///
+    /// Fails  error::out_of_memory, error::too_many_points
     error region_cap(std::uint32_t& added) noexcept
     {
         auto& flat = data_.flat;
-        if (error e = refine(region::proven(flat.loops, 0, 0), flat.triangles.view(), flat.loops.points.view()))
-            return e;
+        if (error e = refine(region::proven(flat.loops, 0, 0), flat.triangles.view())) return e;
         return take(flat.loops.points, flat.triangles, added);
     }
     error cap(buffer<grid_point>& points, array_view<const std::uint32_t> starts, buffer<triangle>& triangles,
@@ -153,19 +156,18 @@ public:
         if (edges == nullptr || !rim.points.append(points.view()) || !rim.starts.append(starts))
             return error::out_of_memory;
         for (std::size_t i = 0; i < points.size(); ++i) edges[i] = {};
-        if (error e = refine(region::proven(rim, 0, 0), triangles.view(), points.view())) return e;
+        if (error e = refine(region::proven(rim, 0, 0), triangles.view())) return e;
         return take(points, triangles, added);
     }
 
 private:
-    error refine(const region& r, array_view<const triangle> triangles, array_view<const grid_point> points) noexcept
+    error refine(const region& r, array_view<const triangle> triangles) noexcept
     {
         edge_bisection& working = data_.working;
         if (error e = working.run(r, triangles, measure_, max_points_, edge_bisection::boundary::keep)) return e;
         std::uint32_t kept = 0;
         if (error e = working.write({data_.same_rim, data_.inner, data_.triangles, kept})) return e;
-        const bool turns = measure_.any_turns(points, data_.inner.view(), data_.triangles.view());
-        return turns ? error{error::folds_over} : error{};
+        return {};
     }
     error take(buffer<grid_point>& points, buffer<triangle>& triangles, std::uint32_t& added) noexcept
     {
@@ -204,7 +206,8 @@ private:
 /// stands, and write_instances() then moves nothing.
 ///
 /// Fails  error::bad_option: tolerance is not positive and finite, or so small that points would come within a few
-///        cells of each other ("tolerance"); or as the deformation and the other extruder do
+///        cells of each other, or that a bevel bends by more, which is not divided across ("tolerance"); or as the
+///        deformation and the other extruder do
 ///        error::folds_over: the deformation turns letters inside out, the text is refused; error::goes_around: see the
 ///        deformation
 ///        error::too_many_points: a glyph needs more than max_points; error::out_of_memory
@@ -245,7 +248,10 @@ struct bent {
         detail::bent_measure<Deformation> measure{
             how, place.origin, 1.0 / em, heights.low * place.em_per_depth, heights.high * place.em_per_depth,
             0.0, 0.0,          tolerance};
-        if constexpr (bendable_caps<Solid>) measure.across = solid.reach();
+        if constexpr (bendable_caps<Solid>) {
+            measure.across = solid.reach();
+            measure.rise = solid.rise() * place.em_per_depth;
+        }
         box of_region;
         for (const grid_point p : filled.points()) of_region.add(placement::exact(p));
         const box3 around = box_of(of_region, measure);

@@ -164,12 +164,10 @@ struct bevelled {
         return made;
     }
 
-    /// See bendable_caps in bent.hpp: how far bevels reach from an edge or a corner, about.
-    [[nodiscard]] double reach() const noexcept
-    {
-        const double limit = mitre_limit > 1.0f ? as_double(mitre_limit) : is_zero(mitre_limit) ? 4.0 : 1.0;
-        return as_double(width) * limit;
-    }
+    /// See bendable_caps in bent.hpp.
+    [[nodiscard]] double reach() const noexcept { return as_double(width); }
+    /// Likewise.
+    [[nodiscard]] double rise() const noexcept { return as_double(bevel_depth); }
     /// Likewise.
     template <class Refine>
     [[nodiscard]] error refine_caps(Refine& refine, plan_data& data, solid_plan& made) const noexcept

@@ -319,7 +319,8 @@ private:
         if (options.depth_in == depth_unit::output && measures_in_em(solid_)) return error::bad("depth_in");
         if (error e = planner_.plan(run, options, all_policies(), team)) return e;
         if constexpr (refuses_texts<Solid>)
-            if (error e = solid_.refused_text(planner_.glyphs().textured_in_em())) return e;
+            if (!planner_.glyphs().records.empty())
+                if (error e = solid_.refused_text(planner_.glyphs().textured_in_em())) return e;
         if constexpr (refitting_extruder<Solid>) {
             const Solid wanted = solid_;
             bool refitted = false;

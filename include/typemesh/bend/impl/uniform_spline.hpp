@@ -81,8 +81,16 @@ public:
         const std::size_t last = values_.size() - 2;
         return !(i > 0.0) ? 0 : i >= static_cast<double>(last) ? last : static_cast<std::size_t>(i);
     }
+    /// Beyond its ends the spline goes on straight, without a jump in its second derivative.
     [[nodiscard]] spline_value at(double x) const noexcept
     {
+        const double end = step_ * static_cast<double>(values_.size() - 1);
+        if (x < 0.0 || x > end) {
+            spline_value v = at_knot(x < 0.0 ? 0 : values_.size() - 1);
+            v.at = v.at + (x < 0.0 ? x : x - end) * v.first;
+            v.second = {};
+            return v;
+        }
         const std::size_t i = piece_at(x);
         return spline_piece(values_[i], values_[i + 1], second_[i], second_[i + 1], step_,
                             x / step_ - static_cast<double>(i));

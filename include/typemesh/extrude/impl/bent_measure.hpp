@@ -24,16 +24,21 @@ struct bent_measure {
     double low = 0.0;  ///< the solid's heights, in em
     double high = 0.0;
     double step = 0.0;       ///< the height of one segment of its walls, in em; 0 without walls
-    double across = 0.0;     ///< how far bevels reach from an edge, in em; 0 without bevels
     double tolerance = 0.0;  ///< in em
+    double across = 0.0;     ///< how far bevels reach from an edge, in em; 0 without bevels
+    double rise = 0.0;       ///< how far they rise, in em
 
     /// Includes the wall and the bevel that stand on the edge.
     [[nodiscard]] double edge(grid_point p, grid_point q) const noexcept
     {
         box3 b = around(p, q);
+        const double wall = size_of(b, step);
+        if (!(across > 0.0)) return wall;
+        const double3 extent{b.high.x - b.low.x + across, b.high.y - b.low.y + across, rise};
         b.low = b.low - double3{across, across, 0.0};
         b.high = b.high + double3{across, across, 0.0};
-        return bend_error(bends.bend(b), {b.high.x - b.low.x - across, b.high.y - b.low.y - across, step}) / tolerance;
+        const double slope = bend_error(bends.bend(b), extent) / tolerance;
+        return wall > slope ? wall : slope;
     }
     [[nodiscard]] double length(grid_point p, grid_point q) const noexcept { return size_of({around(p, q)}, 0.0); }
 
