@@ -363,10 +363,9 @@ void add_carve_options(CLI::App& app, options& out)
         "a number from 0 to 1000", [](double n) { return n >= 0.0 && n <= 1000.0; },
         [&out](double n) { out.carve.depth = static_cast<float>(n); })
         ->type_name("EM");
-    add_named<carving>(
-        app, "--carve-as", out.carve.as,
-        "letters that rise (relief, default), the surface that the tool leaves, or the material that it removes",
-        {{"relief", carving::relief}, {"groove", carving::groove}, {"cutter", carving::cutter}});
+    add_named<carving>(app, "--carve-as", out.carve.as,
+                       "letters that rise (default), the surface that a tool leaves, or what it removes",
+                       {{"relief", carving::relief}, {"groove", carving::groove}, {"cutter", carving::cutter}});
 }
 
 void add_weight_options(CLI::App& app, options& out)
@@ -402,17 +401,11 @@ void add_refine_options(CLI::App& app, options& out, raw_values& raw)
         [&out](double n) { out.refine.min_angle = static_cast<float>(n); })
         ->type_name("DEGREES");
     add_number(
-        app, "--max-edge",
-        "the longest edge of refined triangles: of delaunay, 0 allows any length (default); of quadtree, 0.05 by "
-        "default",
+        app, "--max-edge", "the longest edge of refined triangles (default: any with delaunay, 0.05 with quadtree)",
         "a number from 0 to 1000", [](double n) { return n >= 0.0 && n <= 1000.0; },
         [&out](double n) { out.refine.max_edge = static_cast<float>(n); })
         ->type_name("EM");
-    app.add_option(
-           "--bend", raw.bend,
-           "bend the text: cylinder:RADIUS, sphere:RADIUS, twist:DEGREES, taper:GROWTH or wave:HEIGHT,LENGTH; or "
-           "warp it in its plane: arc:DEGREES, arch:TOP,BASELINE, flag:HEIGHT,LENGTH (a length of 0 is the "
-           "text's) or perspective:SCALE")
+    app.add_option("--bend", raw.bend, "bend the text around a cylinder:2 or in another SHAPE of the list below")
         ->type_name("SHAPE");
 }
 
@@ -803,6 +796,9 @@ std::optional<int> parse(int argc, char** argv, options& out)
         "Places of --anchor: left, centre, right (default: where --align has it); baseline (default), bottom, middle, "
         "top;\n"
         "front (default), halfway, base (default in .stl and .3mf, which puts it on z = 0).\n"
+        "Shapes of --bend: cylinder:RADIUS, sphere:RADIUS, twist:DEGREES, taper:GROWTH, wave:HEIGHT,LENGTH; in the "
+        "plane\n"
+        "arc:DEGREES, arch:TOP,BASELINE, flag:HEIGHT,LENGTH (a length of 0 is the text's), perspective:SCALE.\n"
         "A tab moves to the next tab stop; \\t does not.\n"
         "\n"
         "Examples:\n"

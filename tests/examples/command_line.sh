@@ -889,9 +889,9 @@ expect 2 "^text_to_mesh: --bend has a number that is out of range: perspective:0
 # Bent letters: more triangles; a text that goes around or folds, and a shape without its numbers, are refused.
 expect 0 "" "Rag" --font $sans --output bent.stl --stats --bend cylinder:1.5 && cp out bent.stats
 that "bending adds triangles: $(triangles plain.stats) to $(triangles bent.stats)" [ "$(triangles bent.stats)" -gt "$(triangles plain.stats)" ]
-expect 0 "" "Rag" --font $sans --output bent.stl --bend wave:0.2,1 --bevel 0.02 --profile round
+expect 0 "" "Rag" --font $sans --output bent.stl --bend cylinder:3 --bevel 0.02 --profile round
 expect 1 "^text_to_mesh: The text is longer than the circumference or curve that it follows: shorten it\.$" "Around and around" --font $sans --output x.glb --bend cylinder:0.5
-expect 1 "^text_to_mesh: glyph [0-9]*: The deformation folds the letters: bend them less, or make them smaller\.$" x --font $sans --output x.glb --bend taper:-5
+expect 1 "^text_to_mesh: glyph [0-9]*, at byte 0 of the text: The deformation folds the letters: bend them less, or make them smaller\.$" x --font $sans --output x.glb --bend taper:-5
 expect 2 "^text_to_mesh: --bend must be cylinder:RADIUS, sphere:RADIUS, twist:DEGREES, taper:GROWTH, wave:HEIGHT,LENGTH, arc:DEGREES, arch:TOP,BASELINE, flag:HEIGHT,LENGTH or perspective:SCALE, not tube:2\.$" x --font $sans --output x.glb --bend tube:2
 expect 2 "^text_to_mesh: --bend must not have a 0 here: cylinder:0\.$" x --font $sans --output x.glb --bend cylinder:0
 expect 2 "^text_to_mesh: --bend does not work with --refine, because it adds the points that it needs\.$" x --font $sans --output x.glb --bend cylinder:2 --refine delaunay
@@ -902,8 +902,8 @@ expect 2 "^text_to_mesh: --bend does not work with --inflate\.$" x --font $sans 
 # Inflated letters.
 expect 0 "" "Rag" --font $sans --output balloon.stl --stats --inflate 1 && cp out balloon.stats
 that "a balloon has more triangles than a plain letter" [ "$(triangles balloon.stats)" -gt $((3 * $(triangles plain.stats))) ]
-expect 0 "" "Rag" --font $sans --output dome.stl --stats --inflate 0.5 --inflate-form dome --depth 0.1 && cp out dome.stats
-that "a dome has walls" [ "$(triangles dome.stats)" -gt "$(triangles balloon.stats)" ]
+expect 0 "" "Rag" --font $sans --output dome.obj --inflate 0.5 --inflate-form dome --depth 0.1
+that "a dome has walls" grep -qx "g side" dome.obj
 expect 2 "^text_to_mesh: --inflate-form needs --inflate\.$" x --font $sans --output x.glb --inflate-form dome
 expect 2 "^text_to_mesh: --inflate does not work with --bevel\.$" x --font $sans --output x.glb --inflate 1 --bevel 0.01
 expect 2 "^text_to_mesh: --inflate does not work with --outline\.$" x --font $sans --output x.glb --inflate 1 --outline 0.01
