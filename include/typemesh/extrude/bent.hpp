@@ -202,6 +202,9 @@ private:
 /// The deformation works in em, relative to the text's own origin: x along the text, y up, z towards the reader. The
 /// bent text is then scaled and placed like any other (text_options).
 ///
+/// The edges of a bevelled letter's caps are given by its bevels, so thin triangles of these caps may face the wrong
+/// way, by less than the tolerance.
+///
 /// Every occurrence of a glyph is planned at its own place, without a cache. write_meshes() writes each letter where it
 /// stands, and write_instances() then moves nothing.
 ///

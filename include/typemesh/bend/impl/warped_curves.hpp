@@ -110,10 +110,10 @@ private:
                     image = between(from.image, from.image_along, to.image, to.image_along, step);
         const double bound = bound_of(own, image), half = 0.5 * allowed_;
         if (!(bound < 0x1p100) || depth == deepest) return error::bad_tolerance;
-        constexpr double most_samples = 128.0;
+        constexpr double max_samples = 128.0;
         const double samples = std::ceil(std::sqrt(bound / (8.0 * half)));
         int parts = 8;  // a power of two: halvings of parameters are exact
-        if (samples <= most_samples) {
+        if (samples <= max_samples) {
             const double farthest = farthest_of(b, from, step, image, static_cast<int>(samples));
             if (farthest <= half)
                 return keep(curve::from(cubic{drawn(image.p0), drawn(image.p1), drawn(image.p2), drawn(image.p3)}));

@@ -134,7 +134,7 @@ public:
     /// positive at every inner point, whatever the rounding.
     ///
     /// False if out of memory
-    [[nodiscard]] bool solve(double tolerance, int most_steps) noexcept
+    [[nodiscard]] bool solve(double tolerance, int max_steps) noexcept
     {
         const std::size_t n = size();
         steps_ = 0;
@@ -159,7 +159,7 @@ public:
             precondition(r, z);
             double now = 0.0;
             for (std::size_t i = 0; i < n; ++i) now += r[i] * z[i];
-            if (!(now > goal) || steps_ == most_steps) break;
+            if (!(now > goal) || steps_ == max_steps) break;
             const double along = steps_ == 0 ? 0.0 : now / before;
             for (std::size_t i = 0; i < n; ++i) p[i] = steps_ == 0 ? z[i] : z[i] + along * p[i];
             multiply(p, q);

@@ -31,7 +31,7 @@ class balanced_quadtree {
 public:
     static constexpr std::uint32_t none = ~std::uint32_t{0};
     static constexpr std::int32_t least_width = 16;  ///< of a leaf, in cells of the grid, unless the roots are smaller
-    static constexpr std::uint32_t most_levels = 6;  ///< below the roots
+    static constexpr std::uint32_t max_levels = 6;   ///< below the roots
 
     /// A square, in squares of its own width from 0. The roots have level 0.
     struct square {
@@ -54,7 +54,7 @@ public:
         root_count_ = 0;
         forget_edges();
         deepest_ = 0;
-        while (deepest_ < most_levels && width >> (deepest_ + 1) >= least_width) ++deepest_;
+        while (deepest_ < max_levels && width >> (deepest_ + 1) >= least_width) ++deepest_;
         width_ = width >> deepest_ << deepest_;
     }
 
