@@ -147,11 +147,13 @@ TEST_CASE("a bent surface knows its greatest error and its bounds", "[extrude][b
         detail::bent_surface straight{rigid, places};
         REQUIRE_FALSE(straight.read(how, form, *plan, axes.flat()));
         CHECK(straight.greatest_error() == 0.0);
+#ifndef __FAST_MATH__  // there no number is a NaN
         // What is no number in a single place is not lost.
         const turned_and_scaled broken{.rough = std::nan(""), .rough_at = 0.5 * straight.bounds().low.x + 1e-9};
         detail::bent_surface unknown{broken, places};
         REQUIRE_FALSE(unknown.read(how, form, *plan, axes.flat()));
         CHECK_FALSE(unknown.greatest_error() <= 1e300);
+#endif
 
         test::counting_memory memory{.fail_at = 1};
         buffer<double3> scarce{memory.source()};

@@ -3,6 +3,7 @@
 
 #include <typemesh/bend/deformation.hpp>
 #include <typemesh/bend/double3.hpp>
+#include <typemesh/bend/impl/steady.hpp>
 #include <typemesh/core/error.hpp>
 #include <typemesh/core/finite.hpp>
 
@@ -43,8 +44,8 @@ struct on_cylinder {
     {
         const bool up = axis == text_axis::up;
         // By the half angle: from_axis * cosine - radius would lose the depth of text on a cylinder of a huge radius.
-        const double half = 0.5 * (up ? p.x : p.y) / radius, half_sine = std::sin(half);
-        const double sine = 2.0 * half_sine * std::cos(half), cosine = 1.0 - 2.0 * half_sine * half_sine;
+        const double half = 0.5 * (up ? p.x : p.y) / radius, half_sine = detail::steady_sine(half);
+        const double sine = 2.0 * half_sine * detail::steady_cosine(half), cosine = 1.0 - 2.0 * half_sine * half_sine;
         const double from_axis = radius + p.z, stretch = from_axis / radius,
                      out = p.z * cosine - 2.0 * (radius * half_sine) * half_sine;
         if (up)

@@ -3,6 +3,7 @@
 
 #include <typemesh/bend/deformation.hpp>
 #include <typemesh/bend/double3.hpp>
+#include <typemesh/bend/impl/steady.hpp>
 #include <typemesh/core/error.hpp>
 #include <typemesh/core/finite.hpp>
 
@@ -43,10 +44,10 @@ struct on_sphere {
     [[nodiscard]] deformed_point operator()(const double3& p) const noexcept
     {
         // By the half angles: from_centre * away.z - radius would lose the depth of text on a sphere of a huge radius.
-        const double half_x = 0.5 * p.x / radius, half_y = 0.5 * p.y / radius, sine_x = std::sin(half_x),
-                     sine_y = std::sin(half_y);
-        const double sine = 2.0 * sine_x * std::cos(half_x), cosine = 1.0 - 2.0 * sine_x * sine_x,
-                     up = 2.0 * sine_y * std::cos(half_y), out = 1.0 - 2.0 * sine_y * sine_y;
+        const double half_x = 0.5 * p.x / radius, half_y = 0.5 * p.y / radius, sine_x = detail::steady_sine(half_x),
+                     sine_y = detail::steady_sine(half_y);
+        const double sine = 2.0 * sine_x * detail::steady_cosine(half_x), cosine = 1.0 - 2.0 * sine_x * sine_x,
+                     up = 2.0 * sine_y * detail::steady_cosine(half_y), out = 1.0 - 2.0 * sine_y * sine_y;
         const double from_centre = radius + p.z, stretch = from_centre / radius,
                      behind = 2.0 * (out * (radius * sine_x) * sine_x + (radius * sine_y) * sine_y);
         const double3 away{out * sine, up, out * cosine};

@@ -3,6 +3,7 @@
 
 #include <typemesh/bend/deformation.hpp>
 #include <typemesh/bend/double3.hpp>
+#include <typemesh/bend/impl/steady.hpp>
 #include <typemesh/core/error.hpp>
 #include <typemesh/core/finite.hpp>
 
@@ -39,8 +40,8 @@ struct twist {
     [[nodiscard]] deformed_point operator()(const double3& p) const noexcept
     {
         const bool along = axis == text_axis::along;
-        const double turn = per_em(), angle = turn * (along ? p.x : p.y), sine = std::sin(angle),
-                     cosine = std::cos(angle);
+        const double turn = per_em(), angle = turn * (along ? p.x : p.y), sine = detail::steady_sine(angle),
+                     cosine = detail::steady_cosine(angle);
         const double u = (along ? p.y : p.x) - across, w = p.z - depth;
         // In the plane across the axis, (u, w) becomes (u', w').
         const double new_u = u * cosine - w * sine, new_w = u * sine + w * cosine;
@@ -59,12 +60,9 @@ struct twist {
     [[nodiscard]] bend_bounds bend(const box3& b) const noexcept
     {
         const bool along = axis == text_axis::along;
-        const auto farthest = [](double low, double high, double from) noexcept {
-            const double below = std::fabs(low - from), above = std::fabs(high - from);
-            return below > above ? below : above;
-        };
-        const double u = along ? farthest(b.low.y, b.high.y, across) : farthest(b.low.x, b.high.x, across),
-                     w = farthest(b.low.z, b.high.z, depth), turn = std::fabs(per_em());
+        const double u = along ? detail::farthest(b.low.y, b.high.y, across)
+                               : detail::farthest(b.low.x, b.high.x, across),
+                     w = detail::farthest(b.low.z, b.high.z, depth), turn = std::fabs(per_em());
         const double bent = turn * turn * std::sqrt(u * u + w * w);
         if (along) return {.xx = bent, .xy = turn, .xz = turn};
         return {.yy = bent, .xy = turn, .yz = turn};

@@ -4,6 +4,7 @@
 #include <typemesh/bend/deformation.hpp>
 #include <typemesh/bend/displaced.hpp>
 #include <typemesh/bend/double3.hpp>
+#include <typemesh/bend/impl/steady.hpp>
 #include <typemesh/core/error.hpp>
 #include <typemesh/core/finite.hpp>
 
@@ -32,16 +33,17 @@ struct wave {
 
     [[nodiscard]] surface_height operator()(double x, double y) const noexcept
     {
-        const double k = per_em(), cosine = std::cos(radians(direction)), sine = std::sin(radians(direction)),
-                     angle = k * (x * cosine + y * sine) + radians(phase), slope = height * k * std::cos(angle);
-        return {height * std::sin(angle), slope * cosine, slope * sine};
+        const double k = per_em(), turn = radians(direction), cosine = detail::steady_cosine(turn),
+                     sine = detail::steady_sine(turn), angle = k * (x * cosine + y * sine) + radians(phase),
+                     slope = height * k * detail::steady_cosine(angle);
+        return {height * detail::steady_sine(angle), slope * cosine, slope * sine};
     }
 
     /// See height_surface.
     [[nodiscard]] bend_bounds bend(const box3&) const noexcept
     {
-        const double k = per_em(), bent = std::fabs(height) * k * k, cosine = std::fabs(std::cos(radians(direction))),
-                     sine = std::fabs(std::sin(radians(direction)));
+        const double k = per_em(), bent = std::fabs(height) * k * k, turn = radians(direction),
+                     cosine = std::fabs(detail::steady_cosine(turn)), sine = std::fabs(detail::steady_sine(turn));
         return {.xx = bent * cosine * cosine, .yy = bent * sine * sine, .xy = bent * cosine * sine};
     }
 
