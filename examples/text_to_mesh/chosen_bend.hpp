@@ -23,13 +23,17 @@ struct chosen_bend {
                  typemesh::displaced<typemesh::wave>>
         of;
 
+    double middle = 0.0;  ///< the place along the text that is x = 0 for the deformation, in em
+
     [[nodiscard]] typemesh::deformed_point operator()(const typemesh::double3& p) const noexcept
     {
-        return std::visit([&p](const auto& d) noexcept { return d(p); }, of);
+        auto bent = std::visit([q = moved(p)](const auto& d) noexcept { return d(q); }, of);
+        bent.at.x += middle;
+        return bent;
     }
     [[nodiscard]] typemesh::bend_bounds bend(const typemesh::box3& b) const noexcept
     {
-        return std::visit([&b](const auto& d) noexcept { return d.bend(b); }, of);
+        return std::visit([c = moved(b)](const auto& d) noexcept { return d.bend(c); }, of);
     }
     [[nodiscard]] typemesh::error refused_options() const noexcept
     {
@@ -37,8 +41,15 @@ struct chosen_bend {
     }
     [[nodiscard]] typemesh::error refused_text(const typemesh::box3& text) const noexcept
     {
-        return std::visit([&text](const auto& d) noexcept { return typemesh::refused_text(d, text); }, of);
+        return std::visit([t = moved(text)](const auto& d) noexcept { return typemesh::refused_text(d, t); }, of);
     }
+
+private:
+    [[nodiscard]] typemesh::double3 moved(const typemesh::double3& p) const noexcept
+    {
+        return {p.x - middle, p.y, p.z};
+    }
+    [[nodiscard]] typemesh::box3 moved(const typemesh::box3& b) const noexcept { return {moved(b.low), moved(b.high)}; }
 };
 
 /// A warp in the plane that is chosen at run time; none with monostate.

@@ -3,13 +3,11 @@
 
 #include "options.hpp"
 #include "progress.hpp"
+#include "solids.hpp"
+#include "stages.hpp"
 
-#include <typemesh/bend/warped.hpp>
-#include <typemesh/extrude/bent.hpp>
 #include <typemesh/extrude/bevelled.hpp>
 #include <typemesh/extrude/carved.hpp>
-#include <typemesh/extrude/embolden.hpp>
-#include <typemesh/extrude/inflated.hpp>
 #include <typemesh/extrude/one_of.hpp>
 #include <typemesh/extrude/outlined.hpp>
 #include <typemesh/extrude/refined.hpp>
@@ -25,19 +23,12 @@ namespace text_to_mesh {
 // Solids are compile-time types; a program that reads one from a command line names them all, and so has one type of mesher.
 // The other policies are exchanged in it.
 
-/// Without bevels; flat where there is no depth.
-using plain_solid =
-    typemesh::one_of<typemesh::extruded<typemesh::curve_normals>, typemesh::extruded<typemesh::creased_normals>,
-                     typemesh::extruded<typemesh::averaged_normals>, typemesh::extruded<typemesh::shared_normals>,
-                     typemesh::extruded<typemesh::cap_normals>, typemesh::flat>;
 using letter_solid = typemesh::one_of<plain_solid, typemesh::bevelled, typemesh::carved>;
 
-/// Letters, or hollow ones. Of an outline without the letter, that is an extruder whose parts are switched off.
+/// Letters, or hollow ones.
 using hollow_solid = typemesh::outlined<letter_solid, plain_solid>;
 using refined_solid = typemesh::refined<plain_solid>;
 using squared_solid = typemesh::refined<plain_solid, typemesh::quadtree_refined>;
-using bent_solid = typemesh::bent<chosen_bend, plain_solid>;
-using bent_bevels = typemesh::bent<chosen_bend, typemesh::bevelled>;
 using chosen_solid = typemesh::one_of<letter_solid, hollow_solid, refined_solid, squared_solid, bent_solid, bent_bevels,
                                       typemesh::inflated>;
 
@@ -46,19 +37,6 @@ using chosen_plan = typemesh::text_plan<chosen_solid>;
 
 /// Gives a mesher what the options choose: solid, step before it, discretiser, triangulator.
 void choose_policies(const options& o, double units_per_em, chosen_mesher& mesher);
-
-/// take(discretiser) with what the options choose.
-template <class Take>
-void with_discretiser(const options& o, double units_per_em, Take&& take)
-{
-    using typemesh::thesis_quality;
-    switch (o.discretiser) {
-    case discretiser_name::two_lines: return take(typemesh::two_lines{});
-    case discretiser_name::adaptive:
-        return take(thesis_quality{static_cast<thesis_quality::preset>(o.quality), units_per_em});
-    case discretiser_name::certified: return take(typemesh::certified{});
-    }
-}
 
 /// Adds up how long each stage took, and counts the letters begun.
 struct stage_clock {

@@ -88,6 +88,12 @@ std::uint32_t fail(const typemesh::error& e)
     return 1;
 }
 
+std::uint32_t fail(const char* why)
+{
+    last = {why, typemesh::no_cluster};
+    return 1;
+}
+
 std::string name_of(hb_face_t* face, hb_ot_name_id_t id)
 {
     char text[256];
@@ -222,8 +228,11 @@ TYPEMESH_WEB_EXPORT void web_take(web_mesher* m) { m->made.set(m->next); }
 TYPEMESH_WEB_EXPORT std::uint32_t web_make(web_mesher* m, const char16_t* text, std::uint32_t size,
                                            std::uint32_t instances)
 {
-    if (const auto done = m->made.make({text, size}, instances != 0); !done) return fail(done.error());
-    return 0;
+    if (const char* why = m->made.refused()) return fail(why);
+    const auto done = m->made.make({text, size}, instances != 0);
+    if (done) return 0;
+    const char* why = m->made.explained(done.error());
+    return why != nullptr ? fail(why) : fail(done.error());
 }
 
 /// What web_make() has made. Its arrays live until the next web_make() of this mesher.

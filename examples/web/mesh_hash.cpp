@@ -94,8 +94,12 @@ int main(int argc, char** argv)
     if (fonts.empty()) return refuse("usage: mesh_hash TEXT --font FILE [--time MILLISECONDS] [OPTION=VALUE...]");
     session made{std::move(fonts)};
     made.set(how);
+    if (const char* why = made.refused()) return refuse(why);
     const std::u16string units = utf16(text);
-    if (const auto done = made.make(units, false); !done) return refuse(done.error().message());
+    if (const auto done = made.make(units, false); !done) {
+        const char* why = made.explained(done.error());
+        return refuse(why != nullptr ? why : done.error().message());
+    }
     std::printf("{\"hash\":\"%016llx\",\"vertices\":%zu,\"triangles\":%zu,\"openEdges\":%u",
                 static_cast<unsigned long long>(hash_of(made.arrays())), made.arrays().vertices(),
                 made.arrays().triangles(), open_edges(made.arrays()));

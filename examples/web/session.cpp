@@ -16,6 +16,7 @@ void session::set(const settings& how)
 {
     how_ = how;
     options_ = how_.settled();
+    options_.bend = how_.bend.choose(nullptr);
     maker_.take(options_);
 }
 
@@ -34,13 +35,24 @@ typemesh::result<void> session::make(std::u16string_view text, bool instances)
     text_job job{.text = text, .page = nullptr, .instances = instances, .begun = begun};
     typemesh::layout_options lines = options_.lines;
     lines.ellipsis = how_.ellipsis;
-    if (typemesh::refused_in_plain_text(lines) == typemesh::error::needs_paragraph) {
+    if (how_.bend.fit_text() || typemesh::refused_in_plain_text(lines) == typemesh::error::needs_paragraph) {
         if (const auto done = lay_out(text, lines); !done) return done.error();
         job.page = &page_;
+    }
+    if (how_.bend.fit_text()) {
+        options_.bend = how_.bend.choose(&page_);
+        maker_.take(options_);
     }
     const auto made = maker_.make(job, arrays_);
     if (!made) arrays_.clear();
     return made;
+}
+
+const char* session::explained(const typemesh::error& e) const noexcept
+{
+    const bool is_tight = e == typemesh::error::bad_option && std::string_view{e.option} == "tolerance";
+    if (!is_tight || !how_.bend.in_space()) return nullptr;
+    return "The text is bent too tightly for its bevels: bend it less, or make the bevels narrower.";
 }
 
 }  // namespace typemesh_web

@@ -39,8 +39,13 @@ public:
     /// Takes options for the texts that follow.
     void set(const settings& how);
 
-    /// Fills arrays().
+    /// Fills arrays(). Needs options that are not refused().
     [[nodiscard]] typemesh::result<void> make(std::u16string_view text, bool instances);
+
+    /// One sentence if the options cannot be had together, else null.
+    [[nodiscard]] const char* refused() const noexcept { return how_.refused(); }
+    /// A sentence about what make() refused, if the library's own would not help here; else null.
+    [[nodiscard]] const char* explained(const typemesh::error& e) const noexcept;
 
     [[nodiscard]] const mesh_arrays& arrays() const noexcept { return arrays_; }
     void clear_cache() noexcept { cache_.clear(); }

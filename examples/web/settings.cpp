@@ -44,6 +44,12 @@ void set_ascii(settings& to, std::u16string_view text)
     for (const char16_t unit : text) member += unit < 128 ? static_cast<char>(unit) : '?';
 }
 
+template <auto Member>
+void set_bend(settings& to, double value)
+{
+    to.bend.*Member = value;
+}
+
 void set_quality(settings& to, double value)
 {
     constexpr double tolerances[] = {typemesh::quality::high, typemesh::quality::low, typemesh::quality::normal,
@@ -114,6 +120,14 @@ constexpr option table[] = {
     {"outline.width", kind::number, "", "0", set_inner_number<&options::outline, &outline_options::width>},
     {"outline.place", kind::choice, "inner|outer|centre", "", set_place},
     {"outline.letter", kind::boolean, "", "0", set_inner_number<&options::outline, &outline_options::letter>},
+    {"bend.cylinder", kind::number, "", "0", set_bend<&bends::cylinder>},
+    {"bend.radius", kind::number, "", "", set_bend<&bends::radius>},
+    {"bend.twist", kind::number, "", "0", set_bend<&bends::twist>},
+    {"bend.wave", kind::number, "", "0", set_bend<&bends::wave>},
+    {"warp.arc", kind::number, "", "0", set_bend<&bends::arc>},
+    {"warp.flag", kind::number, "", "0", set_bend<&bends::flag>},
+    {"inflate.height", kind::number, "", "0", set_inner_number<&options::inflate, &inflate_options::height>},
+    {"inflate.form", kind::choice, "balloon|dome", "", set_inner_choice<&options::inflate, &inflate_options::form>},
     {"merge", kind::boolean, "", "", [](settings& to, double n) { to.merge = n != 0.0; }},
     {"width", kind::number, "", "", set_inner_number<&options::lines, &paragraph::width>},
     {"wrap", kind::choice, "word_or_grapheme|word|grapheme|none", "", set_wrap},
@@ -219,8 +233,23 @@ options settings::settled() const
     const double wider = 2.0 * (bolder + around);
     o.letter_spacing = letter_spacing.value_or(wider);
     o.columns.combined_gap = wider;
-    o.merge = merge.value_or(o.bevel.width > 0.0f || o.outline.width > 0.0f || o.embolden != 0.0f);
+    const bool edges_move = o.bevel.width > 0.0f || o.outline.width > 0.0f || o.embolden != 0.0f;
+    o.merge = merge.value_or(edges_move || o.inflate.height > 0.0f);
     return o;
+}
+
+const char* settings::refused() const noexcept
+{
+    if (const char* why = bend.refused()) return why;
+    const bool has_bevels = chosen.bevel.width > 0.0f && chosen.depth > 0.0f, has_ring = chosen.outline.width > 0.0f;
+    if (bend.in_space() && has_ring) return "Hollow letters cannot be bent: leave out outline or bend.";
+    if (!(chosen.inflate.height > 0.0f)) return nullptr;
+    if (bend.in_space()) return "Inflated letters cannot be bent: leave out inflate or bend.";
+    if (has_bevels) return "Inflated letters have no bevels: leave out inflate or bevel.";
+    if (has_ring) return "Inflated letters cannot be hollow: leave out inflate or outline.";
+    if (chosen.inflate.form == typemesh::inflated_form::dome && chosen.depth == 0.0f)
+        return "A dome stands on walls: give it a depth.";
+    return nullptr;
 }
 
 }  // namespace typemesh_web

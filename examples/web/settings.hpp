@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "bends.hpp"
 #include "text_to_mesh/options.hpp"
 
 #include <cstdint>
@@ -20,11 +21,15 @@ struct settings {
     std::optional<float> bevel_depth;
     std::optional<double> letter_spacing;
     std::optional<bool> merge;
+    bends bend;
     bool cached = true;
 
     /// `chosen` with all that follows from the rest, as text_to_mesh has it: bevels are as deep as wide; letters with
     /// bevels, rings or moved edges are merged, and stand as much farther apart as they have become wider.
     [[nodiscard]] text_to_mesh::options settled() const;
+
+    /// One sentence if the options cannot be had together, else null.
+    [[nodiscard]] const char* refused() const noexcept;
 };
 
 enum class option_kind : std::uint8_t { number, boolean, choice, string, numbers, features };

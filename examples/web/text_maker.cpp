@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "text_maker.hpp"
 
+#include "text_to_mesh/stages.hpp"
 #include "text_writer.hpp"
 
 namespace typemesh_web {
@@ -21,6 +22,17 @@ text_options text_options_of(const text_to_mesh::options& o)
     return how;
 }
 
+web_solid solid_of(const text_to_mesh::options& o)
+{
+    using namespace text_to_mesh;
+    if (o.inflate.height > 0.0f) return inflated_of(o);
+    if (o.bend.is_on && o.bevel.width > 0.0f) return bent_of(o, bevelled_of(o));
+    if (o.bend.is_on) return bent_of(o, plain_of(o));
+    const web_letter letter = o.bevel.width > 0.0f ? web_letter{bevelled_of(o)} : web_letter{plain_of(o)};
+    if (o.outline.width > 0.0f) return hollow_of(o, letter);
+    return letter;
+}
+
 }  // namespace
 
 shape_options shape_options_of(const text_to_mesh::options& o)
@@ -38,7 +50,8 @@ text_maker::text_maker(font_set& fonts, glyph_cache<>& cache) : fonts_{&fonts}, 
 void text_maker::take(const text_to_mesh::options& o)
 {
     options_ = o;
-    text_to_mesh::choose_policies(options_, fonts_->units_per_em(), mesher_);
+    mesher_.use(solid_of(options_));
+    text_to_mesh::use_stages(options_, fonts_->units_per_em(), mesher_);
 }
 
 result<void> text_maker::make(const text_job& job, mesh_arrays& out)

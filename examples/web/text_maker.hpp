@@ -4,7 +4,7 @@
 #include "fonts.hpp"
 #include "mesh_arrays.hpp"
 #include "settings.hpp"
-#include "text_to_mesh/policies.hpp"
+#include "text_to_mesh/solids.hpp"
 
 #include <typemesh/glyph/glyph_cache.hpp>
 #include <typemesh/typemesh.hpp>
@@ -13,6 +13,12 @@
 #include <string_view>
 
 namespace typemesh_web {
+
+// The solids of the page. text_to_mesh has more, which would make the module larger.
+using web_letter = typemesh::one_of<text_to_mesh::plain_solid, typemesh::bevelled>;
+using web_solid = typemesh::one_of<web_letter, typemesh::outlined<web_letter, text_to_mesh::plain_solid>,
+                                   text_to_mesh::bent_solid, text_to_mesh::bent_bevels, typemesh::inflated>;
+using web_plan = typemesh::text_plan<web_solid>;
 
 /// What is to be meshed: a text, or the page that it was laid out as.
 struct text_job {
@@ -39,7 +45,7 @@ public:
 private:
     font_set* fonts_;
     text_to_mesh::options options_;  // the texts in them are read while a plan is made
-    text_to_mesh::chosen_mesher mesher_;
+    typemesh::text_mesher<web_solid> mesher_;
 };
 
 }  // namespace typemesh_web

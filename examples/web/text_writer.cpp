@@ -17,8 +17,10 @@ struct float3 {
 /// Into the arrays, whose room was made.
 auto sink_into(mesh_arrays& out)
 {
-    const auto bytes = [](buffer<float>& b) { return std::as_writable_bytes(std::span{b.view()}); };
-    return stream_sink{std::span{out.index.view()}, stream<attribute::position, float3>::in(bytes(out.position), 0),
+    // Spans with their types written out: older standard libraries take a temporary view for a constant one.
+    const auto bytes = [](buffer<float>& b) { return std::as_writable_bytes(std::span<float>{b.data(), b.size()}); };
+    return stream_sink{std::span<std::uint32_t>{out.index.data(), out.index.size()},
+                       stream<attribute::position, float3>::in(bytes(out.position), 0),
                        stream<attribute::normal, float3>::in(bytes(out.normal), 0),
                        stream<attribute::uv, float2>::in(bytes(out.uv), 0)};
 }
@@ -32,7 +34,7 @@ auto sink_into(mesh_arrays& out)
 
 }  // namespace
 
-result<void> write_whole(const text_to_mesh::chosen_plan& plan, mesh_arrays& out) noexcept
+result<void> write_whole(const web_plan& plan, mesh_arrays& out) noexcept
 {
     const mesh_size size = plan.size();
     if (!out.make_room(size.vertices, size.indices())) return error::out_of_memory;
@@ -41,7 +43,7 @@ result<void> write_whole(const text_to_mesh::chosen_plan& plan, mesh_arrays& out
     return plan.write(sink_into(out));
 }
 
-result<void> write_letters(const text_to_mesh::chosen_plan& plan, mesh_arrays& out) noexcept
+result<void> write_letters(const web_plan& plan, mesh_arrays& out) noexcept
 {
     const mesh_size size = plan.meshes_size();
     if (!out.make_room(size.vertices, size.indices())) return error::out_of_memory;

@@ -2,15 +2,15 @@
 #pragma once
 
 #include "mesh_arrays.hpp"
-#include "text_to_mesh/policies.hpp"
+#include "text_maker.hpp"
 
 namespace typemesh_web {
 
 /// Writes a plan. Compiled apart, for speed, as this runs for each vertex of each text; what builds letters is compiled for
 /// size.
-[[nodiscard]] typemesh::result<void> write_whole(const text_to_mesh::chosen_plan& plan, mesh_arrays& out) noexcept;
+[[nodiscard]] typemesh::result<void> write_whole(const web_plan& plan, mesh_arrays& out) noexcept;
 
 /// The same as different letters and where they stand.
-[[nodiscard]] typemesh::result<void> write_letters(const text_to_mesh::chosen_plan& plan, mesh_arrays& out) noexcept;
+[[nodiscard]] typemesh::result<void> write_letters(const web_plan& plan, mesh_arrays& out) noexcept;
 
 }  // namespace typemesh_web
