@@ -77,6 +77,8 @@ qemu         command:qemu-s390x                              qemu-user          
 dpkg-source  command:dpkg-source                              dpkg-dev           -                      -           -                 -
 imagemagick  command:mogrify                                  imagemagick        ImageMagick            imagemagick imagemagick       -
 pngquant     command:pngquant                                 pngquant           pngquant               pngquant    pngquant          -
+glslang      command:glslangValidator                         glslang-tools      glslang                glslang     glslang           -
+spirv-cross  command:spirv-cross                              spirv-cross        -                      spirv-cross spirv-cross       -
 pyflakes     command:pyflakes3                                pyflakes3          python3-pyflakes       python-pyflakes -             -
 END
 }

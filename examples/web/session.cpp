@@ -52,7 +52,8 @@ const char* session::explained(const typemesh::error& e) const noexcept
 {
     const bool is_tight = e == typemesh::error::bad_option && std::string_view{e.option} == "tolerance";
     if (!is_tight || !how_.bend.in_space()) return nullptr;
-    return "The text is bent too tightly for its bevels: bend it less, or make the bevels narrower.";
+    return "The text is bent too tightly for its bevels: bend it less, or take narrower bevels or a lower "
+           "quality.";
 }
 
 }  // namespace typemesh_web

@@ -15,8 +15,8 @@
 namespace typemesh_web {
 
 // The solids of the page. text_to_mesh has more, which would make the module larger.
-using web_letter = typemesh::one_of<text_to_mesh::plain_solid, typemesh::bevelled>;
-using web_solid = typemesh::one_of<web_letter, typemesh::outlined<web_letter, text_to_mesh::plain_solid>,
+using web_upright = typemesh::one_of<text_to_mesh::plain_solid, typemesh::bevelled>;
+using web_solid = typemesh::one_of<web_upright, typemesh::outlined<web_upright, text_to_mesh::plain_solid>,
                                    text_to_mesh::bent_solid, text_to_mesh::bent_bevels, typemesh::inflated>;
 using web_plan = typemesh::text_plan<web_solid>;
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// OpenGL draws the triangles of flat_curved with the shader of docs/curves.md.
+// OpenGL draws the triangles of flat_curved with the shader of docs/curves.md, or with the fragment shader in the file that
+// TYPEMESH_CURVES_SHADER names. "[scenes]" writes what is drawn, and the right pixels, into the folder TYPEMESH_CURVES_SCENES.
 
 #include <EGL/egl.h>
 #include <EGL/eglext.h>
@@ -75,15 +76,22 @@ private:
     EGLContext context_ = nullptr;
 };
 
-/// The page's shader.
-std::string page_shader()
+std::string content_of(const std::string& name)
 {
+    std::ifstream file{name};
+    REQUIRE(file);
+    std::stringstream whole;
+    whole << file.rdbuf();
+    return whole.str();
+}
+
+/// The page's shader, or another one that the environment names.
+std::string fragment_shader()
+{
+    if (const char* other = std::getenv("TYPEMESH_CURVES_SHADER")) return content_of(other);
     const char* const tests = std::getenv("TYPEMESH_TEST_DATA");
     REQUIRE(tests != nullptr);
-    std::ifstream page{std::string{tests} + "/../docs/curves.md"};
-    std::stringstream whole;
-    whole << page.rdbuf();
-    const std::string text = whole.str(), begin = "```glsl\n";
+    const std::string text = content_of(std::string{tests} + "/../docs/curves.md"), begin = "```glsl\n";
     const auto from = text.find(begin);
     REQUIRE(from != std::string::npos);
     return text.substr(from + begin.size(), text.find("```\n", from + begin.size()) - from - begin.size());
@@ -103,7 +111,7 @@ public:
     {
         program_ = glCreateProgram();
         attach(GL_VERTEX_SHADER, vertex_shader);
-        attach(GL_FRAGMENT_SHADER, page_shader());
+        attach(GL_FRAGMENT_SHADER, fragment_shader());
         glLinkProgram(program_);
         GLint done = 0;
         glGetProgramiv(program_, GL_LINK_STATUS, &done);
@@ -143,7 +151,9 @@ public:
         const auto scale = static_cast<float>(2.0 * r.scale / side);
         glUniform4f(glGetUniformLocation(program_, "view"), static_cast<float>(r.left), static_cast<float>(r.bottom),
                     scale, scale);
-        glUniform4f(glGetUniformLocation(program_, "colour"), 1, 1, 1, 1);
+        const GLint colour = glGetUniformLocation(program_, "colour");
+        // Translated shaders call it by HLSL's name for all that stands outside.
+        glUniform4f(colour >= 0 ? colour : glGetUniformLocation(program_, "_Global[0]"), 1, 1, 1, 1);
         glClearColor(0, 0, 0, 0);
         glClear(GL_COLOR_BUFFER_BIT);
         glEnable(GL_CULL_FACE);
@@ -197,14 +207,18 @@ constexpr sample samples[] = {
     {"chinese", "truetype/wqy/wqy-microhei.ttc", "\xE4\xBD\xA0\xE5\xA5\xBD"},
 };
 
-}  // namespace
+/// A text at a scale, and what its pixels should be.
+struct scene {
+    std::string name;
+    std::span<const curved_vertex> vertices;
+    std::span<const std::uint32_t> indices;
+    coverage::raster r;
+    std::vector<coverage::seen> truth;
+};
 
-TEST_CASE("OpenGL draws curved triangles with the page's shader: every pixel is as the outlines say, at every zoom",
-          "[engines]")
+template <class Take>
+void for_each_scene(Take&& take)
 {
-    const surfaceless context;
-    renderer draws;
-    std::size_t inside = 0, outside = 0, soft = 0;
     for (const sample& s : samples) {
         auto font = harfbuzz_font::open(font_file(s.font).c_str());
         REQUIRE(font);
@@ -221,25 +235,65 @@ TEST_CASE("OpenGL draws curved triangles with the page's shader: every pixel is 
                 r.left = segment.x0 - 0.5 * renderer::side / scale;
                 r.bottom = segment.y0 - 0.5 * renderer::side / scale;
             }
-            const auto alpha = draws.draw(vertices, indices, r);
-            keep(alpha, std::string{s.name} + "-" + std::to_string(static_cast<int>(scale)));
             // The oracle has 64 chords for each curve: up to 1/16000 em beside it.
             const double margin = 0.1 / scale + (scale > 300.0 ? 1.0 / 16000 : 0.0);
-            const auto truth = coverage::cover(outlines, r, margin);
-            std::size_t wrong = 0;
-            for (std::size_t i = 0; i < truth.size(); ++i) {
-                if (truth[i] == coverage::seen::near_a_curve) continue;
-                const bool is_inside = truth[i] == coverage::seen::inside;
-                wrong += is_inside ? alpha[i] < 128 : alpha[i] > 128;
-                soft += alpha[i] != 0 && alpha[i] != 255;
-                (is_inside ? inside : outside) += 1;
-            }
-            INFO(s.name << " at " << scale << " pixels per em");
-            CHECK(wrong == 0);
+            take(scene{std::string{s.name} + "-" + std::to_string(static_cast<int>(scale)), vertices, indices, r,
+                       coverage::cover(outlines, r, margin)});
         }
     }
+}
+
+}  // namespace
+
+TEST_CASE("OpenGL draws curved triangles with the page's shader: every pixel is as the outlines say, at every zoom",
+          "[engines]")
+{
+    const surfaceless context;
+    renderer draws;
+    std::size_t inside = 0, outside = 0, soft = 0;
+    for_each_scene([&](const scene& s) {
+        const auto alpha = draws.draw(s.vertices, s.indices, s.r);
+        keep(alpha, s.name);
+        std::size_t wrong = 0;
+        for (std::size_t i = 0; i < s.truth.size(); ++i) {
+            if (s.truth[i] == coverage::seen::near_a_curve) continue;
+            const bool is_inside = s.truth[i] == coverage::seen::inside;
+            wrong += is_inside ? alpha[i] < 128 : alpha[i] > 128;
+            soft += alpha[i] != 0 && alpha[i] != 255;
+            (is_inside ? inside : outside) += 1;
+        }
+        INFO(s.name << " pixels per em");
+        CHECK(wrong == 0);
+    });
     CAPTURE(inside, outside, soft);
     CHECK(inside > 100000);
     CHECK(outside > 100000);
     CHECK(soft > 1000);
+}
+
+// For renderers that are no program of C++: a file for each scene. All numbers have four bytes.
+//
+//     the counts of vertices and indices; left, bottom, units to the right and up per pixel of a picture 2 wide and high
+//     position and curve of each vertex; the indices; a byte for each pixel, the lowest row first: 0 either, 1 in, 2 out
+TEST_CASE("the scenes for other renderers", "[.scenes]")
+{
+    const char* folder = std::getenv("TYPEMESH_CURVES_SCENES");
+    REQUIRE(folder != nullptr);
+    for_each_scene([&](const scene& s) {
+        std::ofstream file{std::string{folder} + "/" + s.name, std::ios::binary};
+        const auto put = [&file](const auto* first, std::size_t bytes) {
+            file.write(reinterpret_cast<const char*>(first), static_cast<std::streamsize>(bytes));
+        };
+        const std::uint32_t counts[] = {static_cast<std::uint32_t>(s.vertices.size()),
+                                        static_cast<std::uint32_t>(s.indices.size())};
+        const auto scale = static_cast<float>(2.0 * s.r.scale / renderer::side);
+        const float view[] = {static_cast<float>(s.r.left), static_cast<float>(s.r.bottom), scale, scale};
+        put(counts, sizeof counts);
+        put(view, sizeof view);
+        put(s.vertices.data(), s.vertices.size_bytes());
+        put(s.indices.data(), s.indices.size_bytes());
+        for (const coverage::seen one : s.truth)
+            file.put(one == coverage::seen::near_a_curve ? '\0' : one == coverage::seen::inside ? '\1' : '\2');
+        REQUIRE(file.flush());
+    });
 }

@@ -37,6 +37,11 @@ const options = [
     { width: 5, align: 'justify', breaker: 'total_fit', size: 3 },
     { width: 6, align: 'centre', letterSpacing: 0.1, features: { liga: 0 }, maxLines: 2, ellipsis: '...' },
     { direction: 'ttb', normals: 'cap' },
+    { bend: { cylinder: 180 }, bevel: { width: 0.02, profile: 'round' }, quality: 'normal' },
+    { bend: { twist: 120 }, warp: { flag: 0.2 }, merge: true },
+    { bend: { wave: 0.2 }, warp: { arc: 60 }, depth: 0 },
+    { inflate: { height: 1 }, warp: { arc: -60 } },
+    { inflate: { height: 0.5, form: 'dome' } },
 ];
 
 /** {bevel: {width: 0.02}} as "bevel.width=0.02". */

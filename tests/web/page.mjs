@@ -141,8 +141,8 @@ await page.focus("#text");
 await change(() => page.keyboard.type("!"));
 check((await value("text")).endsWith("!") || (await value("text")).includes("!"), "what is typed comes into the text");
 
-// Every option, and each of its values.
-await open("#text=Aé&bevel.width=0.02");
+// Every option, and each of its values. Short texts cannot be bent to the ends of the sliders.
+await open("#text=Aé here&bevel.width=0.02");
 const ids = await page.$$eval("#groups input, #groups select", all => all.map(e => e.id));
 check(ids.length >= 20, "the panel has its controls");
 for (const id of ids) {
@@ -164,7 +164,48 @@ check(/tag/.test(await message()), "a tag of seven letters is refused in words")
 check(Number((await value("triangles")).replace(/,/g, "")) > 0, "and the mesh stays");
 await set("#option-features", "");
 
+// The shape: each slider by its keys, what excludes each other, and what cannot be built.
+await open();
+const straight = await hash();
+const at = name => `#option-${name.replace(".", "-")}`;
+for (const name of ["bend.cylinder", "bend.twist", "bend.wave", "warp.arc", "warp.flag", "inflate.height"]) {
+    await page.focus(at(name));
+    await change(() => page.keyboard.press("ArrowRight"));
+    const step = await page.$eval(at(name), e => [Number(e.value), Number(e.step), e.getAttribute("aria-valuetext")]);
+    check(step[0] === step[1] && step[2].startsWith(String(step[0])), `a key moves ${name} by a step: ${step}`);
+    check(await hash() !== straight && await message() === "", `${name} changes the mesh: ${await message()}`);
+    check(await value("open-edges") === "0", `${name}: open edges ${await value("open-edges")}`);
+    await change(() => page.$eval(at(name), e => e.dispatchEvent(new MouseEvent("dblclick", { bubbles: true }))));
+    check(await hash() === straight, `a double click sets ${name} back`);
+}
+await set(at("bend.twist"), "90");
+await set(at("bend.cylinder"), "180");
+check(await value("option-bend-twist") === "0", "one way to bend at a time");
+check(/so Twist is 0 again\.$/.test(await value("notes")), `which is told: ${await value("notes")}`);
+await set(at("warp.arc"), "60");
+check(await value("option-bend-cylinder") === "180", "an arc goes with a bend");
+await set(at("warp.arc"), "0");
+await set(at("inflate.height"), "1");
+const balloon = await hash();
+for (const name of ["depth", "bevel.width", "outline.width", "normals"])
+    check(await page.$eval(at(name), e => e.disabled), `inflated letters have no ${name}`);
+check(/Inflated letters have no bevels/.test(await value("notes")), `which is told: ${await value("notes")}`);
+await page.click("#link");
+const shape = await page.evaluate(() => location.hash);
+await open(shape);
+check(await hash() === balloon, "a link brings a balloon back");
+await set(at("inflate.height"), "0");
+check(await hash() === straight, "and without air it is as before");
+await open("#text=Hi&depth=0.4&bend.cylinder=360");
+check(/folds the letters/.test(await message()), `a text that is bent too tightly is told: ${await message()}`);
+await set(at("bend.cylinder"), "40");
+check(await message() === "", "and is built when it is bent less");
+
 // Views.
+for (const [name, link] of [["bent", "#bend.cylinder=180"], ["inflated", "#inflate.height=1&text=Ra8"]]) {
+    await open(link);
+    await compare(name);
+}
 for (const view of ["wireframe", "normals", "texture", "contours"]) {
     await open(`#view=${view}&text=Ra8`);
     await compare(view);

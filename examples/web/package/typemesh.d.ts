@@ -130,7 +130,38 @@ export interface MeshOptions {
         /** Whether the letter within the ring is made as well, in the parts "letter_front" and so on. */
         letter?: boolean;
     };
-    /** Letters that meet become one solid. By default only if they have bevels, rings or moved edges. */
+    /**
+     * Bends the text in space; one of `cylinder`, `radius`, `twist` and `wave`. Caps and walls get the points that this needs, so
+     * that the mesh keeps the tolerance; letters are built anew each time. Not for rings. A text that is bent too tightly is refused.
+     */
+    bend?: {
+        /**
+         * Degrees of an upright cylinder that the text goes around, as on a cup; its middle stays where it is. Negative: it is read from
+         * the inside. At most 360.
+         */
+        cylinder?: number;
+        /** The cylinder's radius instead: the place x = 0 stays where it is. Negative: as above. */
+        radius?: number;
+        /** Degrees from the first letter to the last, around the text's middle line. */
+        twist?: number;
+        /** Height of one wave towards the reader, as long as the text. */
+        wave?: number;
+    };
+    /** Warps the outlines in the plane before all else, so that bevels, rings and walls follow; one of `arc` and `flag`. Also with `bend` or `inflate`. */
+    warp?: {
+        /** Degrees of a circular arc that the text stands on; negative: a bowl. At most 360. */
+        arc?: number;
+        /** Height of one wave up and down, as long as the text. */
+        flag?: number;
+    };
+    /** Letters like balloons. Not with bevels, rings or `bend`. */
+    inflate?: {
+        /** In halves of a stroke's width: 1 makes strokes round; 0, the default: not inflated. */
+        height?: number;
+        /** Front and back, or the front on walls of `depth`. */
+        form?: "balloon" | "dome";
+    };
+    /** Letters that meet become one solid. By default only if they have bevels, rings or moved edges, or are inflated. */
     merge?: boolean;
 
     /** Where lines end; no width by default: only where the text demands it. Columns: their height. */

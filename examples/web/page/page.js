@@ -126,7 +126,7 @@ function show() {
     const s = mesh.statistics;
     at("vertices").value = number(s.vertices);
     at("triangles").value = number(s.triangles);
-    const notes = [...mesh.warnings];
+    const notes = [...controls.notes(), ...mesh.warnings];
     if (!stage) notes.unshift("This browser offers no WebGL, so the mesh is not drawn. It is made all the same and can be saved.");
     if (shown.trim() === "") notes.push("There is no text: type one.");
     at("notes").textContent = notes.join(" ");

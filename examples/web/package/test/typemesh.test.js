@@ -49,6 +49,8 @@ test('every value of every option makes a mesh', () => {
     const values = {
         size: [0.5, 20], depth: [0, 0.5], tolerance: [0.01], crease: [120], 'bevel.width': [0.01], 'bevel.depth': [0.05],
         'bevel.points': [[0, 0, 0.2, 0.8, 1, 1]], 'bevel.steps': [3], embolden: [0.01, -0.005], 'outline.width': [0.01],
+        'bend.cylinder': [180, -90], 'bend.radius': [3], 'bend.twist': [90], 'bend.wave': [0.1], 'warp.arc': [90], 'warp.flag': [0.1],
+        'inflate.height': [1, 0.5],
         width: [4], letterSpacing: [0.1], lineSpacing: [1.5], indent: [1], maxLines: [1], ellipsis: ['…'],
         features: [{ liga: 0 }, { smcp: true }], language: ['tr'], script: ['Latn'],
     };
@@ -58,8 +60,12 @@ test('every value of every option makes a mesh', () => {
         const set = (value) => {
             const [group, inner] = option.name.split('.');
             if (inner === undefined) return { [group]: value };
-            const needed = group === 'bevel' ? { width: 0.01, profile: option.name === 'bevel.points' ? 'points' : 'round', points: [0, 0, 0.5, 0.9, 1, 1] } : { width: 0.01 };
-            return { [group]: { ...needed, [inner]: value } };
+            const needed = {
+                bevel: { width: 0.01, profile: option.name === 'bevel.points' ? 'points' : 'round', points: [0, 0, 0.5, 0.9, 1, 1] },
+                outline: { width: 0.01 },
+                inflate: { height: 1 },
+            };
+            return { [group]: { ...needed[group], [inner]: value } };
         };
         const hashes = new Set();
         for (const value of all) {
@@ -72,6 +78,30 @@ test('every value of every option makes a mesh', () => {
         if (!indifferent.includes(option.name)) assert.ok(hashes.size > 1 || !hashes.has(plain), `${option.name} changes the mesh`);
     }
     assert.equal(typemesh.hash('Grün affix\ntwo', font), plain, 'options of one text are gone with the next');
+});
+
+test('bent, warped and inflated letters', () => {
+    const text = 'Around', plain = typemesh.mesh(text, font), flat = plain.bounds, count = plain.statistics.vertices;
+    const wide = ({ low, high }) => high[0] - low[0];
+    const half = typemesh.mesh(text, font, { bend: { cylinder: 180 } });
+    check(half);
+    assert.ok(half.statistics.vertices > count, 'a bent letter has more points');
+    // Half around a cylinder whose circumference is twice as long as the text, whose middle stays where it is.
+    assert.ok(Math.abs(wide(half.bounds) / wide(flat) - 2 / Math.PI) < 0.05, `${wide(half.bounds)} of ${wide(flat)}`);
+    const middle = ({ low, high }) => (low[0] + high[0]) / 2;
+    assert.ok(Math.abs(middle(half.bounds) - middle(flat)) < 0.05 * wide(flat));
+    const aligned = ['start', 'centre', 'end'].map((align) => typemesh.mesh(text, font, { align, bend: { cylinder: 180 } }).bounds).map(wide);
+    for (const one of aligned) assert.ok(Math.abs(one - aligned[0]) < 1e-5, 'it bends alike wherever the line stands');
+    const screw = typemesh.mesh(text, font, { bend: { twist: 360 }, bevel: { width: 0.01 } });
+    check(screw);
+    assert.equal(screw.openEdges(), 0);
+    const stamp = typemesh.mesh(text, font, { warp: { arc: 90 }, inflate: { height: 1 } });
+    check(stamp);
+    assert.equal(stamp.openEdges(), 0);
+    assert.deepEqual(stamp.parts.map((p) => p.name), ['front', 'back']);
+    assert.ok(Math.abs(stamp.bounds.low[2] + stamp.bounds.high[2]) < 1e-5, 'a balloon is alike in front and behind');
+    const columns = typemesh.mesh('ab\ncd', font, { direction: 'ttb', bend: { cylinder: 90 } });
+    assert.equal(columns.openEdges(), 0);
 });
 
 test('options stay where they are set, and undefined is their default', () => {
@@ -164,12 +194,28 @@ test('what is refused is said in a sentence', () => {
     refuses(() => typemesh.font(bytes, { variations: { wght: 700 } }), TypemeshError, /no such variation axis/);
     refuses(() => typemesh.mesh('a', font, { size: -1 }), TypemeshError, /outside its range: .*\(size\)$/);
     refuses(() => typemesh.mesh('a', font, { tolerance: 0 }), TypemeshError, /tolerance is not a positive/);
-    refuses(() => typemesh.mesh('a', font, { bevel: { widht: 1 } }), TypeError, /^There is no option bevel.widht\.$/);
+    refuses(() => typemesh.mesh('a', font, { bevel: { widht: 1 } }), TypeError, /^There is no option bevel\.widht: check its name\.$/);
     refuses(() => typemesh.mesh('a', font, { align: 'middle' }), TypeError, /^align must be one of start, end, left/);
     refuses(() => typemesh.mesh('a', font, { depth: '1' }), TypeError, /^depth must be a number, not "1"\.$/);
     refuses(() => typemesh.mesh('a', font, { features: { toolong: 1 } }), TypeError, /is not a tag/);
     refuses(() => typemesh.mesh('a', []), TypeError, /at least one font/);
-    refuses(() => typemesh.mesh(5, font), TypeError, /^A text is a string\.$/);
+    refuses(() => typemesh.mesh(5, font), TypeError, /^The text must be a string\.$/);
+    const bent = (text, options, words) => refuses(() => typemesh.mesh(text, font, options), TypemeshError, words);
+    bent('Hi', { depth: 0.4, bend: { cylinder: 360 } }, /^The deformation folds the letters: bend them less/);
+    bent('Hello', { bend: { cylinder: 400 } }, /^The text is longer than the circumference/);
+    bent('Hello', { warp: { arc: 400 } }, /^The text is longer than the circumference/);
+    bent('Hello', { bend: { radius: 0 } }, /outside its range: .*\(radius\)$/);
+    bent('Hello', { bend: { twist: NaN } }, /outside its range: .*\(degrees_per_em\)$/);
+    bent('Hello', { bend: { twist: 360 }, bevel: { width: 0.06 } }, /^The text is bent too tightly for its bevels/);
+    bent('Hello', { bend: { twist: 90, wave: 0.1 } }, /^A text bends in one way at a time/);
+    bent('Hello', { bend: { cylinder: 90, radius: 2 } }, /^A cylinder has degrees or a radius/);
+    bent('Hello', { warp: { arc: 90, flag: 0.1 } }, /^A text has one warp at a time/);
+    bent('Hello', { bend: { twist: 90 }, outline: { width: 0.01 } }, /^Hollow letters cannot be bent/);
+    bent('Hello', { bend: { twist: 90 }, inflate: { height: 1 } }, /^Inflated letters cannot be bent/);
+    bent('Hello', { inflate: { height: 1 }, bevel: { width: 0.01 } }, /^Inflated letters have no bevels/);
+    bent('Hello', { inflate: { height: 1 }, outline: { width: 0.01 } }, /^Inflated letters cannot be hollow/);
+    bent('Hello', { inflate: { height: 1, form: 'dome' }, depth: 0 }, /^A dome stands on walls/);
+    refuses(() => typemesh.mesh('Hello world!', font, { bend: { radius: 0.5 } }), TypemeshError, /^The text is longer than the circumference/);
     assert.ok(typemesh.mesh('a', font).statistics.triangles > 0, 'all is well afterwards');
 });
 
