@@ -9,7 +9,7 @@ namespace {
 
 using namespace typemesh;
 
-/// The box of a text's baselines, in em; of columns, that of their lines.
+/// The box of a text's baselines, in em; columns have upright ones.
 box baselines_of(const glyph_run& run)
 {
     box all;

@@ -9,8 +9,8 @@
 
 namespace typemesh_web {
 
-/// How a text is bent in space, or warped in the plane. Angles and waves are those of the whole text, so they become
-/// deformations when its width is known.
+/// How a text is bent in space, or warped in the plane. Angles and waves fit the whole text, so they become deformations
+/// when its width is known.
 struct bends {
     double cylinder = 0.0;         ///< degrees of an upright cylinder that the text goes around; 0: none
     std::optional<double> radius;  ///< of that cylinder, in em, instead of degrees

@@ -21,7 +21,7 @@ export const groups = [
     { title: "Shape", open: true, controls: [
         range("bend.cylinder", "Bend", 0, -360, 360, 10, "°"),
         range("bend.twist", "Twist", 0, -360, 360, 10, "°"),
-        range("bend.wave", "Wave", 0, 0, 0.5, 0.01),
+        range("bend.wave", "Wave", 0, 0, 1, 0.02),
         range("warp.arc", "Arc", 0, -180, 180, 5, "°"),
         range("warp.flag", "Flag", 0, 0, 0.5, 0.01),
         range("inflate.height", "Inflate", 0, 0, 2, 0.05),
