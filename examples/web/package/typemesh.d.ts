@@ -132,7 +132,7 @@ export interface MeshOptions {
     };
     /**
      * Bends the text in space; one of `cylinder`, `radius`, `twist` and `wave`. Caps and walls get the points that this needs, so
-     * that the mesh keeps the tolerance; letters are built anew each time. Not for rings. A text that is bent too tightly is refused.
+     * that the mesh keeps the tolerance; letters are built anew each time, and letters() has a mesh for each of them. Not for rings. A text that is bent too tightly is refused.
      */
     bend?: {
         /**
