@@ -25,6 +25,11 @@ struct extent_measure {
     {
         return std::hypot(per_x * (double(p.x) - q.x), per_y * (double(p.y) - q.y));
     }
+    [[nodiscard]] detail::extents extents() const noexcept
+    {
+        if (per_x > 0.0 && per_y > 0.0) return detail::extents::both;
+        return per_y > 0.0 ? detail::extents::heights : detail::extents::widths;
+    }
     [[nodiscard]] double edge(grid_point p, grid_point q) const noexcept { return length(p, q); }
     [[nodiscard]] double triangle(grid_point p, grid_point q, grid_point r) const noexcept
     {
@@ -121,7 +126,7 @@ TEST_CASE("bisection keeps every law for measures of width, height and both, in 
                         REQUIRE_FALSE(bisection.run(shape.filled, given.view(), m, 100'000));
                     REQUIRE_FALSE(bisection.write(out.out()));
                     CHECK(test::broken_refinement(shape.filled, out) == "");
-                    CHECK(test::is_delaunay(out));
+                    CHECK(test::is_delaunay(out, m.extents()));
                     const std::size_t found =
                         of_box ? needlessly_large(out, boxes, kept) : needlessly_large(out, m, kept);
                     CHECK(found == 0);
@@ -160,7 +165,7 @@ TEST_CASE("random polygons are bisected lawfully, however narrow they are", "[re
         REQUIRE_FALSE(bisection.run(shape.filled, given.view(), m, 100'000));
         REQUIRE_FALSE(bisection.write(out.out()));
         CHECK(test::broken_refinement(shape.filled, out) == "");
-        CHECK(test::is_delaunay(out));
+        CHECK(test::is_delaunay(out, m.extents()));
         const std::size_t found = needlessly_large(out, m, kept);
         CHECK(found == 0);
         needless += found;
@@ -174,10 +179,15 @@ TEST_CASE("random polygons are bisected lawfully, however narrow they are", "[re
     CHECK(too_near * 300 < triangles);  // only the corners of the triangle around a new point are asked
 }
 
-TEST_CASE("a measure of one direction needs fewer points than a mesh of short edges", "[refine]")
+TEST_CASE("a measure of one direction needs fewer points than a mesh of short edges, and hardly any inside", "[refine]")
 {
+    struct blind : extent_measure {  // does not say on what it depends
+        [[nodiscard]] static detail::extents extents() noexcept { return detail::extents::both; }
+    };
     edge_bisection bisection;
     detail::delaunay_refinement refinement;
+    test::refined_result out;
+    std::size_t inner = 0, needed = 0, without = 0;
     for (const test::shape& s : {test::circle_with_holes(60, 3), test::shape{"circle", {test::circle(100, 1'000'000)}},
                                  test::shape{"star", {test::star(60, 1'000'000, 1)}}}) {
         INFO(s.name);
@@ -185,18 +195,26 @@ TEST_CASE("a measure of one direction needs fewer points than a mesh of short ed
         workspace space;
         triangle_list given;
         REQUIRE_FALSE(constrained_delaunay{}(shape.filled, space, given));
-        for (const double edge : {200'000.0, 60'000.0}) {
+        for (const double edge : {200'000.0, 60'000.0, 20'000.0}) {
             const auto longest = static_cast<std::int64_t>(edge);
             const detail::refinement_limits limits{0.36, 1.35, longest * longest, 1'000'000};  // 20 degrees
             REQUIRE_FALSE(refinement.run(shape.filled, given.view(), limits));
             const std::uint32_t even = refinement.mesh().vertex_count();
             CAPTURE(edge, even);
             for (const extent_measure m : {extent_measure{1.0 / edge, 0.0}, extent_measure{0.0, 1.0 / edge}}) {
+                REQUIRE_FALSE(bisection.run(shape.filled, given.view(), blind{m}, 1'000'000));
+                without += bisection.mesh().vertex_count();
                 REQUIRE_FALSE(bisection.run(shape.filled, given.view(), m, 1'000'000));
-                CHECK(5 * bisection.mesh().vertex_count() < 4 * even);
+                REQUIRE_FALSE(bisection.write(out.out()));
+                CHECK(5 * bisection.mesh().vertex_count() < 3 * even);
+                needed += bisection.mesh().vertex_count();
+                inner += out.inner.size();
             }
         }
     }
+    CAPTURE(needed, inner, without);
+    CHECK(20 * inner < needed);
+    CHECK(2 * needed < without);
 }
 
 TEST_CASE("in a rectangle, a measure of widths adds columns of two points and none inside", "[refine]")
@@ -245,6 +263,7 @@ TEST_CASE("a measure that is never content, or no number, ends", "[refine]")
 {
     struct never_content {
         double size = 0.0;
+        [[nodiscard]] detail::extents extents() const noexcept { return detail::extents::both; }
         [[nodiscard]] double edge(grid_point, grid_point) const noexcept { return size; }
         [[nodiscard]] double length(grid_point, grid_point) const noexcept { return size; }
         [[nodiscard]] double triangle(grid_point, grid_point, grid_point) const noexcept { return size; }
@@ -300,7 +319,7 @@ TEST_CASE("points that bisection adds to a curve's edges lie on the curve", "[re
         REQUIRE_FALSE(bisection.run(filled, given.view(), extent_measure{1.0 / edge, 0.0}, 1'000'000));
         REQUIRE_FALSE(bisection.write(out.out()));
         CHECK(test::broken_refinement(filled, out) == "");
-        CHECK(test::is_delaunay(out));
+        CHECK(test::is_delaunay(out, detail::extents::widths));
         CHECK(double(out.loops.points.size()) > 800'000.0 / edge);
         double farthest = 0.0;
         for (std::size_t i = 0; i < out.loops.points.size(); ++i) {

@@ -8,6 +8,7 @@
 #include <typemesh/inspect/boundary_check.hpp>
 #include <typemesh/inspect/delaunay_check.hpp>
 #include <typemesh/inspect/simplicity.hpp>
+#include <typemesh/refine/impl/stretched_circle.hpp>
 #include <typemesh/refine/refiner.hpp>
 #include <typemesh/triangulate/constrained_delaunay.hpp>
 #include <typemesh/triangulate/monotone.hpp>
@@ -110,6 +111,36 @@ inline bool is_delaunay(const refined_result& cap)
         if (other != edges.end() &&
             typemesh::inspect::circle_side(p[edge.first], p[edge.second], p[apex], p[other->second]) > 0)
             return false;
+    }
+    return true;
+}
+
+/// Whether every inner edge is Delaunay for ellipses that are stretched without limit, as far as double precision tells:
+/// the square of one coordinate alone lifts the points.
+inline bool is_delaunay(const refined_result& cap, typemesh::detail::extents compared)
+{
+    using typemesh::detail::extents;
+    if (compared == extents::both) return is_delaunay(cap);
+    const std::vector<typemesh::grid_point> p = cap.points();
+    const cap_edges edges = edges_of(cap);
+    for (const auto& [edge, apex] : edges) {
+        const auto other = edges.find({edge.second, edge.first});
+        if (other == edges.end()) continue;
+        const typemesh::grid_point at = p[other->second];
+        double x[3], y[3], lifted[3], sum = 0.0, size = 0.0;
+        int k = 0;
+        for (const std::uint32_t i : {edge.first, edge.second, apex}) {
+            x[k] = double(p[i].x) - at.x;
+            y[k] = double(p[i].y) - at.y;
+            lifted[k] = compared == extents::widths ? x[k] * x[k] : y[k] * y[k];
+            ++k;
+        }
+        for (k = 0; k < 3; ++k) {
+            const int l = (k + 1) % 3, m = (k + 2) % 3;
+            sum += lifted[k] * (x[l] * y[m] - x[m] * y[l]);
+            size += lifted[k] * (std::fabs(x[l] * y[m]) + std::fabs(x[m] * y[l]));
+        }
+        if (sum > 1e-14 * size) return false;
     }
     return true;
 }

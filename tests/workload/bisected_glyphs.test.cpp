@@ -31,14 +31,15 @@ TEST_CASE("every smoke font's glyphs are bisected lawfully for cups, balls and w
     std::size_t glyphs = 0, triangles = 0, given = 0, kept = 0;
     const auto check = [&](const region& filled, const auto& bends, double tolerance) {
         const double em = filled.grid().cells * filled.grid().units_per_em;
-        const detail::bent_measure<std::decay_t<decltype(bends)>> measure{bends, {0.4, 0.0}, 1.0 / em, -0.1,
-                                                                          0.0,   0.05,       tolerance};
+        detail::bent_measure<std::decay_t<decltype(bends)>> measure{bends, {0.4, 0.0}, 1.0 / em, -0.1,
+                                                                    0.0,   0.05,       tolerance};
+        measure.compared = measure.extents_in({{-9.0, -9.0, -0.1}, {9.0, 9.0, 0.0}});
         const error e = bisection.run(filled, cap.view(), measure, default_max_points);
         INFO(e.message());
         REQUIRE_FALSE(e);
         REQUIRE_FALSE(bisection.write(out.out()));
         CHECK(test::broken_refinement(filled, out) == "");
-        CHECK(test::is_delaunay(out));
+        CHECK(test::is_delaunay(out, measure.compared));
         const std::vector<grid_point> p = out.points();
         for (const triangle t : out.triangles) kept += !(measure.triangle(p[t.a], p[t.b], p[t.c]) <= 1.0);
         ++glyphs;

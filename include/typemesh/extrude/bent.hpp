@@ -260,6 +260,7 @@ struct bent {
         const box3 around = box_of(of_region, measure);
         if (error e = typemesh::refused_text(how, around)) return e;
         if (!is_unfolded(how, around)) return error::folds_over;
+        measure.compared = measure.extents_in(around);
         detail::bent_surface<Deformation> surface{how, data.places};
         const placement at = flat_placement(measure, place);
         // Bevels add to the error of their edges. Other solids need one round.

@@ -8,6 +8,7 @@
 #include <typemesh/core/point.hpp>
 #include <typemesh/core/triangle.hpp>
 #include <typemesh/extrude/placement.hpp>
+#include <typemesh/refine/impl/stretched_circle.hpp>
 
 #include <cmath>
 #include <cstdint>
@@ -27,6 +28,7 @@ struct bent_measure {
     double tolerance = 0.0;  ///< in em
     double across = 0.0;     ///< how far bevels reach from an edge, in em; 0 without bevels
     double rise = 0.0;       ///< how far they rise, in em
+    detail::extents compared = detail::extents::both;  ///< see extents_in()
 
     /// Includes the wall and the bevel that stand on the edge.
     [[nodiscard]] double edge(grid_point p, grid_point q) const noexcept
@@ -78,6 +80,15 @@ struct bent_measure {
                 if (turns(corner(t.a), corner(t.b), corner(t.c), height)) return true;
         return false;
     }
+
+    /// The extents on which the sizes of triangles in a box depend, in em.
+    [[nodiscard]] detail::extents extents_in(const box3& b) const noexcept
+    {
+        const bend_bounds by = bends.bend(b);
+        if (by.xy > 0.0 || (by.xx > 0.0) == (by.yy > 0.0)) return detail::extents::both;
+        return by.xx > 0.0 ? detail::extents::widths : detail::extents::heights;
+    }
+    [[nodiscard]] detail::extents extents() const noexcept { return compared; }
 
     /// A grid point at a height, in em.
     [[nodiscard]] double3 at(grid_point p, double height) const noexcept

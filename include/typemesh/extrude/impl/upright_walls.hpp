@@ -47,12 +47,12 @@ struct upright_walls {
                 if (segments == 1) [[likely]]
                     write<Wants, Mapping>(points, side_points, axes, at, put);
                 else
-                    write_columns<Wants, Mapping>(points, side_points, axes, at, put);
+                    write_columns<Wants, Mapping>(*this, points, side_points, axes, at, put);
             });
         else if (segments == 1) [[likely]]
             write<Wants, no_mapping>(points, side_points, axes, at, put);
         else
-            write_columns<Wants, no_mapping>(points, side_points, axes, at, put);
+            write_columns<Wants, no_mapping>(*this, points, side_points, axes, at, put);
     }
 
     /// The triangles of walls in one segment.
@@ -86,6 +86,28 @@ struct upright_walls {
     {
         if (segments == 1) [[likely]]
             return triangles(starts, side_points, first, put);
+        column_triangles(starts, side_points, segments, first, put);
+    }
+
+    [[nodiscard]] static constexpr std::uint32_t vertex_count(std::uint32_t points, std::uint32_t doubled,
+                                                              std::uint32_t segments = 1) noexcept
+    {
+        return (segments + 1) * (points + doubled);
+    }
+
+private:
+    /// For output without texture: an em_mapping for each letter cost 2 % when only positions were written.
+    struct no_mapping {
+        explicit no_mapping(const placement&) noexcept {}
+    };
+
+    /// The triangles of walls in several segments. Inlined beside those of one segment, they cost the common case 4 %.
+    template <class Put>
+    [[gnu::noinline, gnu::cold]] static void column_triangles(array_view<const std::uint32_t> starts,
+                                                              array_view<const side_point> side_points,
+                                                              std::uint32_t segments, std::uint32_t first,
+                                                              Put& put) noexcept
+    {
         const std::uint32_t column = segments + 1;
         std::uint32_t next = first;  // the column that follows the last one so far
         for (std::size_t loop = 0; loop + 1 < starts.size(); ++loop) {
@@ -100,18 +122,6 @@ struct upright_walls {
             }
         }
     }
-
-    [[nodiscard]] static constexpr std::uint32_t vertex_count(std::uint32_t points, std::uint32_t doubled,
-                                                              std::uint32_t segments = 1) noexcept
-    {
-        return (segments + 1) * (points + doubled);
-    }
-
-private:
-    /// For output without texture: an em_mapping for each letter cost 2 % when only positions were written.
-    struct no_mapping {
-        explicit no_mapping(const placement&) noexcept {}
-    };
 
     template <attribute Wants, class Mapping, class Axes, class Put>
     void write(array_view<const grid_point> points, array_view<const side_point> side_points, const Axes& axes,
@@ -167,18 +177,19 @@ private:
     /// The same for several segments: bit for bit, the first and the last vertex of a column are the pair of write().
     /// Inlined beside write(), it cost the common case 1 %.
     template <attribute Wants, class Mapping, class Axes, class Put>
-    [[gnu::noinline]] void write_columns(array_view<const grid_point> points, array_view<const side_point> side_points,
-                                         const Axes& axes, const placement& at, Put& put) const noexcept
+    [[gnu::noinline, gnu::cold]] static void write_columns(upright_walls walls, array_view<const grid_point> points,
+                                                           array_view<const side_point> side_points, const Axes& axes,
+                                                           const placement& at, Put& put) noexcept
     {
         struct level {
             float z, v;  // as written
         };
         level levels[wall_rows::most + 1];
-        const wall_rows rows{top, bottom, segments};
+        const wall_rows rows{walls.top, walls.bottom, walls.segments};
         const wall_texture wall{at};
-        for (std::uint32_t k = 0; k <= segments; ++k) {
+        for (std::uint32_t k = 0; k <= walls.segments; ++k) {
             const double height = rows.height(k);
-            levels[k] = {at.height(height), wall.v(front - height)};
+            levels[k] = {at.height(height), wall.v(walls.front - height)};
         }
         [[maybe_unused]] const Mapping mapping{at};
         const auto column = [&](grid_point g, float along, vec2 outward) noexcept {
@@ -187,7 +198,7 @@ private:
             [[maybe_unused]] const wall_place place{placement::exact(g), along, 0.0f, outward};
             if constexpr (has(Wants, attribute::normal)) v.normal = axes.direction(outward.x, outward.y, 0.0f);
             if constexpr (has(Wants, attribute::tangent)) v.tangent = mapping.tangent(axes, place);
-            for (std::uint32_t k = 0; k <= segments; ++k) {
+            for (std::uint32_t k = 0; k <= walls.segments; ++k) {
                 if constexpr (has(Wants, attribute::position)) v.position = axes.position(foot, levels[k].z);
                 if constexpr (has(Wants, attribute::uv)) v.uv = mapping.uv(place.with_v(levels[k].v));
                 put(v);

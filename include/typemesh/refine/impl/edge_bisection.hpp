@@ -10,6 +10,7 @@
 #include <typemesh/core/triangle.hpp>
 #include <typemesh/refine/impl/boundary_cutter.hpp>
 #include <typemesh/refine/impl/refinable_mesh.hpp>
+#include <typemesh/refine/impl/stretched_circle.hpp>
 #include <typemesh/refine/impl/write_cap.hpp>
 #include <typemesh/refine/refiner.hpp>
 
@@ -31,11 +32,13 @@ namespace typemesh::inline TYPEMESH_ABI::detail {
 ///     measure.edge(p, q)          the size of a boundary edge
 ///     measure.triangle(p, q, r)   the size of a triangle
 ///     measure.length(p, q)        for the choice: the edge of a triangle with the greatest length is halved
+///     measure.extents()           the extents on which sizes depend: detail::extents
 ///
 /// With `boundary::keep`, boundary edges stay as they are, however large.
 ///
 /// Sizes above 1, and sizes that are not a number, are too large. New points on the boundary lie on the curves, see
-/// boundary_cutter. All inner edges stay Delaunay. The middle of an edge is decided exactly; where it would come within
+/// boundary_cutter. All inner edges stay Delaunay for
+/// the measure's extents. The middle of an edge is decided exactly; where it would come within
 /// four cells of a corner of the triangle in which it lies, the edge stays.
 class edge_bisection {
 public:
@@ -56,7 +59,7 @@ public:
         cut_.open(r);
         edges_.clear();
         waiting_.clear();
-        if (!mesh_.open(r, triangles)) return error::out_of_memory;
+        if (!mesh_.open(r, triangles, measure.extents())) return error::out_of_memory;
         for (std::uint32_t v = 0; v < mesh_.vertex_count(); ++v)
             if (is_too_large(measure, v) && !edges_.push_back(v)) return error::out_of_memory;
         for (std::uint32_t t = 0; t < mesh_.triangle_count(); ++t)

@@ -4,10 +4,10 @@
 #include <typemesh/core/array_view.hpp>
 #include <typemesh/core/buffer.hpp>
 #include <typemesh/core/contours.hpp>
-#include <typemesh/core/impl/in_circle.hpp>
 #include <typemesh/core/orientation.hpp>
 #include <typemesh/core/region.hpp>
 #include <typemesh/core/triangle.hpp>
+#include <typemesh/refine/impl/stretched_circle.hpp>
 
 #include <cstddef>
 #include <cstdint>
@@ -15,7 +15,7 @@
 namespace typemesh::inline TYPEMESH_ABI::detail {
 
 /// A triangulated region to which points are added, inside and on its boundary. It is Delaunay between insertions: each
-/// inner edge passes prefers_other_diagonal().
+/// inner edge passes prefers_other_diagonal() for the extents with which it was opened.
 ///
 ///               r                  triangle t has the half-edges 4t, 4t + 1, 4t + 2; the fourth entry holds its mark.
 ///             /   ^                next() goes around a triangle counter-clockwise.
@@ -45,13 +45,16 @@ public:
     {
     }
 
-    /// Begins with a region's triangles, which need not be Delaunay. Points keep their numbers.
+    /// Begins with a region's triangles, which need not be Delaunay. Points keep their numbers. `compared` says which
+    /// extents of triangles shall be small: see stretched_circle.hpp.
     ///
     /// False if out of memory
     /// Cost   O(n), and O(1) for each flip. Delaunay triangles need no flips, others usually few, at worst n^2.
-    [[nodiscard]] bool open(const region& r, array_view<const triangle> triangles) noexcept
+    [[nodiscard]] bool open(const region& r, array_view<const triangle> triangles,
+                            extents compared = extents::both) noexcept
     {
         clear();
+        compared_ = compared;
         const auto n = static_cast<std::uint32_t>(r.points().size());
         vertex* const all = vertices_.append(n);
         half_edge* const edges = edges_.append(4 * triangles.size());
@@ -279,7 +282,7 @@ private:
             const std::uint32_t g = twin(h);
             if (g == none) continue;
             const std::uint32_t h2 = previous(h), g2 = previous(g);
-            if (!prefers_other_diagonal(start(h), start(g), start(h2), start(g2))) continue;
+            if (!prefers_other_diagonal(compared_, start(h), start(g), start(h2), start(g2))) continue;
             flip(h);
             if (!list_.push_back(h) || !list_.push_back(g2) || !list_.push_back(g) || !list_.push_back(h2) ||
                 !changed_.push_back(h / 4) || !changed_.push_back(g / 4))
@@ -292,6 +295,7 @@ private:
     buffer<half_edge> edges_;
     buffer<std::uint32_t> list_;
     buffer<std::uint32_t> changed_;
+    extents compared_ = extents::both;
 };
 
 }  // namespace typemesh::inline TYPEMESH_ABI::detail
