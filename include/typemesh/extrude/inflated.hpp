@@ -63,8 +63,8 @@ enum class inflated_form : std::uint8_t {
 /// shared_glyph.
 ///
 /// Fails  error::bad_option: height is not positive and finite; limit is negative or not finite; depth is not positive
-///        and finite; crease_degrees is not 0 to 180; edge as in membrane.hpp
-///        error::too_many_points, as delaunay_refined
+///        and finite; crease_degrees is not 0 to 180; edge and max_points as in membrane.hpp
+///        error::too_many_points: a glyph needs more than max_points
 ///        error::out_of_memory
 struct inflated {
     float height = 1.0f;  ///< how high strokes rise on each side, in halves of their width: 1 makes them round
@@ -73,6 +73,7 @@ struct inflated {
     inflated_form form = inflated_form::balloon;
     float depth = 0.1f;            ///< the height of a dome's walls, in em or in output units: text_options::depth_in
     float crease_degrees = 15.0f;  ///< the crease angle of the outline, 0 to 180: see curve_normals
+    std::uint32_t max_points = default_max_points;  ///< the greatest number of points of one cap, 2^30 - 1 at most
     bool front = true;
     bool back = true;
     bool side = true;
@@ -83,7 +84,7 @@ struct inflated {
     /// See option_bits. Heights matter only for writing, but those that are refused need a key of their own.
     [[nodiscard]] option_bits cache_key() const noexcept
     {
-        option_bits bits{edge, crease_degrees};
+        option_bits bits{edge, crease_degrees, max_points};
         const bool flags[] = {front, back, side, form == inflated_form::dome, !refused()};
         for (int i = 0; i < 5; ++i) bits.words[3] |= std::uint64_t{flags[i]} << i;
         bits.words[3] |= static_cast<std::uint64_t>(texture) << 5;
@@ -97,7 +98,7 @@ struct inflated {
         if (filled.points().empty()) return data.plan(surface(), filled, caps);
         std::uint32_t kept = 0;
         const refined_cap cap{data.loops, data.inner, data.triangles, kept};
-        if (error e = data.working.inflate(filled, caps.triangles(), edge, cap)) return e;
+        if (error e = data.working.inflate(filled, caps.triangles(), {edge, max_points}, cap)) return e;
         const std::size_t rim = data.loops.points.size();
         auto made = data.plan(surface(),
                               region::proven(data.loops, filled.holes(), filled.outers(), filled.is_touching()), caps);
@@ -157,7 +158,7 @@ private:
     [[nodiscard]] error refused() const noexcept
     {
         if (!is_finite(as_double(height)) || !(height > 0.0f)) return error::bad("height");
-        if (error e = membrane::refused(edge)) return e;
+        if (error e = membrane_options{edge, max_points}.refused()) return e;
         if (!is_finite(as_double(limit)) || limit < 0.0f) return error::bad("limit");
         if (!is_finite(as_double(depth)) || !(depth > 0.0f)) return error::bad("depth");
         if (!is_crease_angle(crease_degrees)) return error::bad("crease_degrees");
