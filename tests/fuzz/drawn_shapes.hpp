@@ -4,6 +4,7 @@
 #include "crossings.hpp"
 #include "solids.hpp"
 
+#include <cstdlib>
 #include <initializer_list>
 #include <memory>
 
@@ -28,6 +29,15 @@ struct drawn_shape : solid_laws::drawn_region {
         made = *filled;
         em = 1000.0 * cells->cells;
         return {};
+    }
+
+    /// Whether floats can tell all its points apart.
+    [[nodiscard]] bool fits_floats() const
+    {
+        bool all = true;
+        for (const typemesh::grid_point p : made.points())
+            all = all && std::abs(p.x) < 1 << 23 && std::abs(p.y) < 1 << 23;
+        return all;
     }
 
     std::unique_ptr<crossing_laws::drawn_outline> curves;

@@ -8,6 +8,7 @@
 #include <typemesh/extrude/impl/inflated_corners.hpp>
 #include <typemesh/extrude/impl/inflated_surface.hpp>
 #include <typemesh/extrude/impl/inner_solid.hpp>
+#include <typemesh/extrude/impl/pinched_edges.hpp>
 #include <typemesh/inflate/membrane.hpp>
 
 #include <cstddef>
@@ -18,11 +19,12 @@ namespace typemesh::inline TYPEMESH_ABI {
 /// The plan data of inflated: the refined letter and its membrane.
 struct inflated_data : inner_solid<inflated_surface> {
     membrane working;                  ///< the solver's memory, which is not stored with the glyph
+    detail::pinched_edges pinches;     ///< likewise
     detail::inflated_corners corners;  ///< likewise
     buffer<grid_point> inner;          ///< the points inside, before they follow the outline's
 
     explicit inflated_data(memory source = heap()) noexcept
-        : inner_solid<inflated_surface>{source}, working{source}, corners{source}, inner{source}
+        : inner_solid<inflated_surface>{source}, working{source}, pinches{source}, corners{source}, inner{source}
     {
     }
     void clear() noexcept
@@ -103,10 +105,7 @@ struct inflated {
         auto made = data.plan(surface(),
                               region::proven(data.loops, filled.holes(), filled.outers(), filled.is_touching()), caps);
         if (!made) return made;
-        if (!data.loops.points.append(data.inner.view()) || !collect(data) ||
-            !data.corners(data.loops, rim, data.data.of<side_point>().view(), data.triangles,
-                          data.data.of<membrane_point>()))
-            return error::out_of_memory;
+        if (!data.loops.points.append(data.inner.view()) || !collect(data, rim)) return error::out_of_memory;
         for (const part p : {part::front, part::back}) {
             if (!(p == part::front ? front : back)) continue;
             made->sizes.vertices[p] = static_cast<std::uint32_t>(data.loops.points.size());
@@ -165,16 +164,20 @@ private:
         return {};
     }
 
-    /// The membrane's points in the order of the solid's. False if out of memory.
-    [[nodiscard]] static bool collect(plan_data& data) noexcept
+    /// The membrane's points in the order of the solid's, and those that the outline needs besides. False if out of
+    /// memory.
+    [[nodiscard]] static bool collect(plan_data& data, std::size_t rim) noexcept
     {
         buffer<membrane_point>& all = data.data.of<membrane_point>();
-        for (const side_point& s : data.data.of<side_point>())
+        const auto sides = data.data.of<side_point>().view();
+        for (const side_point& s : sides)
             if (!all.push_back({0.0f, {-s.before.x, -s.before.y}})) return false;
+        if (!all.append(data.working.points()) || !data.pinches(data.loops, rim, data.triangles, all) ||
+            !data.corners(data.loops, rim, sides, data.triangles, all))
+            return false;
         membrane_top top;
-        for (const membrane_point& m : data.working.points())
-            top.height = m.height > top.height ? m.height : top.height;
-        return all.append(data.working.points()) && data.data.of<membrane_top>().push_back(top);
+        for (const membrane_point& m : all) top.height = m.height > top.height ? m.height : top.height;
+        return data.data.of<membrane_top>().push_back(top);
     }
 };
 static_assert(extruder<inflated>);

@@ -55,8 +55,8 @@ struct membrane_options {
 /// along the outline, where the surface is steep, follow the section at steps of 22.5 degrees. The inner edges are
 /// Delaunay, so u is positive inside: see impl/membrane_system.hpp.
 ///
-/// The system is solved by conjugate gradients to a residual of 1e-8, summed in one order. Heights and slopes are
-/// rounded to 2^-22 em, so that compilers that contract products and sums agree but in rare cases.
+/// The sums of the solution have one order, and heights and slopes are rounded to 2^-22 em, so that compilers that
+/// contract products and sums agree but in rare cases.
 ///
 ///     membrane sheet;
 ///     sheet.inflate(region, cap, {.edge = 0.03f}, {loops, inner, triangles, kept})     as a refiner; then points() has
@@ -66,7 +66,7 @@ struct membrane_options {
 ///        em ("units_per_em"), or max_points is above 2^30 - 1 ("max_points")
 ///        error::too_many_points: the glyph needs more than max_points
 ///        error::out_of_memory
-/// Cost   O(n) for the points, and O(n) for each of about 20 steps of the solution
+/// Cost   O(n) for the points, and at most n^1.5 for the solution
 class membrane {
 public:
     explicit membrane(memory source = heap()) noexcept
@@ -84,8 +84,7 @@ public:
         if (longest < 64.0) return error::bad("edge");
         const delaunay_refined refine{.max_edge = how.edge, .max_points = how.max_points};
         if (error e = refine(r, cap, mesh_, out)) return e;
-        system_.u().clear();
-        if (error e = solve(out, 1e-2)) return e;
+        if (!system_.solve(view_of(out))) return error::out_of_memory;
         if (!rise_.measure(system_, mesh_.mesh(), r.starts(), out.loops.points.size())) return error::out_of_memory;
         if (error e = rise_.shorten(mesh_, r.starts(), 1.0, longest / 16.0)) return e;
         if (!detail::rim_rings::divide_crossings(mesh_.mesh()) ||
@@ -93,34 +92,18 @@ public:
             return error::out_of_memory;
         if (mesh_.mesh().vertex_count() > how.max_points) return error{error::too_many_points, how.max_points};
         if (error e = mesh_.write(out)) return e;
-        if (error e = solve(out, 1e-8)) return e;
         const detail::membrane_mesh m = view_of(out);
-        if (!fit_(m, system_, longest, slopes_)) return error::out_of_memory;
+        if (!system_.solve(m) || !fit_(m, system_, longest, slopes_)) return error::out_of_memory;
         return collect(em) ? error{} : error{error::out_of_memory};
     }
 
     /// The heights and slopes at the inner points of the last cap.
     [[nodiscard]] array_view<const membrane_point> points() const noexcept { return points_.view(); }
 
-    /// The residual of the last solution in relation to the load, and the steps to it.
-    [[nodiscard]] double residual() noexcept { return system_.residual(); }
-    [[nodiscard]] int steps() const noexcept { return system_.steps(); }
-
 private:
     [[nodiscard]] static detail::membrane_mesh view_of(const refined_cap& cap) noexcept
     {
         return {cap.loops.points.view(), cap.inner.view(), cap.triangles.view()};
-    }
-
-    [[nodiscard]] error solve(const refined_cap& cap, double tolerance) noexcept
-    {
-        const detail::membrane_mesh m = view_of(cap);
-        buffer<double>& u = system_.u();
-        const std::size_t known = u.size();
-        if (!system_.open(m)) return error::out_of_memory;
-        if (m.inner.size() > known && u.append(m.inner.size() - known) == nullptr) return error::out_of_memory;
-        for (std::size_t i = known; i < m.inner.size(); ++i) u[i] = 0.0;
-        return system_.solve(tolerance, 1000) ? error{} : error{error::out_of_memory};
     }
 
     /// Rounds the heights and slopes. False if out of memory.
