@@ -146,9 +146,9 @@ broken_law of_bent(const bent<any_deformation, Solid>& how, drawn_shape& from, p
     bent_pair<Solid> made;
     const auto plan = made.make(how, from, origin);
     if (!plan)
-        return unless_one_of(plan.error(), {error::bad_option, error::folds_over, error::goes_around,
-                                            error::too_many_points, error::outline_beyond_grid,
-                                            error::crossing_contours});
+        return unless_one_of(plan.error(),
+                             {error::bad_option, error::folds_over, error::goes_around, error::too_many_points,
+                              error::outline_beyond_grid, error::crossing_contours});
     const mesh& m = made.bent_one;
     if (m.announced.vertices != m.vertices.size() || 3 * m.announced.triangles != m.indices.size())
         return "another size than announced";

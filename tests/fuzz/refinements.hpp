@@ -27,8 +27,8 @@ inline bool is_blunt(const region& r, double degrees)
             const grid_point at = r.points()[i], p = r.points()[i + 1 < end ? i + 1 : first],
                              q = r.points()[i > first ? i - 1 : end - 1];
             const double sine = static_cast<double>(orientation(at, p, q)),
-                         cosine = (double(p.x) - at.x) * (double(q.x) - at.x) +
-                                  (double(p.y) - at.y) * (double(q.y) - at.y);
+                         cosine =
+                             (double(p.x) - at.x) * (double(q.x) - at.x) + (double(p.y) - at.y) * (double(q.y) - at.y);
             if (sine >= 0.0 && std::atan2(sine, cosine) < degrees * 0.017453292519943295) return false;
         }
     return true;
@@ -65,7 +65,8 @@ broken_law of_refined(const drawn_shape& from, const Refiner& how)
 inline broken_law refinements(values in)
 {
     using namespace typemesh;
-    static constexpr float edges[] = {0.0f, 0.05f, 0.5f, 0.02f, 0.005f, 2.0f, 0.1f, 1e-4f}, angles[] = {0.0f, 20.0f, 25.0f, 30.0f, 33.0f};
+    static constexpr float edges[] = {0.0f, 0.05f, 0.5f, 0.02f, 0.005f, 2.0f, 0.1f, 1e-4f},
+                           angles[] = {0.0f, 20.0f, 25.0f, 30.0f, 33.0f};
     static constexpr std::uint32_t limits[] = {3000, 500, 30, 1500};
     const std::uint32_t bits = in.byte();
     const float edge = in.one_of(edges) * float(in.between(0.75, 1.5)), angle = in.one_of(angles);

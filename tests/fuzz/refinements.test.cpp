@@ -5,5 +5,5 @@
 
 TEST_CASE("kept and random shapes are refined validly by both refiners", "[fuzz]")
 {
-    fuzz::replay("refinements", fuzz::refinements, 200, 120);
+    fuzz::replay("refinements", fuzz::refinements, 150, 120);
 }

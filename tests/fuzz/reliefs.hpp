@@ -30,7 +30,8 @@ inline broken_law of_inflated(const inflated& how, drawn_shape& from)
     const auto plan = test::write_in_cells(how, from.made, from.caps, from.em, data, m);
     if (!plan) return unless_one_of(plan.error(), {error::bad_option, error::too_many_points});
     if (broken_law broken = of_mesh(m, how, from, plan->sizes); !broken.empty()) return broken;
-    if (how.form == inflated_form::balloon && from.fits_floats() && inspect::check_manifoldness(m.view()).crowded_edges != 0)
+    if (how.form == inflated_form::balloon && from.fits_floats() &&
+        inspect::check_manifoldness(m.view()).crowded_edges != 0)
         return "front and back share an edge";
     std::vector<bool> is_used(m.vertices.size());
     for (const std::uint32_t i : m.indices) is_used[i] = true;
@@ -52,8 +53,8 @@ inline broken_law of_carved(const carved& how, drawn_shape& from)
     if (!plan) return unless_one_of(plan.error(), {error::bad_option, error::outline_beyond_grid});
     if (how.as != carving::groove)
         if (broken_law broken = of_mesh(m, how, from, plan->sizes); !broken.empty()) return broken;
-    const height_range heights = how.heights(solid_of<carved>{
-        {from.made.points(), from.made.starts(), from.caps.triangles().view()}, data.read()});
+    const height_range heights = how.heights(
+        solid_of<carved>{{from.made.points(), from.made.starts(), from.caps.triangles().view()}, data.read()});
     if (!from.is_small || from.made.points().size() > 200 || (heights.high - heights.low) * from.em < 16.0) return {};
     const test::plain_outline outline{from.made};
     const double slope = 1.0 / std::tan(double(how.tool_angle) * 3.14159265358979323846 / 360.0);

@@ -5,5 +5,5 @@
 
 TEST_CASE("kept and random shapes become closed balloons, domes and carved letters", "[fuzz]")
 {
-    fuzz::replay("reliefs", fuzz::reliefs, 1500, 120);
+    fuzz::replay("reliefs", fuzz::reliefs, 150, 120);
 }

@@ -93,7 +93,7 @@ public:
         if (mesh_.mesh().vertex_count() > how.max_points) return error{error::too_many_points, how.max_points};
         if (error e = mesh_.write(out)) return e;
         const detail::membrane_mesh m = view_of(out);
-        if (!system_.solve(m) || !fit_(m, system_, longest, slopes_)) return error::out_of_memory;
+        if (!system_.solve(m) || !fit_(m, system_.u(), longest, slopes_)) return error::out_of_memory;
         return collect(em) ? error{} : error{error::out_of_memory};
     }
 

@@ -3,7 +3,7 @@
 
 #include <typemesh/core/buffer.hpp>
 #include <typemesh/core/memory.hpp>
-#include <typemesh/inflate/impl/membrane_matrix.hpp>
+#include <typemesh/inflate/impl/envelope_factors.hpp>
 
 #include <cstddef>
 #include <cstdint>

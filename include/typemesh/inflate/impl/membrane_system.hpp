@@ -9,7 +9,6 @@
 #include <typemesh/core/triangle.hpp>
 #include <typemesh/inflate/impl/conjugate_gradients.hpp>
 #include <typemesh/inflate/impl/envelope_factors.hpp>
-#include <typemesh/inflate/impl/membrane_matrix.hpp>
 
 #include <array>
 #include <cmath>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <typemesh/core/array_view.hpp>
 #include <typemesh/core/buffer.hpp>
 #include <typemesh/core/memory.hpp>
 #include <typemesh/core/point.hpp>
@@ -25,10 +26,11 @@ class slope_fit {
 public:
     explicit slope_fit(memory source = heap()) noexcept : sums_{source} {}
 
-    /// The slopes (a, b) at the inner points, in cells. `unit` is the usual length of an edge. False if out of memory
+    /// The slopes (a, b) at the inner points, in cells, from their values. `unit` is the usual length of an edge. False
+    /// if out of memory
     ///
     /// Cost   O(n)
-    [[nodiscard]] bool operator()(const membrane_mesh& m, const membrane_system& solved, double unit,
+    [[nodiscard]] bool operator()(const membrane_mesh& m, array_view<const double> u, double unit,
                                   buffer<point>& out) noexcept
     {
         const std::size_t n = m.inner.size(), rim = m.rim.size();
@@ -40,6 +42,7 @@ public:
         if (sums == nullptr || slopes == nullptr) return false;
         for (std::size_t i = 0; i < n; ++i) sums[i] = {};
         const double per_cell = 1.0 / unit, per_square = per_cell * per_cell;
+        const auto value = [&](std::uint32_t i) noexcept { return i < rim ? 0.0 : u[i - rim]; };
         for (const triangle& t : m.triangles) {
             const std::uint32_t corner[] = {t.a, t.b, t.c};
             for (std::size_t k = 0; k < 3; ++k) {
@@ -48,7 +51,7 @@ public:
                 const grid_point from = m.at(i), to = m.at(j);
                 const neighbour edge{per_cell * (static_cast<double>(to.x) - from.x),
                                      per_cell * (static_cast<double>(to.y) - from.y),
-                                     per_square * (solved.at(j) - solved.at(i))};
+                                     per_square * (value(j) - value(i))};
                 sums[i - rim].add(edge, 1.0);
                 if (j >= rim) sums[j - rim].add(edge, -1.0);
             }
@@ -62,7 +65,7 @@ private:
     /// 1 / (x^2 + y^2).
     struct neighbour {
         double x, y, p, q, square;
-        double xx, xy, turned;           // the weighted x x, x y, and p
+        double xx, xy, turned;  // the weighted x x, x y, and p
         double rise_by_x, rise_by_y, rise_by_p, rise_by_q;
 
         neighbour(double dx, double dy, double rise) noexcept : x{dx}, y{dy}
@@ -84,10 +87,10 @@ private:
 
     /// The sums over the neighbours of one point.
     struct normal_equations {
-        double count = 0.0, xx = 0.0, xy = 0.0;          // the weighted y y are count - xx
+        double count = 0.0, xx = 0.0, xy = 0.0;  // the weighted y y are count - xx
         double xp = 0.0, xq = 0.0, yp = 0.0, yq = 0.0;
-        double squares = 0.0, pp = 0.0, pq = 0.0;        // the weighted q q are squares - pp
-        double x = 0.0, y = 0.0, p = 0.0, q = 0.0;       // the right side
+        double squares = 0.0, pp = 0.0, pq = 0.0;   // the weighted q q are squares - pp
+        double x = 0.0, y = 0.0, p = 0.0, q = 0.0;  // the right side
 
         /// `way` is 1, or -1 for the edge's other end.
         void add(const neighbour& e, double way) noexcept
