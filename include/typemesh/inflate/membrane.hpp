@@ -59,8 +59,8 @@ struct membrane_options {
 /// contract products and sums agree but in rare cases.
 ///
 ///     membrane sheet;
-///     sheet.inflate(region, cap, {.edge = 0.03f}, {loops, inner, triangles, kept})     as a refiner; then points() has
-///                                                                                      one membrane_point for each inner
+///     sheet.inflate(region, cap, {.edge = 0.03f}, {loops, inner, triangles, kept})     as a refiner; then points()
+///                                                                                      has one for each of `inner`
 ///
 /// Fails  error::bad_option: edge is not positive and finite, or below 64 cells on a glyph ("edge"), or the grid has no
 ///        em ("units_per_em"), or max_points is above 2^30 - 1 ("max_points")
@@ -83,14 +83,14 @@ public:
         if (!(em > 0.0)) return error::bad("units_per_em");
         if (longest < 64.0) return error::bad("edge");
         const delaunay_refined refine{.max_edge = how.edge, .max_points = how.max_points};
-        if (error e = refine(r, cap, mesh_, out)) return e;
+        if (error e = refine(r, cap, mesh_, out)) return with_limit(e, how);
         if (!system_.solve(view_of(out))) return error::out_of_memory;
         if (!rise_.measure(system_, mesh_.mesh(), r.starts(), out.loops.points.size())) return error::out_of_memory;
-        if (error e = rise_.shorten(mesh_, r.starts(), 1.0, longest / 16.0)) return e;
+        if (error e = rise_.shorten(mesh_, r.starts(), 1.0, longest / 16.0)) return with_limit(e, how);
         if (!detail::rim_rings::divide_crossings(mesh_.mesh()) ||
             !detail::rim_rings::add_rings(mesh_.mesh(), rise_.data(), longest))
             return error::out_of_memory;
-        if (mesh_.mesh().vertex_count() > how.max_points) return error{error::too_many_points, how.max_points};
+        if (mesh_.mesh().vertex_count() > how.max_points) return with_limit(error::too_many_points, how);
         if (error e = mesh_.write(out)) return e;
         const detail::membrane_mesh m = view_of(out);
         if (!system_.solve(m) || !fit_(m, system_.u(), longest, slopes_)) return error::out_of_memory;
@@ -104,6 +104,11 @@ private:
     [[nodiscard]] static detail::membrane_mesh view_of(const refined_cap& cap) noexcept
     {
         return {cap.loops.points.view(), cap.inner.view(), cap.triangles.view()};
+    }
+
+    [[nodiscard]] static error with_limit(const error& e, const membrane_options& how) noexcept
+    {
+        return e == error::too_many_points ? error{error::too_many_points, how.max_points} : e;
     }
 
     /// Rounds the heights and slopes. False if out of memory.

@@ -21,8 +21,8 @@ struct membrane_matrix {
     [[nodiscard]] std::size_t size() const noexcept { return diagonal.size(); }
 };
 
-/// Solves the system of a membrane_matrix without iteration, by the factors L D L^T. Letters are made of strokes: if the
-/// unknowns are numbered along them, each row of L begins only a few columns before its diagonal.
+/// Solves the system of a membrane_matrix without iteration, by the factors L D L^T. Letters are made of strokes: if
+/// the unknowns are numbered along them, each row of L begins only a few columns before its diagonal.
 ///
 ///     | d         |       the envelope: in each row, everything from the first entry on. Elimination keeps it, so its
 ///     | x d       |       size and the work are known beforehand.

@@ -124,20 +124,20 @@ private:
         rim_load_.clear();
         u_.clear();
         std::uint32_t* const starts = starts_.append(n + 2);
-        double *const diagonal = diagonal_.append(n), *const load = load_.append(n),
+        double *const diagonal = diagonal_.append(n + 1), *const load = load_.append(n + 1),
                       *const rim_load = rim_load_.append(rim);
         if (starts == nullptr || diagonal == nullptr || load == nullptr || rim_load == nullptr ||
-            u_.append(n) == nullptr)
+            (n != 0 && u_.append(n) == nullptr))
             return false;
         for (std::size_t i = 0; i < n + 2; ++i) starts[i] = 0;
-        for (std::size_t i = 0; i < n; ++i) diagonal[i] = load[i] = 0.0;
+        for (std::size_t i = 0; i < n + 1; ++i) diagonal[i] = load[i] = 0.0;
         for (std::size_t i = 0; i < rim; ++i) rim_load[i] = 0.0;
         for (const triangle& t : mesh_.triangles)
             for (const auto& [i, j] : edges_of(t))
                 if (i >= rim && j >= rim) ++starts[i - rim + 2];
         for (std::size_t i = 2; i < n + 2; ++i) starts[i] += starts[i - 1];
-        std::uint32_t* const columns = columns_.append(starts[n + 1]);
-        double* const shares = shares_.append(starts[n + 1]);
+        std::uint32_t* const columns = columns_.append(starts[n + 1] + 1);
+        double* const shares = shares_.append(starts[n + 1] + 1);
         if (columns == nullptr || shares == nullptr) return false;
         for (const triangle& t : mesh_.triangles) {
             const double weights[] = {half_cotangent(mesh_.at(t.c), mesh_.at(t.a), mesh_.at(t.b)),
@@ -164,7 +164,9 @@ private:
     {
         const std::size_t n = size();
         if (n == 0) return true;
-        const membrane_matrix a{starts_.view().first(n + 1), columns_.view(), shares_.view(), diagonal_.view()};
+        const std::size_t entries = starts_[n];
+        const membrane_matrix a{starts_.view().first(n + 1), columns_.view().first(entries),
+                                shares_.view().first(entries), diagonal_.view().first(n)};
         if (!direct_.order(a)) return false;
         const auto count = static_cast<double>(n);
         bool is_found = false;
