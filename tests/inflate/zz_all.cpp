@@ -1,7 +1,0 @@
-#include "conjugate_gradients.test.cpp"
-#include "envelope_factors.test.cpp"
-#include "membrane.test.cpp"
-#include "membrane_system.test.cpp"
-#include "rim_rings.test.cpp"
-#include "rim_slopes.test.cpp"
-#include "slope_fit.test.cpp"
