@@ -21,7 +21,8 @@ namespace warp_laws {
 
 using namespace typemesh;
 
-/// A closed outline of as many contours, within the tolerance of the ideal one, that the next stages accept.
+/// A closed outline of as many contours, within the tolerance of the ideal one, that the next stages accept. The
+/// tolerance is in em, of 1000 font units.
 template <class W>
 broken_law of_warped(const W& how, const crossing_laws::drawn_outline& o, const drawn_place& at, double tolerance)
 {
@@ -43,20 +44,20 @@ broken_law of_warped(const W& how, const crossing_laws::drawn_outline& o, const 
     if (!cells) return cells.error() == error::outline_beyond_grid ? "" : cells.error().message();
     const double reach =
         std::fabs(out.bounds.low.x) + std::fabs(out.bounds.low.y) + out.bounds.width() + out.bounds.height();
-    const inspect::curve_chords chords{out, 1.0, 0.02 * tolerance};
+    const inspect::curve_chords chords{out, 1.0, 20.0 * tolerance};
     if (chords.all().size() > 20'000) return {};  // too slow to compare
     const W own = fitted_to(how, at.text);
     for (const curve& c : o.recorded.curves)
         for (const double t : {0.0, 0.13, 0.5, 0.81}) {
             const point image = (1.0 / at.em_per_unit) * (own(at.em_per_unit * c.at(t) + at.origin).at - at.origin);
             const double away = std::sqrt(inspect::curve_chords::squared_distance(image, chords.all()));
-            if (!(away <= 0.28 * tolerance + 1e-9 * reach)) return "a curve is too far from the ideal one";
+            if (!(away <= 280.0 * tolerance + 1e-9 * reach)) return "a curve is too far from the ideal one";
         }
     const flat raise;
     no_observer nobody;
     cap_builder caps;
-    const auto made =
-        caps.build(out, *rest, *cells, {fill_rule::non_zero}, policies{certified{}, monotone{}, raise, nobody});
+    const auto made = caps.build(out, 1000.0 * *rest, *cells, {fill_rule::non_zero},
+                                 policies{certified{}, monotone{}, raise, nobody});
     return made ? test::oracle::broken_law(*made, caps.triangles().view()) : made.error().message();
 }
 
@@ -67,7 +68,8 @@ inline broken_law warps(values in)
     using namespace typemesh;
     using namespace warp_laws;
     static constexpr double degrees[] = {90.0, -180.0, 360.0, 10.0, 0.0, 1e4}, sizes[] = {0.0, 1.0, 0.1, 30.0, 1e-6},
-                            scales[] = {0.5, 2.0, 1.0, 0.001, 100.0}, tolerances[] = {1.25, 6.25, 0.0625, 1e-4, 10.0};
+                            scales[] = {0.5, 2.0, 1.0, 0.001, 100.0},
+                            tolerances[] = {1.0 / 800, 1.0 / 160, 1.0 / 16000, 1e-7, 0.01};
     const std::uint32_t kind = in.below(4);
     const double size = in.one_of(sizes), free = in.between(-1.0, 1.0), other = in.between(-1.0, 1.0),
                  tolerance = in.one_of(tolerances);
