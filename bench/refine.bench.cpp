@@ -204,12 +204,11 @@ void run_inflated(benchmark::State& state, const std::vector<glyph>& glyphs)
     std::uint32_t kept = 0;
     const refined_cap out{loops, inner, triangles, kept};
     double refined = 1e300, best = 1e300;
-    std::size_t points = 0, steps = 0;
+    std::size_t points = 0;
     for ([[maybe_unused]] auto unused : state) {
         for (const glyph& g : glyphs) {
-            if (sheet.inflate(g.filled, g.cap.view(), edge, out)) continue;
+            if (sheet.inflate(g.filled, g.cap.view(), {.edge = edge}, out)) continue;
             points += inner.size();
-            steps += static_cast<std::size_t>(sheet.steps());
         }
         for (int pass = 0; pass < 5; ++pass) {
             refined = std::min(refined, seconds([&] {
@@ -217,7 +216,8 @@ void run_inflated(benchmark::State& state, const std::vector<glyph>& glyphs)
                                        (void)delaunay_refined{.max_edge = edge}(g.filled, g.cap.view(), scratch, out);
                                }));
             best = std::min(best, seconds([&] {
-                                for (const glyph& g : glyphs) (void)sheet.inflate(g.filled, g.cap.view(), edge, out);
+                                for (const glyph& g : glyphs)
+                                    (void)sheet.inflate(g.filled, g.cap.view(), {.edge = edge}, out);
                             }));
         }
     }
@@ -225,7 +225,6 @@ void run_inflated(benchmark::State& state, const std::vector<glyph>& glyphs)
     state.counters["ms_per_glyph"] = 1e3 * best / count;
     state.counters["of_refined"] = best / refined;
     state.counters["unknowns"] = static_cast<double>(points) / count;
-    state.counters["steps"] = static_cast<double>(steps) / count;
 }
 
 }  // namespace

@@ -3,10 +3,13 @@
 #include <typemesh/extrude/inflated.hpp>
 #include <typemesh/glyph/cap_builder.hpp>
 #include <typemesh/glyph/region_caps.hpp>
+#include <typemesh/inspect/manifoldness.hpp>
 #include <typemesh/inspect/mesh_measure.hpp>
 #include <typemesh/triangulate/monotone.hpp>
 
+#include <algorithm>
 #include <limits>
+#include <vector>
 
 #include "mesh.hpp"
 #include "support/catch.hpp"
@@ -95,6 +98,36 @@ TEST_CASE("an inflated solid is closed, within its heights and box, and its norm
             CHECK(odd == 0);
             CHECK(against <= m->triangles.size() / 200);
         }
+    }
+}
+
+TEST_CASE("front and back of a balloon share no edge, and every vertex belongs to a triangle, however thin the letter",
+          "[extrude]")
+{
+    std::vector<shapes::shape> thin = shapes::all();
+    // Triangles and a star with tips of a few degrees, and a bar that is a cell or two high, on the grid of 1/512 unit.
+    for (const double high : {1.0 / 512, 2.0 / 512, 5.0 / 512, 1.0, 20.0}) {
+        thin.push_back({"bar", {shapes::polygon({{0, 0}, {600, 0}, {600, high}, {0, high}})}, {}, 1});
+        thin.push_back({"needle", {shapes::polygon({{0, 0}, {600, 100}, {0, high}})}, {}, 1});
+        thin.push_back(
+            {"hourglass",
+             {shapes::polygon({{0, 0}, {300, 100}, {600, 0}, {600, 200 + high}, {300, 100 + high}, {0, 200 + high}})},
+             {},
+             1});
+    }
+    for (const auto& s : thin) {
+        CAPTURE(s.name);
+        inflated_data data;
+        const auto m = inflate(s, {}, data);
+        REQUIRE(m);
+        const auto indices = indices_of(*m);
+        const auto found = inspect::check_manifoldness(inspect::mesh_view{m->vertices, indices});
+        CHECK(found.open_edges == 0);
+        CHECK(found.crowded_edges == 0);
+        CHECK(found.bad_triangles == 0);
+        std::vector<bool> is_used(m->vertices.size());
+        for (const std::uint32_t i : indices) is_used[i] = true;
+        CHECK(std::count(is_used.begin(), is_used.end(), false) == 0);
     }
 }
 
@@ -191,6 +224,7 @@ TEST_CASE("inflated options have keys where the plan needs them, and are refused
     check_different_keys(inflated{}, {{.edge = 0.05f},
                                       {.form = inflated_form::dome},
                                       {.crease_degrees = 30.0f},
+                                      {.max_points = 5000},
                                       {.front = false},
                                       {.back = false},
                                       {.side = false},
@@ -211,6 +245,9 @@ TEST_CASE("inflated options have keys where the plan needs them, and are refused
         if (!(std::abs(bad) <= 0.0f)) CHECK(option_of({.limit = bad}) == "limit");
     }
     CHECK(option_of({.crease_degrees = 181.0f}) == "crease_degrees");
+    CHECK(option_of({.max_points = 0x4000'0000u}) == "max_points");
+    inflated_data data;
+    CHECK(inflate(shapes::letter_e(), {.max_points = 100}, data).error() == error::too_many_points);
 }
 
 TEST_CASE("an inflated solid without memory says so, and asks for none once it is warm", "[extrude]")

@@ -58,3 +58,27 @@ TEST_CASE("a hard corner of an inflated outline becomes two points, one for the 
         }
     }
 }
+
+TEST_CASE("a corner of an inflated outline with a single triangle stays one point, whose normal halves the angle",
+          "[extrude]")
+{
+    contours loops;
+    triangle_list triangles;
+    buffer<membrane_point> membrane;
+    std::vector<side_point> sides(3);
+    REQUIRE(loops.starts.push_back(0));
+    REQUIRE(loops.starts.push_back(3));
+    for (const grid_point p : {grid_point{0, 0}, grid_point{1000, 0}, grid_point{0, 10}}) {
+        REQUIRE(loops.points.push_back(p));
+        REQUIRE(membrane.push_back({0.0f, {-1.0f, 0.0f}}));
+    }
+    sides[0] = {{-1.0f, 0.0f}, {0.0f, -1.0f}, 0.0f, true, false};
+    REQUIRE(triangles.push_back({0, 1, 2}));
+    detail::inflated_corners corners;
+    REQUIRE(corners(loops, 3, sides, triangles, membrane));
+    CHECK(loops.points.size() == 3);
+    CHECK(membrane.size() == 3);
+    CHECK((triangles[0].a == 0 && triangles[0].b == 1 && triangles[0].c == 2));
+    CHECK(membrane[0].slope.x == Catch::Approx(0.70710678));
+    CHECK(membrane[0].slope.y == Catch::Approx(0.70710678));
+}

@@ -41,7 +41,7 @@ struct inflated_shape {
         REQUIRE(inflate(edge) == error::none);
     }
 
-    error inflate(float edge) { return sheet.inflate(filled.filled, given.view(), edge, cap.out()); }
+    error inflate(float edge) { return sheet.inflate(filled.filled, given.view(), {.edge = edge}, cap.out()); }
 
     /// f(place in em, membrane_point) for each inner point.
     template <class F>
@@ -65,6 +65,36 @@ struct inflated_shape {
         return sum / (em * em);
     }
 };
+
+/// The membrane's system on a refined cap.
+inline detail::membrane_mesh mesh_of(const test::refined_result& cap)
+{
+    return {cap.loops.points.view(), cap.inner.view(), cap.triangles.view()};
+}
+
+/// How far u at the inner points is from a solution: the load that it does not hold up, in relation to the load, both
+/// as the root of the sum of squares. Summed here without the library.
+inline double residual_of(const detail::membrane_mesh& m, array_view<const double> u)
+{
+    const std::size_t rim = m.rim.size();
+    std::vector<double> rest(m.inner.size(), 0.0), load(m.inner.size(), 0.0);
+    const auto value = [&](std::uint32_t i) { return i < rim ? 0.0 : u[i - rim]; };
+    for (const triangle t : m.triangles) {
+        const std::uint32_t corner[] = {t.a, t.b, t.c};
+        const double area = 0.5 * double(orientation(m.at(t.a), m.at(t.b), m.at(t.c)));
+        for (int k = 0; k < 3; ++k) {
+            const std::uint32_t i = corner[k], j = corner[(k + 1) % 3], apex = corner[(k + 2) % 3];
+            const grid_point o = m.at(apex), p = m.at(i), q = m.at(j);
+            const double cosine = (double(p.x) - o.x) * (double(q.x) - o.x) + (double(p.y) - o.y) * (double(q.y) - o.y),
+                         flow = 0.25 * cosine / area * (value(j) - value(i));
+            if (i >= rim) rest[i - rim] += area / 3.0 + flow, load[i - rim] += area / 3.0;
+            if (j >= rim) rest[j - rim] -= flow;
+        }
+    }
+    double square = 0.0, whole = 0.0;
+    for (std::size_t i = 0; i < rest.size(); ++i) square += rest[i] * rest[i], whole += load[i] * load[i];
+    return rest.empty() ? 0.0 : std::sqrt(square / whole);
+}
 
 /// Letters and other shapes by name, with outer loops counter-clockwise.
 inline std::vector<std::pair<std::string, loop_list>> inflatable_shapes()

@@ -22,13 +22,11 @@ TEST_CASE("the slope of a polynomial of degree 2 with -Laplace = 1 is found arou
         REQUIRE(cap.inner.push_back({0, 0}));
         for (std::uint32_t i = 0; i < 9; ++i) REQUIRE(cap.triangles.push_back({i, (i + 1) % 9, 9}));
         const detail::membrane_mesh m{cap.loops.points.view(), cap.inner.view(), cap.triangles.view()};
-        detail::membrane_system system;
-        REQUIRE(system.open(m));
         // u = (R^2 - |p - off|^2) / 4, a disc's
-        REQUIRE(system.u().push_back(0.25 * (radius * radius - off.x * off.x - off.y * off.y)));
+        const double u[] = {0.25 * (radius * radius - off.x * off.x - off.y * off.y)};
         detail::slope_fit fit;
         buffer<point> slopes;
-        REQUIRE(fit(m, system, 8000.0, slopes));
+        REQUIRE(fit(m, u, 8000.0, slopes));
         REQUIRE(slopes.size() == 1);
         CHECK(std::abs(slopes[0].x - 0.5 * off.x) < 2.0);
         CHECK(std::abs(slopes[0].y - 0.5 * off.y) < 2.0);

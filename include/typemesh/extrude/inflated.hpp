@@ -8,6 +8,7 @@
 #include <typemesh/extrude/impl/inflated_corners.hpp>
 #include <typemesh/extrude/impl/inflated_surface.hpp>
 #include <typemesh/extrude/impl/inner_solid.hpp>
+#include <typemesh/extrude/impl/pinched_edges.hpp>
 #include <typemesh/inflate/membrane.hpp>
 
 #include <cstddef>
@@ -18,11 +19,12 @@ namespace typemesh::inline TYPEMESH_ABI {
 /// The plan data of inflated: the refined letter and its membrane.
 struct inflated_data : inner_solid<inflated_surface> {
     membrane working;                  ///< the solver's memory, which is not stored with the glyph
+    detail::pinched_edges pinches;     ///< likewise
     detail::inflated_corners corners;  ///< likewise
     buffer<grid_point> inner;          ///< the points inside, before they follow the outline's
 
     explicit inflated_data(memory source = heap()) noexcept
-        : inner_solid<inflated_surface>{source}, working{source}, corners{source}, inner{source}
+        : inner_solid<inflated_surface>{source}, working{source}, pinches{source}, corners{source}, inner{source}
     {
     }
     void clear() noexcept
@@ -63,8 +65,8 @@ enum class inflated_form : std::uint8_t {
 /// shared_glyph.
 ///
 /// Fails  error::bad_option: height is not positive and finite; limit is negative or not finite; depth is not positive
-///        and finite; crease_degrees is not 0 to 180; edge as in membrane.hpp
-///        error::too_many_points, as delaunay_refined
+///        and finite; crease_degrees is not 0 to 180; edge and max_points as in membrane.hpp
+///        error::too_many_points: a glyph needs more than max_points
 ///        error::out_of_memory
 struct inflated {
     float height = 1.0f;  ///< how high strokes rise on each side, in halves of their width: 1 makes them round
@@ -73,6 +75,7 @@ struct inflated {
     inflated_form form = inflated_form::balloon;
     float depth = 0.1f;            ///< the height of a dome's walls, in em or in output units: text_options::depth_in
     float crease_degrees = 15.0f;  ///< the crease angle of the outline, 0 to 180: see curve_normals
+    std::uint32_t max_points = default_max_points;  ///< the greatest number of points of one cap, 2^30 - 1 at most
     bool front = true;
     bool back = true;
     bool side = true;
@@ -83,7 +86,7 @@ struct inflated {
     /// See option_bits. Heights matter only for writing, but those that are refused need a key of their own.
     [[nodiscard]] option_bits cache_key() const noexcept
     {
-        option_bits bits{edge, crease_degrees};
+        option_bits bits{edge, crease_degrees, max_points};
         const bool flags[] = {front, back, side, form == inflated_form::dome, !refused()};
         for (int i = 0; i < 5; ++i) bits.words[3] |= std::uint64_t{flags[i]} << i;
         bits.words[3] |= static_cast<std::uint64_t>(texture) << 5;
@@ -97,15 +100,12 @@ struct inflated {
         if (filled.points().empty()) return data.plan(surface(), filled, caps);
         std::uint32_t kept = 0;
         const refined_cap cap{data.loops, data.inner, data.triangles, kept};
-        if (error e = data.working.inflate(filled, caps.triangles(), edge, cap)) return e;
+        if (error e = data.working.inflate(filled, caps.triangles(), {edge, max_points}, cap)) return e;
         const std::size_t rim = data.loops.points.size();
         auto made = data.plan(surface(),
                               region::proven(data.loops, filled.holes(), filled.outers(), filled.is_touching()), caps);
         if (!made) return made;
-        if (!data.loops.points.append(data.inner.view()) || !collect(data) ||
-            !data.corners(data.loops, rim, data.data.of<side_point>().view(), data.triangles,
-                          data.data.of<membrane_point>()))
-            return error::out_of_memory;
+        if (!data.loops.points.append(data.inner.view()) || !collect(data, rim)) return error::out_of_memory;
         for (const part p : {part::front, part::back}) {
             if (!(p == part::front ? front : back)) continue;
             made->sizes.vertices[p] = static_cast<std::uint32_t>(data.loops.points.size());
@@ -157,23 +157,27 @@ private:
     [[nodiscard]] error refused() const noexcept
     {
         if (!is_finite(as_double(height)) || !(height > 0.0f)) return error::bad("height");
-        if (error e = membrane::refused(edge)) return e;
+        if (error e = membrane_options{edge, max_points}.refused()) return e;
         if (!is_finite(as_double(limit)) || limit < 0.0f) return error::bad("limit");
         if (!is_finite(as_double(depth)) || !(depth > 0.0f)) return error::bad("depth");
         if (!is_crease_angle(crease_degrees)) return error::bad("crease_degrees");
         return {};
     }
 
-    /// The membrane's points in the order of the solid's. False if out of memory.
-    [[nodiscard]] static bool collect(plan_data& data) noexcept
+    /// The membrane's points in the order of the solid's, and those that the outline needs besides. False if out of
+    /// memory.
+    [[nodiscard]] static bool collect(plan_data& data, std::size_t rim) noexcept
     {
         buffer<membrane_point>& all = data.data.of<membrane_point>();
-        for (const side_point& s : data.data.of<side_point>())
+        const auto sides = data.data.of<side_point>().view();
+        for (const side_point& s : sides)
             if (!all.push_back({0.0f, {-s.before.x, -s.before.y}})) return false;
+        if (!all.append(data.working.points()) || !data.pinches(data.loops, rim, data.triangles, all) ||
+            !data.corners(data.loops, rim, sides, data.triangles, all))
+            return false;
         membrane_top top;
-        for (const membrane_point& m : data.working.points())
-            top.height = m.height > top.height ? m.height : top.height;
-        return all.append(data.working.points()) && data.data.of<membrane_top>().push_back(top);
+        for (const membrane_point& m : all) top.height = m.height > top.height ? m.height : top.height;
+        return data.data.of<membrane_top>().push_back(top);
     }
 };
 static_assert(extruder<inflated>);

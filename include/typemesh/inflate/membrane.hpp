@@ -30,6 +30,19 @@ struct membrane_point {
     vec2 slope;           ///< the slope of u, in em
 };
 
+/// The size of a membrane's mesh.
+struct membrane_options {
+    float edge = 0.03f;  ///< the length of the longest edge, in em; strokes narrower than that get shorter ones
+    std::uint32_t max_points = default_max_points;  ///< the greatest number of points of one cap, 2^30 - 1 at most
+
+    /// The error for options that are out of range on every glyph, or none.
+    [[nodiscard]] error refused() const noexcept
+    {
+        if (!is_finite(as_double(edge)) || !(edge > 0.0f)) return error::bad("edge");
+        return max_points > 0x3FFF'FFFFu ? error::bad("max_points") : error{};
+    }
+};
+
 /// A region's cap as an inflated membrane: the solution u of -Laplace(u) = 1 with u = 0 on the outline, whose height is
 /// the root of 2u. A straight stroke becomes half a cylinder, a disc an ellipsoid, and joints are smooth.
 ///
@@ -42,18 +55,18 @@ struct membrane_point {
 /// along the outline, where the surface is steep, follow the section at steps of 22.5 degrees. The inner edges are
 /// Delaunay, so u is positive inside: see impl/membrane_system.hpp.
 ///
-/// The system is solved by conjugate gradients to a residual of 1e-8, summed in one order. Heights and slopes are
-/// rounded to 2^-22 em, so that compilers that contract products and sums agree but in rare cases.
+/// The sums of the solution have one order, and heights and slopes are rounded to 2^-22 em, so that compilers that
+/// contract products and sums agree but in rare cases.
 ///
 ///     membrane sheet;
-///     sheet.inflate(region, cap, 0.03f, {loops, inner, triangles, kept})     as a refiner; then sheet.points() has one
-///                                                                            membrane_point for each of `inner`
+///     sheet.inflate(region, cap, {.edge = 0.03f}, {loops, inner, triangles, kept})     as a refiner; then points()
+///                                                                                      has one for each of `inner`
 ///
 /// Fails  error::bad_option: edge is not positive and finite, or below 64 cells on a glyph ("edge"), or the grid has no
-///        em ("units_per_em")
-///        error::too_many_points, as delaunay_refined
+///        em ("units_per_em"), or max_points is above 2^30 - 1 ("max_points")
+///        error::too_many_points: the glyph needs more than max_points
 ///        error::out_of_memory
-/// Cost   O(n) for the points, and O(n) for each of about 20 steps of the solution
+/// Cost   O(n) for the points, and at most n^1.5 for the solution
 class membrane {
 public:
     explicit membrane(memory source = heap()) noexcept
@@ -61,43 +74,31 @@ public:
     {
     }
 
-    /// The error for an edge that is out of range on every glyph, or none.
-    [[nodiscard]] static error refused(float edge) noexcept
-    {
-        return is_finite(as_double(edge)) && edge > 0.0f ? error{} : error::bad("edge");
-    }
-
-    [[nodiscard]] error inflate(const region& r, array_view<const triangle> cap, float edge,
+    [[nodiscard]] error inflate(const region& r, array_view<const triangle> cap, const membrane_options& how,
                                 const refined_cap& out) noexcept
     {
         points_.clear();
-        if (error e = refused(edge)) return e;
-        const double em = r.grid().cells * r.grid().units_per_em, longest = as_double(edge) * em;
+        if (error e = how.refused()) return e;
+        const double em = r.grid().cells * r.grid().units_per_em, longest = as_double(how.edge) * em;
         if (!(em > 0.0)) return error::bad("units_per_em");
         if (longest < 64.0) return error::bad("edge");
-        const delaunay_refined refine{.max_edge = edge};
-        if (error e = refine(r, cap, mesh_, out)) return e;
-        system_.u().clear();
-        if (error e = solve(out, 1e-2)) return e;
+        const delaunay_refined refine{.max_edge = how.edge, .max_points = how.max_points};
+        if (error e = refine(r, cap, mesh_, out)) return with_limit(e, how);
+        if (!system_.solve(view_of(out))) return error::out_of_memory;
         if (!rise_.measure(system_, mesh_.mesh(), r.starts(), out.loops.points.size())) return error::out_of_memory;
-        if (error e = rise_.shorten(mesh_, r.starts(), 1.0, longest / 16.0)) return e;
+        if (error e = rise_.shorten(mesh_, r.starts(), 1.0, longest / 16.0)) return with_limit(e, how);
         if (!detail::rim_rings::divide_crossings(mesh_.mesh()) ||
             !detail::rim_rings::add_rings(mesh_.mesh(), rise_.data(), longest))
             return error::out_of_memory;
-        if (mesh_.mesh().vertex_count() > default_max_points) return error{error::too_many_points, default_max_points};
+        if (mesh_.mesh().vertex_count() > how.max_points) return with_limit(error::too_many_points, how);
         if (error e = mesh_.write(out)) return e;
-        if (error e = solve(out, 1e-8)) return e;
         const detail::membrane_mesh m = view_of(out);
-        if (!fit_(m, system_, longest, slopes_)) return error::out_of_memory;
+        if (!system_.solve(m) || !fit_(m, system_.u(), longest, slopes_)) return error::out_of_memory;
         return collect(em) ? error{} : error{error::out_of_memory};
     }
 
     /// The heights and slopes at the inner points of the last cap.
     [[nodiscard]] array_view<const membrane_point> points() const noexcept { return points_.view(); }
-
-    /// The residual of the last solution in relation to the load, and the steps to it.
-    [[nodiscard]] double residual() noexcept { return system_.residual(); }
-    [[nodiscard]] int steps() const noexcept { return system_.steps(); }
 
 private:
     [[nodiscard]] static detail::membrane_mesh view_of(const refined_cap& cap) noexcept
@@ -105,15 +106,9 @@ private:
         return {cap.loops.points.view(), cap.inner.view(), cap.triangles.view()};
     }
 
-    [[nodiscard]] error solve(const refined_cap& cap, double tolerance) noexcept
+    [[nodiscard]] static error with_limit(const error& e, const membrane_options& how) noexcept
     {
-        const detail::membrane_mesh m = view_of(cap);
-        buffer<double>& u = system_.u();
-        const std::size_t known = u.size();
-        if (!system_.open(m)) return error::out_of_memory;
-        if (m.inner.size() > known && u.append(m.inner.size() - known) == nullptr) return error::out_of_memory;
-        for (std::size_t i = known; i < m.inner.size(); ++i) u[i] = 0.0;
-        return system_.solve(tolerance, 1000) ? error{} : error{error::out_of_memory};
+        return e == error::too_many_points ? error{error::too_many_points, how.max_points} : e;
     }
 
     /// Rounds the heights and slopes. False if out of memory.

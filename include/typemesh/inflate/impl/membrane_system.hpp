@@ -7,7 +7,10 @@
 #include <typemesh/core/orientation.hpp>
 #include <typemesh/core/point.hpp>
 #include <typemesh/core/triangle.hpp>
+#include <typemesh/inflate/impl/conjugate_gradients.hpp>
+#include <typemesh/inflate/impl/envelope_factors.hpp>
 
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -36,161 +39,50 @@ struct membrane_mesh {
 ///         \ | /              an M-matrix: every solution u is positive, and the incomplete Cholesky factors exist.
 ///           i
 ///
-/// The sums are of quotients of exact integers, in the order of the triangles. It keeps its memory for the next system.
+/// The numbers are quotients of exact integers, summed in the order of the triangles. The system is solved without
+/// iteration where that is less work, otherwise by conjugate gradients to a residual of 1e-8. If these should not get
+/// there, which nobody has seen, it is solved without iteration all the same: no solution is left unfinished.
+///
+/// It keeps its memory for the next system.
 ///
 /// From  J. Xu & L. Zikatanov, A monotone finite element scheme for convection-diffusion equations (1999), for the
-///       signs; J. Meijerink & H. van der Vorst, Mathematics of Computation 31 (1977), for the factors
+///       signs
 class membrane_system {
 public:
     explicit membrane_system(memory source = heap()) noexcept
         : starts_{source},
           columns_{source},
-          weights_{source},
+          shares_{source},
           diagonal_{source},
           load_{source},
           rim_load_{source},
           u_{source},
-          factors_{source},
-          pivots_{source},
-          vectors_{source}
+          direct_{source},
+          stepwise_{source}
     {
     }
 
-    /// Makes the system of a mesh. u begins as it was where there was one, and as the caller sets the rest.
+    /// Makes the system of a mesh, and solves it. False if out of memory
     ///
-    /// False if out of memory
-    /// Cost   O(n)
-    [[nodiscard]] bool open(const membrane_mesh& m) noexcept
+    /// Cost   O(n) for the system; n^1.5 for the solution, less on thin letters
+    [[nodiscard]] bool solve(const membrane_mesh& m) noexcept
     {
         mesh_ = m;
-        const std::size_t rim = m.rim.size(), n = m.inner.size();
-        starts_.clear();
-        columns_.clear();
-        weights_.clear();
-        diagonal_.clear();
-        load_.clear();
-        rim_load_.clear();
-        std::uint32_t* const starts = starts_.append(n + 2);
-        double *const diagonal = diagonal_.append(n + 1), *const load = load_.append(n + 1),
-                      *const rim_load = rim_load_.append(rim + 1);
-        if (starts == nullptr || diagonal == nullptr || load == nullptr || rim_load == nullptr) return false;
-        for (std::size_t i = 0; i < n + 2; ++i) starts[i] = 0;
-        for (std::size_t i = 0; i < n + 1; ++i) diagonal[i] = load[i] = 0.0;
-        for (std::size_t i = 0; i < rim + 1; ++i) rim_load[i] = 0.0;
-        // Each edge between two inner points belongs to the row of the one with the greater number.
-        const auto each_edge = [&](auto&& f) noexcept {
-            for (const triangle& t : m.triangles) {
-                f(t.a, t.b, t.c);
-                f(t.b, t.c, t.a);
-                f(t.c, t.a, t.b);
-            }
-        };
-        each_edge([&](std::uint32_t i, std::uint32_t j, std::uint32_t) noexcept {
-            if (i > j && j >= rim) ++starts[i - rim + 2];
-        });
-        for (std::size_t i = 2; i < n + 2; ++i) starts[i] += starts[i - 1];
-        const std::size_t entries = starts[n + 1];
-        std::uint32_t* const columns = columns_.append(entries + 1);
-        double* const weights = weights_.append(entries + 1);
-        if (columns == nullptr || weights == nullptr) return false;
-        each_edge([&](std::uint32_t i, std::uint32_t j, std::uint32_t) noexcept {
-            if (!(i > j && j >= rim)) return;
-            columns[starts[i - rim + 1]++] = static_cast<std::uint32_t>(j - rim);
-        });
-        for (std::size_t i = 0; i < n; ++i) sort(columns + starts[i], columns + starts[i + 1]);
-        for (std::size_t k = 0; k < entries; ++k) weights[k] = 0.0;
-        each_edge([&](std::uint32_t i, std::uint32_t j, std::uint32_t k) noexcept {
-            const double w = half_cotangent(m.at(k), m.at(i), m.at(j));
-            if (i >= rim) diagonal[i - rim] += w;
-            if (j >= rim) diagonal[j - rim] += w;
-            if (i >= rim && j >= rim) weights[place(i > j ? i - rim : j - rim, i > j ? j - rim : i - rim)] += w;
-        });
-        for (const triangle& t : m.triangles) {
-            const double third = static_cast<double>(orientation(m.at(t.a), m.at(t.b), m.at(t.c))) / 6.0;
-            for (const std::uint32_t i : {t.a, t.b, t.c}) (i < rim ? rim_load[i] : load[i - rim]) += third;
-        }
-        return true;
+        return assemble() && find();
     }
 
     [[nodiscard]] std::size_t size() const noexcept { return mesh_.inner.size(); }
 
-    /// u at the inner points: the first guess before solve(), the solution after it. In square cells.
-    [[nodiscard]] buffer<double>& u() noexcept { return u_; }
-    [[nodiscard]] const buffer<double>& u() const noexcept { return u_; }
-
-    /// The steps of the last solve().
-    [[nodiscard]] int steps() const noexcept { return steps_; }
+    /// u at the inner points, in square cells.
+    ///
+    /// Each u_i is at least load_i / diagonal_i, because no weight is negative; what is below is set to that. So u is
+    /// positive at every inner point, whatever the rounding.
+    [[nodiscard]] array_view<const double> u() const noexcept { return u_.view(); }
 
     /// u at any point of the mesh.
     [[nodiscard]] double at(std::uint32_t i) const noexcept
     {
         return i < mesh_.rim.size() ? 0.0 : u_[i - mesh_.rim.size()];
-    }
-
-    /// Solves by conjugate gradients, preconditioned by incomplete Cholesky factors, until the residual is so small in
-    /// relation to the load. Both are measured by the norm of the preconditioner. u has a value for each inner point.
-    ///
-    /// Each u_i is at least load_i / diagonal_i, because no weight is negative; what is below is set to that. So u is
-    /// positive at every inner point, whatever the rounding.
-    ///
-    /// False if out of memory
-    [[nodiscard]] bool solve(double tolerance, int max_steps) noexcept
-    {
-        const std::size_t n = size();
-        steps_ = 0;
-        factors_.clear();
-        pivots_.clear();
-        vectors_.clear();
-        if (n == 0) return true;
-        if (factors_.append(weights_.size()) == nullptr || pivots_.append(n) == nullptr ||
-            vectors_.append(4 * n) == nullptr)
-            return false;
-        factorise();
-        double *const r = vectors_.data(), *const z = r + n, *const p = z + n, *const q = p + n, *const u = u_.data();
-        const double* const load = load_.data();
-        precondition(load, z);
-        double goal = 0.0;
-        for (std::size_t i = 0; i < n; ++i) goal += load[i] * z[i];
-        goal *= tolerance * tolerance;
-        multiply(u, q);
-        for (std::size_t i = 0; i < n; ++i) r[i] = load[i] - q[i];
-        double before = 1.0;
-        for (;; ++steps_) {
-            precondition(r, z);
-            double now = 0.0;
-            for (std::size_t i = 0; i < n; ++i) now += r[i] * z[i];
-            if (!(now > goal) || steps_ == max_steps) break;
-            const double along = steps_ == 0 ? 0.0 : now / before;
-            for (std::size_t i = 0; i < n; ++i) p[i] = steps_ == 0 ? z[i] : z[i] + along * p[i];
-            multiply(p, q);
-            double bend = 0.0;
-            for (std::size_t i = 0; i < n; ++i) bend += p[i] * q[i];
-            const double far_enough = now / bend;
-            for (std::size_t i = 0; i < n; ++i) {
-                u[i] += far_enough * p[i];
-                r[i] -= far_enough * q[i];
-            }
-            before = now;
-        }
-        for (std::size_t i = 0; i < n; ++i) {
-            const double least = load[i] / diagonal_[i];
-            if (!(u[i] > least)) u[i] = least;
-        }
-        return true;
-    }
-
-    /// The residual of u in relation to the load, both as the root of the sum of squares. A test's measure.
-    [[nodiscard]] double residual() noexcept
-    {
-        const std::size_t n = size();
-        double square = 0.0, whole = 0.0;
-        double* const q = vectors_.data() + 3 * n;
-        multiply(u_.data(), q);
-        for (std::size_t i = 0; i < n; ++i) {
-            square += (load_[i] - q[i]) * (load_[i] - q[i]);
-            whole += load_[i] * load_[i];
-        }
-        return n == 0 ? 0.0 : std::sqrt(square / whole);
     }
 
     /// Adds to `rise`, one number for each boundary point, what leaves the membrane there: the slope of u, towards the
@@ -220,92 +112,90 @@ public:
     }
 
 private:
-    /// Sorts a row, which has about three entries.
-    static void sort(std::uint32_t* first, std::uint32_t* last) noexcept
+    /// False if out of memory.
+    [[nodiscard]] bool assemble() noexcept
     {
-        for (std::uint32_t* next = first; next < last; ++next) {
-            const std::uint32_t value = *next;
-            std::uint32_t* to = next;
-            for (; to > first && to[-1] > value; --to) *to = to[-1];
-            *to = value;
-        }
-    }
-
-    /// The place of an entry in its row.
-    [[nodiscard]] std::uint32_t place(std::size_t row, std::size_t column) const noexcept
-    {
-        std::uint32_t k = starts_[row];
-        while (columns_[k] != column) ++k;
-        return k;
-    }
-
-    void multiply(const double* x, double* y) const noexcept
-    {
-        const std::size_t n = size();
-        const std::uint32_t *const starts = starts_.data(), *const columns = columns_.data();
-        const double *const weights = weights_.data(), *const diagonal = diagonal_.data();
-        for (std::size_t i = 0; i < n; ++i) {
-            double sum = diagonal[i] * x[i];
-            const double here = x[i];
-            for (std::uint32_t k = starts[i]; k < starts[i + 1]; ++k) {
-                sum -= weights[k] * x[columns[k]];
-                y[columns[k]] -= weights[k] * here;
+        const std::size_t rim = mesh_.rim.size(), n = mesh_.inner.size();
+        starts_.clear();
+        columns_.clear();
+        shares_.clear();
+        diagonal_.clear();
+        load_.clear();
+        rim_load_.clear();
+        u_.clear();
+        std::uint32_t* const starts = starts_.append(n + 2);
+        double *const diagonal = diagonal_.append(n + 1), *const load = load_.append(n + 1),
+                      *const rim_load = rim_load_.append(rim);
+        if (starts == nullptr || diagonal == nullptr || load == nullptr || rim_load == nullptr ||
+            (n != 0 && u_.append(n) == nullptr))
+            return false;
+        for (std::size_t i = 0; i < n + 2; ++i) starts[i] = 0;
+        for (std::size_t i = 0; i < n + 1; ++i) diagonal[i] = load[i] = 0.0;
+        for (std::size_t i = 0; i < rim; ++i) rim_load[i] = 0.0;
+        for (const triangle& t : mesh_.triangles)
+            for (const auto& [i, j] : edges_of(t))
+                if (i >= rim && j >= rim) ++starts[i - rim + 2];
+        for (std::size_t i = 2; i < n + 2; ++i) starts[i] += starts[i - 1];
+        std::uint32_t* const columns = columns_.append(starts[n + 1] + 1);
+        double* const shares = shares_.append(starts[n + 1] + 1);
+        if (columns == nullptr || shares == nullptr) return false;
+        for (const triangle& t : mesh_.triangles) {
+            const double weights[] = {half_cotangent(mesh_.at(t.c), mesh_.at(t.a), mesh_.at(t.b)),
+                                      half_cotangent(mesh_.at(t.a), mesh_.at(t.b), mesh_.at(t.c)),
+                                      half_cotangent(mesh_.at(t.b), mesh_.at(t.c), mesh_.at(t.a))};
+            const double third = static_cast<double>(orientation(mesh_.at(t.a), mesh_.at(t.b), mesh_.at(t.c))) / 6.0;
+            const double* weight = weights;
+            for (const auto& [i, j] : edges_of(t)) {
+                const double w = *weight++;
+                (i < rim ? rim_load[i] : load[i - rim]) += third;
+                if (i >= rim) diagonal[i - rim] += w;
+                if (j >= rim) diagonal[j - rim] += w;
+                if (i < rim || j < rim) continue;
+                const std::uint32_t k = starts[i - rim + 1]++;
+                columns[k] = static_cast<std::uint32_t>(j - rim);
+                shares[k] = w;
             }
-            y[i] = sum;
         }
+        return true;
     }
 
-    /// L D L^T with 1 on the diagonal of L, which has entries only where the matrix has them.
-    void factorise() noexcept
+    /// False if out of memory.
+    [[nodiscard]] bool find() noexcept
     {
         const std::size_t n = size();
-        const std::uint32_t *const starts = starts_.data(), *const columns = columns_.data();
-        const double* const weights = weights_.data();
-        double *const l = factors_.data(), *const pivots = pivots_.data();
-        for (std::size_t i = 0; i < n; ++i) {
-            double pivot = diagonal_[i];
-            for (std::uint32_t k = starts[i]; k < starts[i + 1]; ++k) {
-                const std::uint32_t column = columns[k];
-                double value = -weights[k];
-                std::uint32_t a = starts[i], b = starts[column];
-                while (a < k && b < starts[column + 1]) {
-                    if (columns[a] == columns[b]) value -= l[a] * l[b] / pivots[columns[a]];
-                    const bool move_a = columns[a] <= columns[b], move_b = columns[b] <= columns[a];
-                    a += move_a;
-                    b += move_b;
-                }
-                l[k] = value;  // times the column's pivot
-                pivot -= value * value / pivots[column];
-            }
-            pivots[i] = pivot > 0.0 ? pivot : diagonal_[i];
+        if (n == 0) return true;
+        const std::size_t entries = starts_[n];
+        const membrane_matrix a{starts_.view().first(n + 1), columns_.view().first(entries),
+                                shares_.view().first(entries), diagonal_.view().first(n)};
+        if (!direct_.order(a)) return false;
+        const auto count = static_cast<double>(n);
+        bool is_found = false;
+        if (direct_.work() > 32.0 * count * std::sqrt(count)) {  // about what the steps take
+            constexpr int most = 1000;
+            if (!stepwise_.open(a)) return false;
+            is_found = stepwise_.solve(load_.data(), u_.data(), 1e-8, most) <= most;
         }
-        for (std::size_t i = 0; i < n; ++i)
-            for (std::uint32_t k = starts[i]; k < starts[i + 1]; ++k) l[k] /= pivots[columns[k]];
-        for (std::size_t i = 0; i < n; ++i) pivots[i] = 1.0 / pivots[i];
+        if (!is_found && !direct_.solve(a, load_.data(), u_.data())) return false;
+        for (std::size_t i = 0; i < n; ++i) {
+            const double least = load_[i] / diagonal_[i];
+            if (!(u_[i] > least)) u_[i] = least;
+        }
+        return true;
     }
 
-    void precondition(const double* x, double* z) const noexcept
+    struct edge {
+        std::uint32_t from, to;
+    };
+    [[nodiscard]] static constexpr std::array<edge, 3> edges_of(const triangle& t) noexcept
     {
-        const std::size_t n = size();
-        const std::uint32_t *const starts = starts_.data(), *const columns = columns_.data();
-        const double *const l = factors_.data(), *const inverse = pivots_.data();
-        for (std::size_t i = 0; i < n; ++i) {
-            double sum = x[i];
-            for (std::uint32_t k = starts[i]; k < starts[i + 1]; ++k) sum -= l[k] * z[columns[k]];
-            z[i] = sum;
-        }
-        for (std::size_t i = 0; i < n; ++i) z[i] *= inverse[i];
-        for (std::size_t i = n; i-- > 0;) {
-            const double here = z[i];
-            for (std::uint32_t k = starts[i]; k < starts[i + 1]; ++k) z[columns[k]] -= l[k] * here;
-        }
+        return {{{t.a, t.b}, {t.b, t.c}, {t.c, t.a}}};
     }
 
     membrane_mesh mesh_;
-    buffer<std::uint32_t> starts_, columns_;  // the rows of the lower half, without the diagonal
-    buffer<double> weights_, diagonal_, load_, rim_load_, u_;
-    buffer<double> factors_, pivots_, vectors_;
-    int steps_ = 0;
+    buffer<std::uint32_t> starts_, columns_;  // the rows of a membrane_matrix
+    buffer<double> shares_, diagonal_, load_, rim_load_, u_;
+    envelope_factors direct_;
+    conjugate_gradients stepwise_;
 };
 
 }  // namespace typemesh::inline TYPEMESH_ABI::detail

@@ -30,17 +30,14 @@ class rim_rings {
 public:
     static constexpr std::uint32_t none = refinable_mesh::none;
 
-    /// Adds the points that divide edges between two points of the boundary. False if out of memory.
+    /// Adds a point on or beside each inner edge between two points of the boundary: front and back would share such an
+    /// edge. Edges stay where the grid has no place for a point in the two triangles. False if out of memory.
     [[nodiscard]] static bool divide_crossings(refinable_mesh& mesh) noexcept
     {
-        for (std::uint32_t h = 0; h < mesh.end(); h = h % 4 == 2 ? h + 2 : h + 1) {
-            while (is_crossing(mesh, h)) {
-                const grid_point a = mesh.start(h), b = mesh.place(mesh.target(h));
-                const grid_point middle{a.x + (b.x - a.x) / 2, a.y + (b.y - a.y) / 2};
-                const std::uint32_t t = orientation(a, b, middle) >= 0 ? h / 4 : mesh.twin(h) / 4;
-                if (squared_distance(a, b) < 64 * 64 || !is_inside(mesh, t, h, middle)) break;
-                if (mesh.insert(t, middle) == none) return false;
-            }
+        for (std::uint32_t before = none; mesh.vertex_count() != before;) {  // insertions exchange half-edges
+            before = mesh.vertex_count();
+            for (std::uint32_t h = 0; h < mesh.end(); h = h % 4 == 2 ? h + 2 : h + 1)
+                if (is_crossing(mesh, h) && !divide(mesh, h)) return false;
         }
         return true;
     }
@@ -67,10 +64,27 @@ private:
     /// 1 - cos of 22.5, 45 and 67.5 degrees.
     static constexpr std::array distances = {0.07612046748871326, 0.2928932188134524, 0.6173165676349102};
 
+    /// A cell and the eight cells around it, the nearest ones first.
+    static constexpr std::array<grid_point, 9> near_places = {
+        {{0, 0}, {1, 0}, {0, 1}, {-1, 0}, {0, -1}, {1, 1}, {-1, 1}, {-1, -1}, {1, -1}}};
+
     [[nodiscard]] static bool is_crossing(const refinable_mesh& mesh, std::uint32_t h) noexcept
     {
         return !mesh.is_boundary(h) && mesh.at(mesh.origin(h)).boundary != none &&
                mesh.at(mesh.target(h)).boundary != none;
+    }
+
+    /// Adds a point in the middle of an inner edge, or in a cell next to that. False if out of memory.
+    [[nodiscard]] static bool divide(refinable_mesh& mesh, std::uint32_t h) noexcept
+    {
+        const grid_point a = mesh.start(h), b = mesh.place(mesh.target(h));
+        const grid_point middle{a.x + (b.x - a.x) / 2, a.y + (b.y - a.y) / 2};
+        for (const auto& [x, y] : near_places) {
+            const grid_point p{middle.x + x, middle.y + y};
+            for (const std::uint32_t t : {h / 4, mesh.twin(h) / 4})
+                if (is_inside(mesh, t, h, p)) return mesh.insert(t, p) != none;
+        }
+        return true;
     }
 
     /// Whether a point lies strictly inside a triangle, or on its inner edge h or the edge's twin.

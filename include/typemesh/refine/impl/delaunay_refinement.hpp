@@ -216,17 +216,20 @@ protected:  // for quadtree_refinement
     /// first. `good` if it is not bad.
     [[nodiscard]] std::uint32_t rank_of(std::uint32_t t) const noexcept
     {
-        const std::uint32_t least = shortest_edge(t), u = mesh_.origin(least), v = mesh_.target(least);
-        const grid_point at = mesh_.place(mesh_.apex(least));
-        const std::int64_t cosine = dot(at, mesh_.place(u), mesh_.place(v)),
-                           sine = orientation(at, mesh_.place(u), mesh_.place(v));
+        const std::uint32_t h = 4 * t, corners[] = {mesh_.origin(h), mesh_.origin(h + 1), mesh_.origin(h + 2)};
+        const grid_point p[] = {mesh_.place(corners[0]), mesh_.place(corners[1]), mesh_.place(corners[2])};
+        const std::int64_t squares[] = {squared_distance(p[0], p[1]), squared_distance(p[1], p[2]),
+                                        squared_distance(p[2], p[0])};
+        const std::size_t first = squares[1] < squares[0] ? 1 : 0, least = squares[2] < squares[first] ? 2 : first,
+                          next = least == 2 ? 0 : least + 1, apex = 3 - least - next;
+        // Twice the product of two edges with an angle between them, by the law of cosines.
+        const std::int64_t cosine = (squares[next] + squares[apex] - squares[least]) / 2,
+                           sine = orientation(p[0], p[1], p[2]);
         if (cosine > 0 && static_cast<double>(sine) < limits_.tangent * static_cast<double>(cosine) &&
-            !is_between_shells(u, v, static_cast<double>(sine) / static_cast<double>(cosine)))
-            return triangle_queue::rank_of(squared_length(least));
-        std::int64_t longest = 0;
-        for (std::uint32_t h = 4 * t; h < 4 * t + 3; ++h)
-            longest = squared_length(h) > longest ? squared_length(h) : longest;
-        return is_too_long(longest) ? triangle_queue::ranks - 1 - triangle_queue::rank_of(longest) : good;
+            !is_between_shells(corners[least], corners[next], static_cast<double>(sine) / static_cast<double>(cosine)))
+            return triangle_queue::rank_of(squares[least]);
+        const std::int64_t longer = squares[next] < squares[apex] ? squares[apex] : squares[next];
+        return is_too_long(longer) ? triangle_queue::ranks - 1 - triangle_queue::rank_of(longer) : good;
     }
 
     /// Whether two points lie on two boundary edges that meet in a sharp corner, equally far from it, and the angle

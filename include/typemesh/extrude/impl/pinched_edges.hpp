@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <typemesh/core/array_view.hpp>
+#include <typemesh/core/buffer.hpp>
+#include <typemesh/core/contours.hpp>
+#include <typemesh/core/memory.hpp>
+#include <typemesh/core/triangle.hpp>
+#include <typemesh/inflate/membrane.hpp>
+
+#include <cstddef>
+#include <cstdint>
+
+namespace typemesh::inline TYPEMESH_ABI::detail {
+
+/// Raises the inner edges that join two points of an inflated letter's outline. The membrane leaves such an edge where
+/// the letter is about as thin as a cell. It lies at height 0, so the front and the back would meet in it.
+///
+///           k                       k
+///         /   \                   / | \        m lies over i, at a tiny height of its own. The triangles i m k and
+///       i ----- j    -->    i -- m --- j       m i l are upright; m j k and j m l replace i j k and j i l.
+///         \   /                   \ | /
+///           l                       l
+class pinched_edges {
+public:
+    explicit pinched_edges(memory source = heap()) noexcept : first_{source}, found_{source} {}
+
+    /// `rim` is the number of the outline's points, which come first in loops.points; all points have a
+    /// membrane_point. The new points follow. False if out of memory
+    ///
+    /// Cost   O(n), if few pinched edges leave each point
+    [[nodiscard]] bool operator()(contours& loops, std::size_t rim, triangle_list& triangles,
+                                  buffer<membrane_point>& membrane) noexcept
+    {
+        if (!find(loops.starts.view(), rim, triangles.view())) return false;
+        std::uint32_t number = 0;
+        for (pinch& p : found_) {
+            p.middle = static_cast<std::uint32_t>(loops.points.size());
+            const float height = static_cast<float>(++number) * 0x1p-22f;
+            if (!loops.points.push_back(loops.points[p.low]) || !membrane.push_back({height, {}})) return false;
+        }
+        for (std::size_t t = 0; !found_.empty() && t < triangles.size(); ++t)
+            while (const pinch* p = pinch_of(triangles[t]))
+                if (!divide(triangles, t, p->middle)) return false;
+        return true;
+    }
+
+private:
+    static constexpr std::uint32_t none = ~std::uint32_t{0};
+
+    /// An inner edge between two points of the outline.
+    struct pinch {
+        std::uint32_t low, high;  ///< its points' numbers
+        std::uint32_t next;       ///< the next pinch with the same first point
+        std::uint32_t middle;     ///< the new point
+    };
+
+    /// Lists the pinched edges. False if out of memory.
+    [[nodiscard]] bool find(array_view<const std::uint32_t> starts, std::size_t rim,
+                            array_view<const triangle> triangles) noexcept
+    {
+        first_.clear();
+        found_.clear();
+        std::uint32_t* const after = first_.append(2 * rim);
+        if (after == nullptr) return false;
+        for (std::size_t loop = 0; loop + 1 < starts.size(); ++loop)
+            for (std::uint32_t i = starts[loop]; i < starts[loop + 1]; ++i) {
+                after[i] = i + 1 == starts[loop + 1] ? starts[loop] : i + 1;
+                after[rim + i] = none;
+            }
+        const auto list = [&](std::uint32_t i, std::uint32_t j) noexcept {
+            // Each inner edge occurs in both directions.
+            if (i >= j || j >= rim || after[i] == j || after[j] == i) return true;
+            const auto number = static_cast<std::uint32_t>(found_.size());
+            if (!found_.push_back({i, j, first_[rim + i], 0})) return false;
+            first_[rim + i] = number;
+            return true;
+        };
+        for (const triangle& t : triangles)
+            if (!list(t.a, t.b) || !list(t.b, t.c) || !list(t.c, t.a)) return false;
+        return true;
+    }
+
+    /// Turns a triangle until its first edge is pinched. Null if none is.
+    [[nodiscard]] const pinch* pinch_of(triangle& t) const noexcept
+    {
+        const std::size_t rim = first_.size() / 2;
+        for (int turn = 0; turn < 3; ++turn, t = {t.b, t.c, t.a}) {
+            const std::uint32_t low = t.a < t.b ? t.a : t.b, high = t.a < t.b ? t.b : t.a;
+            if (high >= rim) continue;
+            for (std::uint32_t k = first_[rim + low]; k != none; k = found_[k].next)
+                if (found_[k].high == high) return &found_[k];
+        }
+        return nullptr;
+    }
+
+    /// Divides a triangle at the middle of its first edge. False if out of memory.
+    [[nodiscard]] static bool divide(triangle_list& triangles, std::size_t at, std::uint32_t middle) noexcept
+    {
+        const triangle t = triangles[at];
+        triangles[at] = {t.a, middle, t.c};
+        return triangles.push_back({middle, t.b, t.c});
+    }
+
+    buffer<std::uint32_t> first_;  // the point after each point, then its first pinch
+    buffer<pinch> found_;
+};
+
+}  // namespace typemesh::inline TYPEMESH_ABI::detail

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: MIT
+
+#include <typemesh/extrude/impl/pinched_edges.hpp>
+
+#include "support/catch.hpp"
+
+#include <map>
+#include <utility>
+
+using namespace typemesh;
+
+TEST_CASE("each inner edge of an inflated outline gets a point over its first end", "[extrude]")
+{
+    // A zigzag without inner points: a strip of 2 n + 2 points, whose edges across and along are inner but for the rim.
+    for (const std::uint32_t n : {1u, 2u, 7u}) {
+        CAPTURE(n);
+        contours loops;
+        triangle_list triangles;
+        buffer<membrane_point> membrane;
+        const std::uint32_t rim = 2 * n + 2;
+        REQUIRE(loops.starts.push_back(0));
+        REQUIRE(loops.starts.push_back(rim));
+        for (std::uint32_t i = 0; i < rim; ++i) {
+            const auto x = static_cast<std::int32_t>(i <= n ? i : rim - 1 - i);
+            REQUIRE(loops.points.push_back({100 * x, i <= n ? 0 : 1}));
+            REQUIRE(membrane.push_back({}));
+        }
+        for (std::uint32_t i = 0; i < n; ++i) {
+            REQUIRE(triangles.push_back({i, i + 1, rim - 1 - i}));
+            REQUIRE(triangles.push_back({i + 1, rim - 2 - i, rim - 1 - i}));
+        }
+        const std::size_t inner = 2 * n - 1, before = triangles.size();
+        detail::pinched_edges pinches;
+        REQUIRE(pinches(loops, rim, triangles, membrane));
+        CHECK(loops.points.size() == rim + inner);
+        CHECK(membrane.size() == rim + inner);
+        CHECK(triangles.size() == before + 2 * inner);
+        // No edge joins two points of the outline but the outline's own, and each of these once.
+        std::map<std::pair<std::uint32_t, std::uint32_t>, int> edges;
+        std::int64_t area = 0;
+        std::size_t turned = 0;
+        for (const triangle t : triangles) {
+            for (const auto& e : {std::pair{t.a, t.b}, std::pair{t.b, t.c}, std::pair{t.c, t.a}}) ++edges[e];
+            const std::int64_t own = orientation(loops.points[t.a], loops.points[t.b], loops.points[t.c]);
+            area += own;
+            turned += own < 0;
+        }
+        std::size_t on_rim = 0;
+        for (const auto& [e, count] : edges) {
+            CHECK(count == 1);
+            if (e.first >= rim || e.second >= rim) {
+                CHECK(edges.count({e.second, e.first}) == 1);
+                continue;
+            }
+            CHECK(e.second == (e.first + 1) % rim);
+            ++on_rim;
+        }
+        CHECK(on_rim == rim);
+        CHECK(area == 200 * std::int64_t{n});
+        CHECK(turned == 0);
+        // Their heights are tiny, and no two are equal.
+        std::map<float, int> heights;
+        for (std::size_t i = rim; i < membrane.size(); ++i) {
+            CHECK(membrane[i].height > 0.0f);
+            CHECK(membrane[i].height < 1e-5f);
+            ++heights[membrane[i].height];
+        }
+        CHECK(heights.size() == inner);
+    }
+}
