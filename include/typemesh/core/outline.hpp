@@ -5,6 +5,7 @@
 #include <typemesh/core/buffer.hpp>
 #include <typemesh/core/curve.hpp>
 #include <typemesh/core/fill_rule.hpp>
+#include <typemesh/core/glyph_stand.hpp>
 #include <typemesh/core/point.hpp>
 
 #include <cstdint>
@@ -43,6 +44,7 @@ struct drawn_place {
     double em_per_unit = 0.0;  ///< em per font unit
     box text = {};             ///< from the first pen position of the text to its last, lowest and highest baseline
                                ///< included, in em; empty: unknown
+    const glyph_stand* stand = nullptr;  ///< its stand, if the step has a place()
 };
 
 }  // namespace typemesh::inline TYPEMESH_ABI
