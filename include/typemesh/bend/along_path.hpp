@@ -10,8 +10,8 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// The warp that bends letters along a path in the plane: x becomes the distance along the path, y the distance from it.
-/// on_path.hpp uses it for joined letters; alone, `warped{along_path{&way}}`, it bends every letter.
+/// The warp that bends letters along a path in the plane: x becomes the distance along the path, y the distance from
+/// it. on_path.hpp uses it for joined letters; alone, `warped{along_path{&way}}`, it bends every letter.
 ///
 /// Fails  error::bad_option: there is no path, it is empty or has failed ("path"); a number is not finite, or the
 ///        stretch is not positive ("start", "stretch"); error::out_of_memory, if the path ran out of it
@@ -36,8 +36,8 @@ struct along_path {
     /// See plane_warp.
     [[nodiscard]] error refused_text(const box& text) const noexcept
     {
-        const bool fits = !path->is_closed() || text.empty() ||
-                          stretch * text.width() <= path->length() * (1.0 + 0x1p-30);
+        const bool fits =
+            !path->is_closed() || text.empty() || stretch * text.width() <= path->length() * (1.0 + 0x1p-30);
         return fits ? error{} : error{error::goes_around};
     }
 
@@ -66,7 +66,9 @@ struct along_path {
     {
         const plane_path::bounds by = bounds_in(b);
         const double turn = by.turn(), high = std::fmax(std::fabs(b.low.y), std::fabs(b.high.y));
-        return {.xx = stretch * stretch * (by.by * high + turn * (1.0 + turn * high)), .xy = stretch * turn};
+        return {.xx = stretch * stretch * (by.by * high + turn * (1.0 + turn * high)),
+                .xy = stretch * turn,
+                .x_jump = stretch * by.jump * high};
     }
 
     /// See plane_warp.

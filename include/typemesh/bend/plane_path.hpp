@@ -91,7 +91,7 @@ public:
         if (!may_draw({})) return;
         line(first_);
         closed_ = true;
-        if (!pieces_.empty()) pieces_[0].corner = turns(pieces_.back(), pieces_[0]);
+        if (!pieces_.empty()) join(pieces_.back(), pieces_[0]);
     }
 
     /// A closed circle. It runs clockwise from its lowest point, so its middle is on top, and letters stand outside.
@@ -150,7 +150,7 @@ public:
         return p;
     }
 
-    /// Bounds of the curvature between two distances; endless if there is a corner or a cusp.
+    /// Bounds of the curvature between two distances; endless if there is a corner or a cusp. Cost: O(pieces between)
     [[nodiscard]] bounds between(double low, double high) const noexcept
     {
         TYPEMESH_ASSERT(!empty(), "a plane_path has no pieces: draw it first");
@@ -161,6 +161,7 @@ public:
         }
         const double rounds = rounds_before(low), from = low - rounds, to = high - rounds;
         include_between(from, to, all);
+        if (!closed_ && to >= length_) all.jump += std::fabs(pieces_.back().at(pieces_.back().size).turn);
         if (closed_ && to >= length_) include_between(0.0, to - length_, all);
         return all;
     }
@@ -188,12 +189,13 @@ private:
         return may;
     }
 
-    /// Whether the direction changes from the end of one piece to the start of the next one, by more than roundings.
-    [[nodiscard]] static bool turns(const detail::path_piece& from, const detail::path_piece& to) noexcept
+    /// Finds what happens between the end of one piece and the start of the next one.
+    static void join(const detail::path_piece& from, detail::path_piece& to) noexcept
     {
-        if (!from.even || !to.even) return true;
-        const point a = from.at(from.size).tangent, b = to.at(0.0).tangent;
-        return std::fabs(cross(a, b)) > 0x1p-20 || dot(a, b) < 0.0;
+        const place a = from.at(from.size), b = to.at(0.0);
+        const bool turns = std::fabs(cross(a.tangent, b.tangent)) > 0x1p-20 || dot(a.tangent, b.tangent) < 0.0;
+        to.corner = !from.even || !to.even || turns;  // more than roundings
+        to.jump = std::fabs(b.turn - a.turn);
     }
 
     void add(detail::path_piece made, point to) noexcept
@@ -202,7 +204,10 @@ private:
         if (!(made.size > 0.0)) return;
         if (pieces_.size() >= max_pieces) return fail();
         made.start = length_;
-        made.corner = !pieces_.empty() && turns(pieces_.back(), made);
+        if (pieces_.empty())
+            made.jump = std::fabs(made.at(0.0).turn);  // before its start, the path is straight
+        else
+            join(pieces_.back(), made);
         length_ += made.size;
         if (!pieces_.push_back(made)) fail(error::out_of_memory);
     }
@@ -233,6 +238,7 @@ private:
     void include(std::size_t i, bool with_start, bounds& all) const noexcept
     {
         if (with_start && pieces_[i].corner) all.merge({-bounds::endless, bounds::endless, bounds::endless});
+        if (with_start) all.jump += pieces_[i].jump;
         all.merge(pieces_[i].bounds);
     }
     void include_between(double low, double high, bounds& all) const noexcept

@@ -5,7 +5,6 @@
 #include <typemesh/core/buffer.hpp>
 #include <typemesh/core/curve.hpp>
 #include <typemesh/core/fill_rule.hpp>
-#include <typemesh/core/glyph_stand.hpp>
 #include <typemesh/core/point.hpp>
 
 #include <cstdint>
@@ -36,6 +35,16 @@ struct outline {
         starts.clear();
         bounds = {};
     }
+};
+
+/// Where an outline step lets a glyph of a run stand: moved and turned as a whole, or warped. See outline_step.hpp.
+struct glyph_stand {
+    point origin = {};         ///< the place of the glyph's own origin, in font units
+    point right = {1.0, 0.0};  ///< the direction of its own x axis: a unit vector. Exactly {1, 0}: it is not turned
+    double start = 0.0;        ///< for the step itself, if it warps the glyph
+    double stretch = 1.0;      ///< likewise
+    bool warped = false;       ///< whether the step warps it; `origin` and `right` then say where it stands roughly
+    bool left_out = false;     ///< whether there is no place for it, so that it is not drawn
 };
 
 /// The place of a glyph's outline in the text, for steps that depend on it.

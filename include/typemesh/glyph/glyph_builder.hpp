@@ -4,7 +4,6 @@
 #include <typemesh/core/box.hpp>
 #include <typemesh/core/contours.hpp>
 #include <typemesh/core/finite.hpp>
-#include <typemesh/core/glyph_stand.hpp>
 #include <typemesh/core/grid.hpp>
 #include <typemesh/core/max_pieces.hpp>
 #include <typemesh/core/outline.hpp>

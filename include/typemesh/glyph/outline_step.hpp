@@ -3,7 +3,6 @@
 
 #include <typemesh/core/box.hpp>
 #include <typemesh/core/error.hpp>
-#include <typemesh/core/glyph_stand.hpp>
 #include <typemesh/core/outline.hpp>
 #include <typemesh/core/result.hpp>
 

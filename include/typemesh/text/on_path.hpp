@@ -6,7 +6,6 @@
 #include <typemesh/bend/warped.hpp>
 #include <typemesh/core/error.hpp>
 #include <typemesh/core/finite.hpp>
-#include <typemesh/core/glyph_stand.hpp>
 #include <typemesh/core/impl/same.hpp>
 #include <typemesh/core/option_bits.hpp>
 #include <typemesh/core/outline.hpp>
@@ -24,8 +23,8 @@ namespace typemesh::inline TYPEMESH_ABI {
 /// Where on a path a text stands: its start at the path's start, its middle in the middle, or its end at the end.
 enum class path_anchor : std::uint8_t { start, middle, end };
 
-/// The side of a path on which letters stand. On the right, the path is walked from its end, so that letters are upright
-/// there: its end is the start for path_anchor.
+/// The side of a path on which letters stand. On the right, the path is walked from its end, so that letters are
+/// upright there: its end is the start for path_anchor.
 enum class path_side : std::uint8_t { left, right };
 
 /// Whether a text keeps its length, or is spread over the whole path.
@@ -53,25 +52,25 @@ struct path_options {
 ///     ring.circle({0, 0}, 2.0);
 ///     text_mesher mesher{font, on_path{&ring, {.anchor = path_anchor::middle}}};
 ///
-///             I N                   A letter is turned as a whole: the middle of its cluster's advance touches the path,
-///          R       G                and its baseline is the tangent there. Marks turn with their base, ligatures as one.
-///         .-~-----~-.               Letters are built once and cached, and instances gain a rotation.
+///             I N              A letter is turned as a whole: the middle of its cluster's advance touches the path,
+///          R       G           and its baseline is the tangent there. Marks turn with their base, ligatures as one.
+///         .-~-----~-.          Letters are built once and cached, and instances gain a rotation.
 ///
-/// Letters of joined scripts are warped instead, outline by outline, like those of warped{along_path}: then each glyph of
-/// the text is built at its own place, without a cache. So are underlines and other bars, which are always warped, and
-/// all letters with text_options::merge or corners, or in a bent solid. On a single line, nothing is warped.
+/// Letters of joined scripts are warped instead, outline by outline, as warped{along_path} does, and so are underlines
+/// and other bars. If a text has any of these, each of its glyphs is built at its own place, without a cache. The same
+/// is true with text_options::merge or corners, and in bent solids. On a path that is one line, nothing is warped.
 ///
-/// The text is anchored as one block: its lines keep their places relative to each other. Their heights become distances
-/// from the path, so lines above the first one stand farther out, with the same angles. Directions of reading do not
-/// matter: the left end of a line comes first. In columns, lines cross the path.
+/// The text is anchored as one block: its lines keep their places relative to each other. Their heights become
+/// distances from the path, so lines above the first one stand farther out, at the same angles. Directions of reading
+/// do not matter: the left end of a line comes first. In columns, lines cross the path.
 ///
 /// A glyph whose middle lies beyond an end of the path, or beyond a full round of a closed one, is left out, and the
 /// report counts it (text_report::off_path).
 ///
-/// Textures cover the flat text, and turn with its letters; on warped letters they are those of warped{}.
+/// Textures cover the flat text, and turn with its letters. Warped letters have the textures that warped{} gives them.
 ///
-/// Fails  error::bad_option: there is no path, it is empty or has failed ("path"), or offset is not finite or above 2^20
-///        ("offset"); as the path's failure()
+/// Fails  error::bad_option: there is no path, it is empty or has failed ("path"), or offset is not finite or above
+///        2^20 ("offset"); as the path's failure()
 ///        error::folds_over: a warped letter lies on a corner, or reaches the centre of a bend
 ///        as warped does
 /// Cost   O(glyphs log pieces); nothing is allocated here
@@ -97,10 +96,10 @@ struct on_path {
         const double all = path->length(), length = (text.high - text.low) / units_per_em;
         along_path way{path, 0.0, 1.0, how.side == path_side::right};
         if (how.fit == path_fit::spread && length > 0x1p-20) way.stretch = all / length;
-        const double rest = how.fit == path_fit::spread            ? 0.0
-                            : how.anchor == path_anchor::start     ? 0.0
-                            : how.anchor == path_anchor::middle    ? 0.5 * (all - length)
-                                                                   : all - length;
+        const double rest = how.fit == path_fit::spread         ? 0.0
+                            : how.anchor == path_anchor::start  ? 0.0
+                            : how.anchor == path_anchor::middle ? 0.5 * (all - length)
+                                                                : all - length;
         way.start = rest + how.offset - way.stretch * (text.low / units_per_em);
         const bool bends = !path->is_straight();
         letters.stand(way, stands);

@@ -215,8 +215,8 @@ public:
         return (1.0 / placed.units_per_em) * ((1.0 / placed.unit_per_font_unit) * from + placed.centre);
     }
 
-    /// The place in the flat text, if a path moved the letter that was hit (on_path.hpp). It is exact for letters that the
-    /// path only turns, and nearly so for warped ones.
+    /// The place in the flat text, if a path moved the letter that was hit (on_path.hpp). It is exact for letters that
+    /// the path only turns, and nearly so for warped ones.
     [[nodiscard]] point place_of(vec3 p, const mesh_hit& of) const noexcept
     {
         const text_glyphs& all = fresh();
@@ -238,8 +238,8 @@ public:
         return *run_;
     }
 
-    /// The bounding box of all vertices. It is exact for frames whose axes are parallel to the coordinate axes;
-    /// otherwise it may be larger.
+    /// The bounding box of all vertices. It is exact for frames whose axes are parallel to the coordinate axes, unless
+    /// a path turns letters; otherwise it may be larger.
     [[nodiscard]] bounds3 bounds() const noexcept { return fresh().bounds; }
 
     /// The distance between adjacent 32-bit floats at the mesh's farthest coordinate, in em. No position is rounded by

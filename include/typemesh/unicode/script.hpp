@@ -30,8 +30,8 @@ namespace typemesh::inline TYPEMESH_ABI {
     return a == b || (east_asian(a) && east_asian(b));
 }
 
-/// Whether letters of a script touch along a line: Arabic and the other joined scripts, and Devanagari, Bengali and others
-/// whose letters hang from one line.
+/// Whether letters of a script touch along a line: Arabic and the other joined scripts, and Devanagari, Bengali and
+/// others whose letters hang from one line.
 [[nodiscard]] constexpr bool joins_letters(std::uint32_t script) noexcept
 {
     for (const std::uint32_t joined :

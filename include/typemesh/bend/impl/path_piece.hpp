@@ -19,10 +19,11 @@ struct path_place {
     double turn = 0.0;  ///< the curvature, positive to the left
 };
 
-/// Bounds over a part of a path: of its curvature, and of the derivative of the curvature by the length.
+/// Bounds over a part of a path: of its curvature, of the derivative of the curvature by the length, and of its jumps.
 struct path_bounds {
     double low = 0.0, high = 0.0;
     double by = 0.0;
+    double jump = 0.0;  ///< the sum of the jumps of the curvature, where pieces meet
 
     static constexpr double endless = 0x1p120;  // of a corner or a cusp
 
@@ -31,6 +32,7 @@ struct path_bounds {
         low = b.low < low ? b.low : low;
         high = b.high > high ? b.high : high;
         by = b.by > by ? b.by : by;
+        jump += b.jump;
     }
     [[nodiscard]] constexpr double turn() const noexcept { return high > 0.0 - low ? high : 0.0 - low; }
 };
@@ -56,6 +58,7 @@ struct path_piece {
 
     form is = form::line;
     bool corner = false;  ///< whether the path turns at once where the piece begins
+    double jump = 0.0;    ///< how far the curvature jumps there
     bool even = true;     ///< whether a cubic's length is certain
     double start = 0.0;   ///< the length of the path before it
     double size = 0.0;    ///< its own length
@@ -85,10 +88,10 @@ struct path_piece {
 
     /// A piece of a cubic; false if its length is not certain, so that it must be halved.
     ///
-    /// The speed is the root of a polynomial q of fourth degree. If q, around the middle, changes by at most half of its
-    /// value in Bernstein's ellipse with half axes that sum to 5, the speed is analytic there, and Gauss's rule with 12
-    /// points is wrong by at most 64/15 sqrt(1.5 q) 5^-22 / (1 - 5^-2), which is below 2^-48 of the length. The same
-    /// holds for each beginning of the piece, whose ellipse lies in the piece's own.
+    /// The speed is the root of a polynomial q of fourth degree. If q, around the middle, changes by at most half of
+    /// its value in Bernstein's ellipse with half axes that sum to 5, the speed is analytic there. Gauss's rule with 12
+    /// points is then wrong by at most 64/15 sqrt(1.5 q) 5^-22 / (1 - 5^-2), which is below 2^-48 of the length. The
+    /// same holds for each beginning of the piece, whose ellipse lies in the piece's own.
     ///
     /// From  L. N. Trefethen, Approximation Theory and Approximation Practice (2013), theorem 19.3
     [[nodiscard]] static bool read(const cubic& c, path_piece& out) noexcept

@@ -90,7 +90,8 @@ private:
             double advance = 0.0;
             for (; i < glyphs.size() && glyphs[i].cluster == glyphs[first].cluster; ++i) advance += glyphs[i].advance;
             const double middle = pen + 0.5 * advance;
-            for (std::size_t k = first; k < i; ++k) out[k].to_middle = static_cast<float>(middle - along(out[k].origin));
+            for (std::size_t k = first; k < i; ++k)
+                out[k].to_middle = static_cast<float>(middle - along(out[k].origin));
             pen += advance;
         }
     }

@@ -5,7 +5,6 @@
 #include <typemesh/core/curve.hpp>
 #include <typemesh/core/error.hpp>
 #include <typemesh/core/finite.hpp>
-#include <typemesh/core/glyph_stand.hpp>
 #include <typemesh/core/impl/same.hpp>
 #include <typemesh/core/outline.hpp>
 #include <typemesh/core/point.hpp>
@@ -62,8 +61,8 @@ public:
             stands[i] = at(way, g, middle);
             const double distance = way.start + way.stretch * (middle / em_);
             const bool shown = own >= text.low && own <= text.high;  // white space at the end of a line hangs
-            stands[i].left_out = !is_finite(own) ? false
-                                                 : shown && !(distance >= lowest - slack && distance <= highest + slack);
+            stands[i].left_out =
+                !is_finite(own) ? false : shown && !(distance >= lowest - slack && distance <= highest + slack);
         }
     }
 

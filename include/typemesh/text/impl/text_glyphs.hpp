@@ -3,7 +3,6 @@
 
 #include <typemesh/core/array_view.hpp>
 #include <typemesh/core/buffer.hpp>
-#include <typemesh/core/glyph_stand.hpp>
 #include <typemesh/core/impl/first_where.hpp>
 #include <typemesh/extrude/cap_maker.hpp>
 #include <typemesh/extrude/placement.hpp>

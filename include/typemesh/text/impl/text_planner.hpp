@@ -311,8 +311,8 @@ inline error text_planner::collect(const glyph_run& run, const text_options& opt
         if (glyph.missing && !options.draw_missing) continue;
         if (!glyphs_.stands.empty() && glyphs_.stands[i].left_out) continue;
         const glyph_key key{glyph.id, glyphs_.glyph_styles.outlines_of(glyph.glyph_style)};
-        if (glyphs_.in_place && !glyphs_.places.push_back(
-                                     {glyphs_.place_at(glyph.origin), glyph.cluster, static_cast<std::uint32_t>(i)}))
+        if (glyphs_.in_place &&
+            !glyphs_.places.push_back({glyphs_.place_at(glyph.origin), glyph.cluster, static_cast<std::uint32_t>(i)}))
             return error::out_of_memory;
         const bool is_repeated = options.reuse && !glyphs_.in_place;
         numbers[i] = is_repeated ? glyphs_.different.number_of(key) : glyphs_.different.append(key);
