@@ -19,8 +19,9 @@ namespace typemesh::inline TYPEMESH_ABI::detail {
 /// Let A be the warp's affine map in the middle of the piece. Then f - H = (w - A)(B) - (H - A(B)). The second
 /// derivatives of both terms have bounds, D together: the first from w.bend(), the second because that term is a
 /// cubic. The distance |f - H| is measured at n - 1 places, and between them it is at most D / 8n^2 larger, and J / 4n
-/// if the derivative of f jumps by J in between. So the proof needs no derivative of the warp beyond the second. Curves are divided into 2, 4, ... pieces until it holds, so
-/// there are at most about twice as many as cubics with these ends and derivatives need.
+/// if the derivative of f jumps by J in between. So the proof needs no derivative of the warp beyond the second. Curves
+/// are divided into 2, 4, ... pieces until it holds, so there are at most about twice as many as cubics with these ends
+/// and derivatives need.
 template <plane_warp W>
 class curve_warper {
 public:
