@@ -106,6 +106,7 @@ void choose_policies(const options& o, double units_per_em, chosen_mesher& meshe
                 mesher.use(typemesh::no_outline_step{});
         },
         o.bend.warp);
+    if (o.path.curve) mesher.use(typemesh::on_path{o.path.curve.get(), o.path.how});
     with_discretiser(o, units_per_em, [&mesher](const auto& discretiser) { mesher.use(discretiser); });
     if (o.triangulator == triangulator_name::delaunay)
         mesher.use(typemesh::constrained_delaunay{});

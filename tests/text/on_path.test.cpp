@@ -71,8 +71,10 @@ TEST_CASE("on a line along x from the origin a text is the plain text, bit for b
     const auto check = [&](const auto& solid, const text_options& options) {
         text_mesher plain{font, solid};
         const test::lit_mesh expected = test::written(*test::required(plain.plan("oExi\nEo", options)));
-        for (const path_warp warp : {path_warp::never, path_warp::always})
-            CHECK(mesh_on_path({&way, {.warp = warp}}, options, solid, "oExi\nEo") == expected);
+        for (const path_warp warp : {path_warp::never, path_warp::always}) {
+            text_mesher mesher{font, solid, on_path{&way, {.warp = warp}}};
+            CHECK(test::written(*test::required(mesher.plan("oExi\nEo", options))) == expected);
+        }
     };
     check(extruded<>{.texture = texture_mapping::box}, {});
     check(bevelled{.width = 0.01f}, {.size = 3.0, .texture_over = texture_box::line, .frame = left_handed_z_up});
