@@ -53,6 +53,7 @@ struct along_path {
         return p;
     }
 
+    /// See plane_warp.
     [[nodiscard]] warped_point operator()(point p) const noexcept
     {
         const plane_path::place on = place_at(p.x);

@@ -41,8 +41,8 @@ namespace typemesh::inline TYPEMESH_ABI {
 /// Cost   a Bezier curve is divided into some 4 to 16 pieces; a cusp takes 80 more
 class plane_path {
 public:
-    using place = detail::path_place;
-    using bounds = detail::path_bounds;
+    using place = detail::path_place;    ///< a place: a point, its distance, the tangent, the curvature
+    using bounds = detail::path_bounds;  ///< bounds of the curvature and of its changes
 
     explicit plane_path(memory source = heap()) noexcept : pieces_{source} {}
 
@@ -55,6 +55,7 @@ public:
         failure_ = {};
     }
 
+    /// Where the path begins.
     void move(point to) noexcept
     {
         if (begun_) return fail();
@@ -62,14 +63,17 @@ public:
         if (!begun_) return fail();
         first_ = now_ = to;
     }
+    /// A line.
     void line(point to) noexcept
     {
         if (may_draw({to})) add(detail::path_piece::line(now_, to), to);
     }
+    /// A quadratic Bezier curve.
     void quadratic(point control, point to) noexcept
     {
         if (may_draw({control, to})) divide(raised(quadratic_curve{now_, control, to}), 0);
     }
+    /// A cubic Bezier curve.
     void cubic(point control, point control_2, point to) noexcept
     {
         if (may_draw({control, control_2, to})) divide({now_, control, control_2, to}, 0);
@@ -123,7 +127,9 @@ public:
     [[nodiscard]] error failure() const noexcept { return failure_; }
     /// In em; 0 if the path is empty.
     [[nodiscard]] double length() const noexcept { return length_; }
+    /// Whether it has no piece.
     [[nodiscard]] bool empty() const noexcept { return pieces_.empty(); }
+    /// Whether it leads back to its start.
     [[nodiscard]] bool is_closed() const noexcept { return closed_; }
     /// Whether it is one line.
     [[nodiscard]] bool is_straight() const noexcept

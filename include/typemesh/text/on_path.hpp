@@ -39,11 +39,11 @@ enum class path_warp : std::uint8_t {
 
 /// How a text stands on a path.
 struct path_options {
-    path_anchor anchor = path_anchor::start;
-    double offset = 0.0;  ///< the way along the path from there, in em
-    path_side side = path_side::left;
-    path_fit fit = path_fit::keep;
-    path_warp warp = path_warp::automatic;
+    path_anchor anchor = path_anchor::start;  ///< where the text stands
+    double offset = 0.0;                      ///< the way along the path from there, in em
+    path_side side = path_side::left;         ///< on which side letters stand
+    path_fit fit = path_fit::keep;            ///< whether the text is spread over the path; anchor is then ignored
+    path_warp warp = path_warp::automatic;    ///< which letters are warped
 };
 
 /// Text on a path (bend/plane_path.hpp). A mesher takes it in place of a warp, for texts and for runs of any layout:
@@ -59,6 +59,9 @@ struct path_options {
 /// Letters of joined scripts are warped instead, outline by outline, as warped{along_path} does, and so are underlines
 /// and other bars. If a text has any of these, each of its glyphs is built at its own place, without a cache. The same
 /// is true with text_options::merge or corners, and in bent solids. On a path that is one line, nothing is warped.
+///
+/// Joins of warped letters hold where their outlines overlap or share corners. Edges along the line that only abut,
+/// such as a vowel sign's on a headline, meet within the tolerance.
 ///
 /// The text is anchored as one block: its lines keep their places relative to each other. Their heights become
 /// distances from the path, so lines above the first one stand farther out, at the same angles. Directions of reading
@@ -76,7 +79,7 @@ struct path_options {
 /// Cost   O(glyphs log pieces); nothing is allocated here
 struct on_path {
     const plane_path* path = nullptr;  ///< must outlive the plan, and must not change before it is written
-    path_options how = {};
+    path_options how = {};             ///< how the text stands on it
 
     /// See option_bits. Turned letters are cached as without the path; warped ones are not cached.
     [[nodiscard]] option_bits cache_key() const noexcept { return {}; }
