@@ -151,8 +151,8 @@ montage "$scratch"/balloon[1-3].png -tile 3x1 -geometry 560x400+2+2 -background 
 montage "$scratch"/{arc,perspective}.png -tile 2x1 -geometry 700x420+2+2 -background '#eef0f3' warped.png
 
 # Letters that stand on a path.
-"$program" "a ring of letters, each of them turned, " --font /usr/share/fonts/truetype/dejavu/DejaVuSans-Bold.ttf --path circle:3.75 --bevel 0.02 --picture "$scratch/ring.png"
-"$program" "بسم الله الرحمن الرحيم" --font $arabic --path arc:4,150 --bevel 0.01 --picture "$scratch/bow.png"
+"$program" "a ring of letters, each of them turned, " --font /usr/share/fonts/truetype/dejavu/DejaVuSans-Bold.ttf --path circle:3.45 --bevel 0.02 --turn -15 --picture "$scratch/ring.png"
+"$program" "بسم الله الرحمن الرحيم" --font $arabic --path arc:5,110 --bevel 0.01 --turn -10 --picture "$scratch/bow.png"
 montage "$scratch"/{ring,bow}.png -tile 2x1 -geometry 700x560+2+2 -background '#eef0f3' path.png
 
 # A headline of three styles in three fonts; the styled range of a line of both directions is two stretches.
