@@ -60,6 +60,22 @@ test::lit_mesh mesh_on_path(const on_path& way, const text_options& options, con
     return lawful_on_path(*plan, options.frame);
 }
 
+/// Turns each letter by a quarter and lets it fall; leaves out blanks.
+struct falling_letters {
+    [[nodiscard]] error refused(const box&) const noexcept { return {}; }
+    [[nodiscard]] result<double> operator()(const outline&, const drawn_place&, double, std::uint32_t,
+                                            outline&) const noexcept
+    {
+        return error::refused_by_user;  // no letter is warped
+    }
+    [[nodiscard]] error place(const glyph_run& run, double, glyph_stand* stands) const noexcept
+    {
+        for (const placed_glyph& g : run.glyphs)
+            *stands++ = {.origin = g.origin + point{0.0, -100.0}, .right = {0.0, -1.0}, .left_out = g.id == 4};
+        return {};
+    }
+};
+
 }  // namespace
 
 TEST_CASE("on a line along x from the origin a text is the plain text, bit for bit", "[text][path]")
@@ -333,6 +349,22 @@ TEST_CASE("bad paths and options are refused, and a warped letter on a corner", 
     const error folded = refusal({&corner, {.warp = path_warp::always}});
     CHECK(folded == error::folds_over);
     CHECK(folded.cluster == 0);
+}
+
+TEST_CASE("a step of one's own may also say where letters stand", "[text][path]")
+{
+    test::toy_font font;
+    text_mesher plain{font}, falling{font, falling_letters{}};
+    const auto flat_plan = test::required(plain.plan(path_word));
+    const auto plan = test::required(falling.plan(path_word));
+    CHECK(plan->meshes().size() == flat_plan->meshes().size());
+    CHECK(plan->report().off_path == 1);  // the blank
+    const test::lit_mesh m = lawful_on_path(*plan);
+    CHECK(test::volume_of(m) == Catch::Approx(test::volume_of(test::written(*flat_plan))).epsilon(1e-5));
+    for (std::size_t g = 0; g < plan->glyphs().size(); ++g) {
+        CHECK(plan->glyphs()[g].right == point{0.0, -1.0});
+        CHECK(plan->glyphs()[g].origin == flat_plan->glyphs()[g].origin + point{0.0, -100.0});
+    }
 }
 
 TEST_CASE("text on a path fails without memory, and holds nothing then", "[text][path]")
