@@ -150,6 +150,11 @@ montage "$scratch"/balloon[1-3].png -tile 3x1 -geometry 560x400+2+2 -background 
 "$program" "perspective" --font /usr/share/fonts/truetype/dejavu/DejaVuSans.ttf --bend perspective:0.4 --picture "$scratch/perspective.png"
 montage "$scratch"/{arc,perspective}.png -tile 2x1 -geometry 700x420+2+2 -background '#eef0f3' warped.png
 
+# Letters that stand on a path.
+"$program" "a ring of letters, each of them turned, " --font /usr/share/fonts/truetype/dejavu/DejaVuSans-Bold.ttf --path circle:3.45 --bevel 0.02 --turn -15 --picture "$scratch/ring.png"
+"$program" "بسم الله الرحمن الرحيم" --font $arabic --path arc:5,110 --bevel 0.01 --turn -10 --picture "$scratch/bow.png"
+montage "$scratch"/{ring,bow}.png -tile 2x1 -geometry 700x560+2+2 -background '#eef0f3' path.png
+
 # A headline of three styles in three fonts; the styled range of a line of both directions is two stretches.
 "$program" "Type سلام 活字" --font $serif-Bold.ttf --fallback ${arabic/Regular/Bold} --fallback $japanese --bevel 0.015 --profile round \
     --style 0..4:colour=blue,underline --style 5..9:colour=red,size=1.25 --style 10..12:colour=green,overline --picture "$scratch/headline.png"
@@ -161,4 +166,4 @@ convert -size 910x160 xc:white -draw "$("$scratch/selection" /usr/share/fonts/tr
 g++ -std=c++20 -O2 -I../../include curved.cpp -o "$scratch/curved" $(pkg-config --cflags --libs harfbuzz)
 "$scratch/curved" /usr/share/fonts/truetype/dejavu/DejaVuSerif.ttf 'g&' | convert ppm:- curved.png
 
-pngquant --quality 90-100 --speed 1 --force --ext .png paragraph.png normals.png bevels.png bevelled_scripts.png bent.png carved.png inflated.png meshing.png warped.png bold_and_hollow.png refined.png styles.png textures.png
+pngquant --quality 90-100 --speed 1 --force --ext .png paragraph.png normals.png bevels.png bevelled_scripts.png bent.png carved.png inflated.png meshing.png path.png warped.png bold_and_hollow.png refined.png styles.png textures.png

@@ -138,8 +138,10 @@ typemesh::result<void> write_letters(const options& o, const chosen_plan& plan, 
     }
     const cluster_texts shown{plan.run(), o.text};
     plan.write_instances([&](const typemesh::glyph_instance& i) {
-        out.places.push_back(
-            {numbers.at({i.mesh, i.style}), {i.translation.x, i.translation.y, i.translation.z}, shown.of(i.cluster)});
+        out.places.push_back({numbers.at({i.mesh, i.style}),
+                              {i.translation.x, i.translation.y, i.translation.z},
+                              shown.of(i.cluster),
+                              {i.x.x, i.x.y}});
     });
     return {};
 }

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdio>
+#include <utility>
 #include <vector>
 
 namespace text_to_mesh {
@@ -83,8 +84,17 @@ mesh_facts facts_of(const model& mesh)
     mesh_facts all;
     for (const model::place& p : mesh.places) {
         const mesh_facts& l = letters[p.letter];
+        const double c = p.right[0], s = p.right[1];
+        const auto reach = [](double by, double low, double high) {
+            return std::pair{std::min(by * low, by * high), std::max(by * low, by * high)};
+        };
+        const auto [x0, x1] = reach(c, l.low[0], l.high[0]);  // the box of the turned box
+        const auto [x2, x3] = reach(-s, l.low[1], l.high[1]);
+        const auto [y0, y1] = reach(s, l.low[0], l.high[0]);
+        const auto [y2, y3] = reach(c, l.low[1], l.high[1]);
+        const double lows[] = {x0 + x2, y0 + y2, l.low[2]}, highs[] = {x1 + x3, y1 + y3, l.high[2]};
         for (std::size_t k = 0; k < 3; ++k) {
-            const double at = p.at[k], low = l.low[k] + at, high = l.high[k] + at;
+            const double at = p.at[k], low = lows[k] + at, high = highs[k] + at;
             all.low[k] = &p == mesh.places.data() ? low : std::min(all.low[k], low);
             all.high[k] = &p == mesh.places.data() ? high : std::max(all.high[k], high);
         }

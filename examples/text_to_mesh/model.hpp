@@ -56,6 +56,7 @@ struct model {
         std::size_t letter;
         float at[3];
         std::string text = {};
+        float right[2] = {1.0f, 0.0f};  ///< where its x axis points; letters on a path are turned
     };
 
     std::vector<model_vertex> vertices;

@@ -95,7 +95,7 @@ std::string version()
 /// Words of the command line that become something else after parsing.
 struct raw_values {
     std::vector<std::string> variations, features, show;
-    std::string uv, fill, fit, profile = "chamfer", refine, bend, family, format, anchor, origin;
+    std::string uv, fill, fit, profile = "chamfer", refine, bend, path, family, format, anchor, origin;
     std::optional<typemesh::touching> corners;
     std::optional<double> size, bevel_depth, bevel_steps, letter_spacing;
     bool text_given = false, no_merge = false, tolerance_given = false, shading_given = false, normals_given = false,
@@ -407,6 +407,8 @@ void add_refine_options(CLI::App& app, options& out, raw_values& raw)
         ->type_name("EM");
     app.add_option("--bend", raw.bend, "bend the text around a cylinder:2 or in another SHAPE of the list below")
         ->type_name("SHAPE");
+    app.add_option("--path", raw.path, "stand the letters on a circle:2 or on another CURVE of the list below")
+        ->type_name("CURVE");
 }
 
 void add_inflate_options(CLI::App& app, options& out)
@@ -586,6 +588,19 @@ std::string settle_bend(options& out, const raw_values& raw)
     return {};
 }
 
+/// Finishes text on a path. Gives an empty string, or one sentence of what is wrong.
+std::string settle_path(options& out, const raw_values& raw)
+{
+    if (raw.path.empty()) return {};
+    if (const std::string trouble = read_path(raw.path, out.path); !trouble.empty()) return "--path " + trouble;
+    if (out.bend.warp.index() != 0) return "--path does not work with a --bend in the plane";
+    if (!raw.anchor.empty() || !raw.origin.empty())
+        return "--path does not work with --anchor and --origin: the curve says where the text is";
+    if (out.show_contours || out.show_points || out.show_control)
+        return "--path does not work with --show-contours, --show-points and --show-control";
+    return {};
+}
+
 /// Finishes the options for lines. Gives an empty string, or what is wrong.
 std::string settle_lines(options& out, const raw_values& raw)
 {
@@ -758,6 +773,7 @@ std::string settle(options& out, const raw_values& raw)
     if (std::string trouble = settle_weight(out, raw); !trouble.empty()) return trouble;
     if (std::string trouble = settle_refine(out, raw); !trouble.empty()) return trouble;
     if (std::string trouble = settle_bend(out, raw); !trouble.empty()) return trouble;
+    if (std::string trouble = settle_path(out, raw); !trouble.empty()) return trouble;
     if (std::string trouble = refused_inflation(out, raw); !trouble.empty()) return trouble;
 
     if (std::string trouble = settle_files(out, raw); !trouble.empty()) return trouble;
@@ -799,6 +815,9 @@ std::optional<int> parse(int argc, char** argv, options& out)
         "Shapes of --bend: cylinder:RADIUS, sphere:RADIUS, twist:DEGREES, taper:GROWTH, wave:HEIGHT,LENGTH; in the "
         "plane\n"
         "arc:DEGREES, arch:TOP,BASELINE, flag:HEIGHT,LENGTH (a length of 0 is the text's), perspective:SCALE.\n"
+        "Curves of --path, in em: circle:RADIUS, arc:RADIUS,DEGREES (a negative radius: inside), wave:HEIGHT,LENGTH, "
+        "or\n"
+        "a path with the commands M, L, Q, C and Z of SVG, y up: \"M0,0 C1,1 2,1 3,0\".\n"
         "A tab moves to the next tab stop; \\t does not.\n"
         "\n"
         "Examples:\n"

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "chosen_bend.hpp"
+#include "chosen_path.hpp"
 #include "file_kind.hpp"
 #include "picture/picture_options.hpp"
 #include "placing.hpp"
@@ -108,6 +109,7 @@ struct options {
     outline_options outline;
     refine_options refine;
     bend_options bend;
+    chosen_path path;
     inflate_options inflate;
     preset quality = preset::high;
     double tolerance = typemesh::quality::high;

@@ -37,6 +37,7 @@ void choose_policies(const options& o, double units_per_em, chosen_mesher& meshe
 {
     mesher.use(solid_of(o));
     use_stages(o, units_per_em, mesher);
+    if (o.path.curve) mesher.use(typemesh::on_path{o.path.curve.get(), o.path.how});
 }
 
 }  // namespace text_to_mesh

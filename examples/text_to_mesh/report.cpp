@@ -168,6 +168,9 @@ std::string in_words(const typemesh::text_report& report, bool several_fonts, co
     if (report.invalid_units > 0)
         say("the text is not valid UTF-8 at " + number(report.invalid_units) +
             (report.invalid_units == 1 ? " place" : " places") + at(report.first_invalid_unit));
+    if (report.off_path > 0)
+        say(number(report.off_path) + of_all + (report.off_path == 1 ? " glyphs has" : " glyphs have") +
+            " no room on the --path" + at(report.first_off_path));
     if (report.unbroken > 0)
         say("the program has no dictionary for the words of " + number(report.unbroken) +
             (report.unbroken == 1 ? " run" : " runs") +

@@ -9,6 +9,7 @@
 #include <tiny_gltf.h>
 
 #include <algorithm>
+#include <cmath>
 #include <sstream>
 
 namespace text_to_mesh {
@@ -150,6 +151,10 @@ void add_places(tinygltf::Model& file, const model& mesh, const std::string& nam
         if (!p.text.empty()) node.extras = text_of(p.text);
         node.mesh = static_cast<int>(p.letter);
         node.translation = {double{p.at[0]}, double{p.at[1]}, double{p.at[2]}};
+        if (p.right[1] != 0.0f || p.right[0] < 0.0f) {
+            const double half = 0.5 * std::atan2(double{p.right[1]}, double{p.right[0]});
+            node.rotation = {0.0, 0.0, std::sin(half), std::cos(half)};
+        }
         file.nodes.push_back(std::move(node));
     }
 }

@@ -27,6 +27,7 @@
 #include <typemesh/paragraph/total_fit.hpp>
 #include <typemesh/text/font_cascade.hpp>
 #include <typemesh/text/font_list.hpp>
+#include <typemesh/text/on_path.hpp>
 #include <typemesh/text/picked_character.hpp>
 #include <typemesh/typemesh.hpp>
 #if __has_include(<fontconfig/fontconfig.h>)
@@ -151,6 +152,10 @@ auto along = typemesh::text_mesher{*font, typemesh::bent<typemesh::along_curve>{
     use(bend_along);
 auto rainbow = typemesh::text_mesher{*font, typemesh::bevelled{}, typemesh::warped{typemesh::arc{.degrees = 120}}};
     use(rainbow);
+typemesh::plane_path ring;
+ring.circle({0.0, 0.0}, 2.0);
+auto around = typemesh::text_mesher{*font, typemesh::on_path{&ring, {.anchor = typemesh::path_anchor::middle}}};
+    use(around);
 typemesh::text_mesher over_the_text{*font, typemesh::extruded<>{.texture = typemesh::texture_mapping::box}};
     use(over_the_text);
 

@@ -886,6 +886,23 @@ for written in arc arc: arc:90,2 arch:0.3 flag:0.2 perspective perspective:1,2; 
 done
 expect 2 "^text_to_mesh: --bend has a number that is out of range: perspective:0\.$" x --font $sans --output x.glb --bend perspective:0
 
+# Text on a path: letters are turned, instances too; what does not fit is named.
+for path in circle:2 circle:-2 arc:2,120 arc:-2,120 wave:0.2,3 "M0,0 C1,1 2,1 3,0" "M-1,0 L1,0 Q2,0 2,1 Z"; do
+    expect 0 "" "HILL" --font $sans --output onpath.obj --path "$path"
+    that "--path $path changes the letters" differ onpath.obj flat.obj
+    that "--path $path keeps the depth" larger "$(widest onpath.obj 4)" "$(widest flat.obj 4)" 0
+    expect 0 "" "HILL" --font $sans --output onpath.stl --path "$path" --bevel 0.01
+    expect 0 "" "HILL" --font $sans --output onpath.glb --path "$path" --instances
+done
+that "instances on a path are turned" grep -q '"rotation"' onpath.glb
+expect 0 "^text_to_mesh: [0-9]* of 20 glyphs have no room on the --path; the first is at byte 0 of the text\.$" "HILLHILLHILLHILLHILL" --font $sans --output onpath.glb --path arc:1,90
+for written in circle circle: circle:1,2 arc:2 wave:1 M "M0,0 X1,1" "M0,0 L1"; do
+    expect 2 "^text_to_mesh: --path must be circle:RADIUS, .* not $written\.$" x --font $sans --output x.glb --path "$written"
+done
+expect 2 "^text_to_mesh: --path has a number that is out of range: circle:0\.$" x --font $sans --output x.glb --path circle:0
+expect 2 "^text_to_mesh: --path does not work with a --bend in the plane\.$" x --font $sans --output x.glb --path circle:2 --bend arc:90
+expect 2 "^text_to_mesh: --path does not work with --anchor and --origin" x --font $sans --output x.glb --path circle:2 --anchor middle
+
 # Bent letters: more triangles; a text that goes around or folds, and a shape without its numbers, are refused.
 expect 0 "" "Rag" --font $sans --output bent.stl --stats --bend cylinder:1.5 && cp out bent.stats
 that "bending adds triangles: $(triangles plain.stats) to $(triangles bent.stats)" [ "$(triangles bent.stats)" -gt "$(triangles plain.stats)" ]

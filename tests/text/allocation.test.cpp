@@ -12,6 +12,7 @@
 #include <typemesh/extrude/bevelled.hpp>
 #include <typemesh/extrude/embolden.hpp>
 #include <typemesh/extrude/outlined.hpp>
+#include <typemesh/text/on_path.hpp>
 #include <typemesh/typemesh.hpp>
 
 #include <cstdint>
@@ -26,6 +27,8 @@ TEST_CASE("after warm-up a text asks nobody for memory, in any layout of the out
 {
     test::toy_font font;
     glyph_cache cache;
+    plane_path ring;
+    ring.circle({0.0, 0.0}, 2.0);
     const auto asked_by = [&](auto mesher, const text_options& options) {
         std::vector<test::full_vertex> vertices;
         std::vector<std::uint32_t> indices;
@@ -69,6 +72,8 @@ TEST_CASE("after warm-up a text asks nobody for memory, in any layout of the out
             CHECK(asked_by(text_mesher{font}.with(outlined<extruded<>, extruded<>>{}), options) == 0);
             CHECK(asked_by(text_mesher{font}.with(cached_in{cache, 1}), options) == 0);
             CHECK(asked_by(text_mesher{font}.with(warped{arc{.degrees = 20}}).with(bevelled{}), options) == 0);
+            for (const path_warp warp : {path_warp::never, path_warp::always})
+                CHECK(asked_by(text_mesher{font}.with(on_path{&ring, {.warp = warp}}), options) == 0);
         }
     }
 }

@@ -25,7 +25,8 @@ namespace typemesh::inline TYPEMESH_ABI {
 [[nodiscard]] inline vec4 from_glm(const glm::vec4& v) noexcept { return {v.x, v.y, v.z, v.w}; }
 [[nodiscard]] inline point from_glm(const glm::dvec2& v) noexcept { return {v.x, v.y}; }
 
-/// The matrix that translates by `by`: the model matrix of a glyph_instance is translation_matrix(i.translation).
+/// The matrix that translates by `by`: the model matrix of a glyph_instance is translation_matrix(i.translation). If a
+/// path turns letters, its first three columns are i.x, i.y and i.z instead.
 [[nodiscard]] inline glm::mat4 translation_matrix(vec3 by) noexcept
 {
     glm::mat4 m{1.0f};

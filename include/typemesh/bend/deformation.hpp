@@ -22,12 +22,13 @@ struct deformed_point {
 
 /// Upper bounds of the lengths of a deformation's second derivatives: xy is the bound of the derivative by x and by y.
 struct bend_bounds {
-    double xx = 0.0;  ///< by x twice
-    double yy = 0.0;  ///< by y twice
-    double zz = 0.0;  ///< by z twice
-    double xy = 0.0;  ///< by x and by y
-    double xz = 0.0;  ///< by x and by z
-    double yz = 0.0;  ///< by y and by z
+    double xx = 0.0;      ///< by x twice
+    double yy = 0.0;      ///< by y twice
+    double zz = 0.0;      ///< by z twice
+    double xy = 0.0;      ///< by x and by y
+    double xz = 0.0;      ///< by x and by z
+    double yz = 0.0;      ///< by y and by z
+    double x_jump = 0.0;  ///< the sum of the jumps of the first derivative by x, which only warps may have
 };
 
 /// A smooth map of space that bends flat text: x along the text, y up, z towards the reader, in em, relative to the

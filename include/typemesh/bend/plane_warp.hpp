@@ -21,7 +21,8 @@ struct warped_point {
 /// sibling in space is bend/deformation.hpp.
 ///
 ///     w(p)                 the image of a point, with the derivatives there: warped_point
-///     w.bend(box)          bounds of the second derivatives at all points of a box: only xx, yy and xy matter
+///     w.bend(box)          bounds of the second derivatives at all points of a box: only xx, yy and xy matter, and
+///                          x_jump if the derivative by x jumps where a path's curvature does
 ///     w.refused_options()  the error with which it refuses its options, or none
 ///     w.fitted(text)       optional: the same warp with its open options set for a text that fills this box, in em;
 ///                          refused_options() has found no error before

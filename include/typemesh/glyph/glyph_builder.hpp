@@ -40,7 +40,8 @@ struct glyph_settings {
     /// distance from the origin at which glyphs are written, so that floats distinguish neighbouring cells.
     double max_cells = 0x1p40;
 
-    box text = {};  ///< drawn_place::text; matters only for outline steps
+    box text = {};                       ///< drawn_place::text; matters only for outline steps
+    const glyph_stand* stand = nullptr;  ///< drawn_place::stand, likewise
 };
 
 /// A source to record a glyph from: an outline_source, or any other type with a record().
@@ -131,7 +132,7 @@ private:
         if (warp.is_none()) return fill_curves(outline_, how.tolerance, units_per_em, how, with);
         if (!is_finite(units_per_em) || !(units_per_em > 0.0)) return error::bad("units_per_em");
         const auto rest =
-            warp(outline_, {origin, 1.0 / units_per_em, how.text}, how.tolerance, how.max_points, warped_);
+            warp(outline_, {origin, 1.0 / units_per_em, how.text, how.stand}, how.tolerance, how.max_points, warped_);
         if (!rest) return rest.error();
         return fill_curves(warped_, *rest, units_per_em, how, with);
     }

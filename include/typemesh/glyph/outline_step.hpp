@@ -11,6 +11,8 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
+struct glyph_run;  // of the room layout, which this room does not see
+
 /// A step between the font and everything else: turns each glyph's outline into another one, at its place in the text.
 /// bend/warped.hpp is the library's own.
 ///
@@ -20,6 +22,11 @@ namespace typemesh::inline TYPEMESH_ABI {
 ///                            `tolerance` by the step's own error. A curve ends exactly where the next one begins
 ///     s.refused(text)        the error with which it refuses its options, or a text whose pens fill this box, in em,
 ///                            or none
+///     s.place(run, units_per_em, stands)
+///                            optional, returns an error: where the glyphs of a run stand. Fills in `stands`, one for
+///                            each glyph. If no glyph is warped, glyphs are only moved and turned: they are built
+///                            once and cached as without the step. Otherwise the step draws each glyph at its place
+///                            in the run, turned ones as well, and drawn_place::stand is the glyph's own
 ///     s.cache_key()          not needed: glyphs with such a step are built at their places and not cached
 template <class S>
 concept outline_step =
@@ -27,6 +34,12 @@ concept outline_step =
         { s(drawn, at, 1.0, most, out) } noexcept -> std::same_as<result<double>>;
         { s.refused(at.text) } noexcept -> std::same_as<error>;
     };
+
+/// A step that also says where glyphs stand.
+template <class S>
+concept placing_step = outline_step<S> && requires(const S& s, const glyph_run& run, glyph_stand* stands) {
+    { s.place(run, 1.0, stands) } noexcept -> std::same_as<error>;
+};
 
 /// A step that changes nothing: outlines are used as they are drawn.
 struct no_outline_step {};

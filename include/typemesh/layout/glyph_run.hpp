@@ -22,6 +22,9 @@ struct placed_glyph {
     bool missing = false;  ///< whether the font lacks a glyph for this text: `id` is then the font's .notdef, drawn
                            ///< only on request
     std::uint32_t glyph_style = 0;  ///< the index in glyph_run::glyph_styles; 0 if there are none
+    float to_middle = 0.0f;  ///< the way along the line from `origin` to the middle of its cluster's advance, in font
+                             ///< units; all glyphs of a cluster have one middle. A path turns letters there
+    bool joined = false;     ///< whether its script joins letters, which must then not be turned one by one
 };
 
 /// One line (or column) of a run: its glyphs, the start of its baseline, its length.

@@ -14,7 +14,9 @@ namespace typemesh::inline TYPEMESH_ABI {
 /// by the first one.
 struct drawn_glyph {
     const built_glyph* built = nullptr;
-    point origin;  ///< the glyph's origin, in font units
+    point origin;              ///< the glyph's origin, in font units
+    point right = {1.0, 0.0};  ///< the direction of its own x axis: {1, 0} unless a path turns it (on_path.hpp)
+    point flat;                ///< its origin in the run, from which textures begin; `origin`, unless a path moves it
     glyph_id id = no_glyph;
     cluster_id cluster = no_cluster;
     style_id style = {};

@@ -22,7 +22,10 @@ struct glyph_mesh {
     std::uint32_t last_glyph = 0;      ///< the last instance; drawn_glyph::next_alike links the instances
 };
 
-/// One occurrence of a glyph_mesh: every position of the mesh is translated, and nothing else changes.
+/// One occurrence of a glyph_mesh: every position of the mesh is turned, then translated. Normals and tangents are
+/// turned. Only letters on a path are turned (on_path.hpp).
+///
+///     place of a vertex p of the mesh = p.x * x + p.y * y + p.z * z + translation
 struct glyph_instance {
     vec3 translation;         ///< the translation, in the output's unit and frame
     std::uint32_t mesh = 0;   ///< the index in the plan's meshes()
@@ -30,6 +33,9 @@ struct glyph_instance {
     glyph_id id = no_glyph;
     cluster_id cluster = no_cluster;
     style_id style = {};
+    vec3 x{1.0f, 0.0f, 0.0f};  ///< the images of the output's axes: the columns of a rotation
+    vec3 y{0.0f, 1.0f, 0.0f};
+    vec3 z{0.0f, 0.0f, 1.0f};
 };
 
 /// Consecutive instances in the output of write_instances().

@@ -148,7 +148,7 @@ template <class Plan, class Font>
     if (hit.cluster == no_cluster) return {};
     const glyph_run& run = plan.run();
     const double em = run.units_per_em > 0.0 ? run.units_per_em : static_cast<double>(font.units_per_em());
-    const double pen = em * detail::along(plan.place_of(at), down);
+    const double pen = em * detail::along(plan.place_of(at, hit), down);
     const std::uint32_t glyph = detail::glyph_hit(plan, hit, pen, down);
     const detail::picked_cluster c = detail::find_cluster(run, glyph, text, down);
     std::size_t count = 0;
@@ -188,7 +188,7 @@ template <class Plan, class Laid>
 [[nodiscard]] picked_character character_at(const Plan& plan, const mesh_hit& hit, vec3 at, const Laid& laid) noexcept
 {
     if (hit.cluster == no_cluster) return {};
-    const point p = plan.place_of(at);
+    const point p = plan.place_of(at, hit);
     cluster_id cluster = hit.cluster;
     if (hit.of_run == shared_glyph) {
         const bool down = laid.in_columns();

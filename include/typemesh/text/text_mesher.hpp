@@ -35,6 +35,7 @@ concept run_edit = std::is_nothrow_invocable_v<E&, glyph_run&>;
 ///     text_mesher deep_text{font, extruded<>{.depth = 0.5f}, two_lines{}};
 ///     text_mesher bold_text{font, embolden{.by = 0.02f}};       // a step before the solid, see region_step.hpp
 ///     text_mesher round_text{font, warped{arc{.degrees = 90}}}; // a step before all others, see outline_step.hpp
+///     text_mesher ring_text{font, on_path{&ring}};              // likewise, see on_path.hpp
 ///     text_mesher quick_text{font, cached_in{cache, 1}};        // see glyph_cache.hpp
 ///
 /// The type names only the solid, because the solid writes each vertex. The other policies are called once per glyph

@@ -215,6 +215,19 @@ public:
         return (1.0 / placed.units_per_em) * ((1.0 / placed.unit_per_font_unit) * from + placed.centre);
     }
 
+    /// The place in the flat text, if a path moved the letter that was hit (on_path.hpp). It is exact for letters that
+    /// the path only turns, and nearly so for warped ones.
+    [[nodiscard]] point place_of(vec3 p, const mesh_hit& of) const noexcept
+    {
+        const text_glyphs& all = fresh();
+        if (all.stands.empty()) return place_of(p);
+        const std::uint32_t glyph = of.of_run == shared_glyph ? all.records[of.glyph].glyph : of.of_run;
+        const glyph_stand& s = all.stands[glyph];
+        const point arm = all.placed.units_per_em * place_of(p) - s.origin;
+        return all.placed.em_per_font_unit *
+               (run_->glyphs[glyph].origin + point{dot(arm, s.right), cross(s.right, arm)});
+    }
+
     /// The report: which glyphs are not in the mesh, and why.
     [[nodiscard]] const text_report& report() const noexcept { return fresh().report; }
 
@@ -225,8 +238,8 @@ public:
         return *run_;
     }
 
-    /// The bounding box of all vertices. It is exact for frames whose axes are parallel to the coordinate axes;
-    /// otherwise it may be larger.
+    /// The bounding box of all vertices. It is exact for frames whose axes are parallel to the coordinate axes, unless
+    /// a path turns letters; otherwise it may be larger.
     [[nodiscard]] bounds3 bounds() const noexcept { return fresh().bounds; }
 
     /// The distance between adjacent 32-bit floats at the mesh's farthest coordinate, in em. No position is rounded by
@@ -387,8 +400,8 @@ public:
     }
 
     /// The counterpart of write_meshes(): put(const glyph_instance&) for every glyph, first the glyphs of mesh 0
-    /// (glyph_mesh::glyph_count of them, style by style), then the glyphs of mesh 1, and so on. A mesh moved by the
-    /// translation equals the placed glyph, except for the rounding of the sum and for the origin of its textures.
+    /// (glyph_mesh::glyph_count of them, style by style), then the glyphs of mesh 1, and so on. A mesh turned and
+    /// moved by its instance equals the placed glyph, except for rounding and for the origin of its textures.
     template <class Put>
     void write_instances(Put&& put) const noexcept
     {
@@ -397,7 +410,9 @@ public:
             for (std::uint32_t i = all.meshes[mesh].first_glyph; i != drawn_glyph::none;
                  i = all.records[i].next_alike) {
                 const drawn_glyph& s = all.records[i];
-                put(glyph_instance{all.translation_of(s), mesh, i, s.id, s.cluster, s.style});
+                glyph_instance instance{all.translation_of(s), mesh, i, s.id, s.cluster, s.style};
+                turn(instance, s.right, all.placed.frame);
+                put(instance);
             }
         }
     }

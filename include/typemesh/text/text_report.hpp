@@ -25,6 +25,8 @@ struct text_report {
     cluster_id first_invalid_unit = no_cluster;
     std::uint32_t unbroken = 0;  ///< the number of runs of text whose words only a dictionary can find: see glyph_run
     cluster_id first_unbroken = no_cluster;
+    std::uint32_t off_path = 0;              ///< the number of glyphs for which a path has no room: see on_path.hpp
+    cluster_id first_off_path = no_cluster;  ///< the lowest position of such a glyph in the text
 
     /// The number of glyphs whose bevels are narrower than requested, or whose edges moved less, because the full width
     /// was not proven simple. A merged group counts as one. They are the plan.glyphs() for which built->is_narrowed().
@@ -47,7 +49,7 @@ struct text_report {
     /// True if nothing was lost: every glyph of the text is in the mesh, and no place was read as U+FFFD.
     [[nodiscard]] constexpr bool complete() const noexcept
     {
-        return refused == 0 && missing == 0 && invalid_units == 0;
+        return refused == 0 && missing == 0 && invalid_units == 0 && off_path == 0;
     }
 };
 

@@ -7,6 +7,7 @@
 #include <bit>
 #include <cstddef>
 #include <cstdint>
+#include <initializer_list>
 
 namespace typemesh::inline TYPEMESH_ABI {
 
@@ -27,6 +28,19 @@ namespace typemesh::inline TYPEMESH_ABI {
         return s == script_tag("Hani") || s == script_tag("Hira") || s == script_tag("Kana") || s == script_tag("Bopo");
     };
     return a == b || (east_asian(a) && east_asian(b));
+}
+
+/// Whether letters of a script touch along a line: Arabic and the other joined scripts, and Devanagari, Bengali and
+/// others whose letters hang from one line.
+[[nodiscard]] constexpr bool joins_letters(std::uint32_t script) noexcept
+{
+    for (const std::uint32_t joined :
+         {script_tag("Arab"), script_tag("Aran"), script_tag("Syrc"), script_tag("Nkoo"), script_tag("Mand"),
+          script_tag("Mong"), script_tag("Phag"), script_tag("Adlm"), script_tag("Rohg"), script_tag("Mani"),
+          script_tag("Phlp"), script_tag("Sogd"), script_tag("Chrs"), script_tag("Ougr"), script_tag("Deva"),
+          script_tag("Beng"), script_tag("Guru"), script_tag("Modi"), script_tag("Tirh"), script_tag("Nand")})
+        if (script == joined) return true;
+    return false;
 }
 
 /// The scripts in which a character may occur: Script_Extensions. The universal set means all scripts.

@@ -18,9 +18,10 @@ namespace typemesh::inline TYPEMESH_ABI::detail {
 /// A piece of a curve becomes the cubic with the same ends and the same derivatives there, H. The image is f = w(B(t)).
 /// Let A be the warp's affine map in the middle of the piece. Then f - H = (w - A)(B) - (H - A(B)). The second
 /// derivatives of both terms have bounds, D together: the first from w.bend(), the second because that term is a
-/// cubic. The distance |f - H| is measured at n - 1 places, and between them it is at most D / 8n^2 larger. So the
-/// proof needs no derivative of the warp beyond the second. Curves are divided into 2, 4, ... pieces until it holds, so
-/// there are at most about twice as many as cubics with these ends and derivatives need.
+/// cubic. The distance |f - H| is measured at n - 1 places, and between them it is at most D / 8n^2 larger, and J / 4n
+/// if the derivative of f jumps by J in between. So the proof needs no derivative of the warp beyond the second. Curves
+/// are divided into 2, 4, ... pieces until it holds, so there are at most about twice as many as cubics with these ends
+/// and derivatives need.
 template <plane_warp W>
 class curve_warper {
 public:
@@ -77,6 +78,7 @@ private:
         if constexpr (keeps_lines<W>()) return true;
         const point v = line.p[1] - line.p[0];
         const double x = std::fabs(v.x), y = std::fabs(v.y), bent = by.xx * x * x + 2.0 * by.xy * x * y + by.yy * y * y;
+        if (by.x_jump > 0.0) return false;
         if (is_zero(bent)) return true;
         constexpr double share = 0x1p-6, least_turn = 0x1p-10;
         const bool close =
@@ -108,10 +110,11 @@ private:
         const double step = to.t - from.t;
         const cubic own = between(from.place, from.along, to.place, to.along, step),
                     image = between(from.image, from.image_along, to.image, to.image_along, step);
-        const double bound = bound_of(own, image), half = 0.5 * allowed_;
-        if (!(bound < 0x1p100) || depth == deepest) return error::bad_tolerance;
+        const auto [bound, jump] = bound_of(own, image);
+        const double half = 0.5 * allowed_, share = jump > 0.0 ? 0.5 : 1.0;  // of the half, for each of the two
+        if (!(bound + jump < 0x1p100) || depth == deepest) return error::bad_tolerance;
         constexpr double max_samples = 128.0;
-        const double samples = std::ceil(std::sqrt(bound / (8.0 * half)));
+        const double samples = std::ceil(std::fmax(std::sqrt(bound / (8.0 * share * half)), jump / (2.0 * half)));
         int parts = 8;  // a power of two: halvings of parameters are exact
         if (samples <= max_samples) {
             const double farthest = farthest_of(b, from, step, image, static_cast<int>(samples));
@@ -129,8 +132,13 @@ private:
         return {};
     }
 
-    /// A bound of the second derivative of f - H, for a parameter from 0 to 1.
-    [[nodiscard]] double bound_of(const cubic& own, const cubic& image) const noexcept
+    /// Bounds for a parameter from 0 to 1.
+    struct bounds {
+        double second = 0.0;  // of the second derivative of f - H
+        double jump = 0.0;    // of the jumps of its first derivative
+    };
+
+    [[nodiscard]] bounds bound_of(const cubic& own, const cubic& image) const noexcept
     {
         const point p[] = {own.p0, own.p1, own.p2, own.p3};
         const box around = box_of(p, 3);
@@ -149,9 +157,10 @@ private:
         }
         const double curved = 9.0 *
                               (by.xx * slope.x * slope.x + 2.0 * by.xy * slope.x * slope.y + by.yy * slope.y * slope.y),
-                     turned = 6.0 *
-                              ((by.xx * half.x + by.xy * half.y) * bend.x + (by.xy * half.x + by.yy * half.y) * bend.y);
-        return (1.0 + 0x1p-30) * (curved + turned + 6.0 * rest);  // more than all roundings together
+                     turned = 6.0 * ((by.xx * half.x + by.xy * half.y + by.x_jump) * bend.x +
+                                     (by.xy * half.x + by.yy * half.y) * bend.y);
+        return {(1.0 + 0x1p-30) * (curved + turned + 6.0 * rest),  // more than all roundings together
+                3.0 * by.x_jump * slope.x};
     }
 
     /// The greatest distance at places that divide the piece into so many parts.

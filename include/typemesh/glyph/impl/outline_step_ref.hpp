@@ -17,6 +17,8 @@ public:
         result<double> (*step)(const void* how, const outline& drawn, const drawn_place& at, double tolerance,
                                std::uint32_t most, outline& out) noexcept;  // null: no_outline_step
         error (*refused)(const void* how, const box& text) noexcept;
+        error (*place)(const void* how, const glyph_run& run, double units_per_em,
+                       glyph_stand* stands) noexcept;  // null: it has none
     };
     template <class S>
         requires(outline_step<S> || std::same_as<S, no_outline_step>)
@@ -45,6 +47,13 @@ public:
     {
         return is_none() ? error{} : does_->refused(how_, text);
     }
+    /// Whether it says where glyphs stand: see placing_step.
+    [[nodiscard]] bool places() const noexcept { return does_->place != nullptr; }
+    /// Needs a step that places.
+    [[nodiscard]] error place(const glyph_run& run, double units_per_em, glyph_stand* stands) const noexcept
+    {
+        return does_->place(how_, run, units_per_em, stands);
+    }
 
 private:
     static constexpr no_outline_step none{};
@@ -56,7 +65,7 @@ private:
 template <class S>
     requires(outline_step<S> || std::same_as<S, no_outline_step>)
 constinit const outline_step_ref::calls outline_step_ref::table<S>::of = [] {
-    calls made{nullptr, nullptr};
+    calls made{nullptr, nullptr, nullptr};
     if constexpr (outline_step<S>) {
         made.step = [](const void* how, const outline& drawn, const drawn_place& at, double tolerance,
                        std::uint32_t most, outline& out) noexcept -> result<double> {
@@ -65,6 +74,10 @@ constinit const outline_step_ref::calls outline_step_ref::table<S>::of = [] {
         made.refused = [](const void* how, const box& text) noexcept {
             return static_cast<const S*>(how)->refused(text);
         };
+        if constexpr (placing_step<S>)
+            made.place = [](const void* how, const glyph_run& run, double units_per_em, glyph_stand* stands) noexcept {
+                return static_cast<const S*>(how)->place(run, units_per_em, stands);
+            };
     }
     return made;
 }();

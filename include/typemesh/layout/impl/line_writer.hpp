@@ -6,6 +6,7 @@
 #include <typemesh/layout/glyph_run.hpp>
 #include <typemesh/layout/impl/item_glyph_style.hpp>
 #include <typemesh/layout/impl/line_slices.hpp>
+#include <typemesh/unicode/script.hpp>
 
 #include <cstddef>
 #include <cstdint>
@@ -65,6 +66,7 @@ private:
         if (first == last) return {};
         placed_glyph* out = run_.glyphs.append(last - first);
         if (out == nullptr) return error::out_of_memory;
+        const double start = pen;
         for (std::uint32_t i = first; i < last;) {
             if (error e = find_glyph_style(item, shaped_.glyph(i))) return e;
             const point base = origin + (down_ ? point{now_.rise, 0.0} : point{0.0, now_.rise});
@@ -72,7 +74,34 @@ private:
             i += down_ ? write_alike<true>(rest, base, pen, out + (i - first))
                        : write_alike<false>(rest, base, pen, out + (i - first));
         }
+        find_middles({shaped_.glyphs() + first, last - first}, along(origin) + start, out);
+        if (joins(item))
+            for (std::uint32_t i = 0; i < last - first; ++i) out[i].joined = true;
         return {};
+    }
+
+    [[nodiscard]] double along(point p) const noexcept { return down_ ? 0.0 - p.y : p.x; }
+
+    /// Finds the middles of the clusters of glyphs that have been written.
+    void find_middles(array_view<const shaped_glyph> glyphs, double pen, placed_glyph* out) const noexcept
+    {
+        for (std::size_t i = 0; i < glyphs.size();) {
+            const std::size_t first = i;
+            double advance = 0.0;
+            for (; i < glyphs.size() && glyphs[i].cluster == glyphs[first].cluster; ++i) advance += glyphs[i].advance;
+            const double middle = pen + 0.5 * advance;
+            for (std::size_t k = first; k < i; ++k)
+                out[k].to_middle = static_cast<float>(middle - along(out[k].origin));
+            pen += advance;
+        }
+    }
+
+    /// Whether an item's script joins letters.
+    [[nodiscard]] bool joins(std::uint32_t item) noexcept
+    {
+        if (item != looked_up_) joined_ = joins_letters(shaped_.items()[item].script);
+        looked_up_ = item;
+        return joined_;
     }
 
     /// Writes glyphs up to the first one with another drawing state, and moves the pen. Returns their number.
@@ -87,7 +116,7 @@ private:
         for (; n < glyphs.size() && now.holds(glyphs[n]); ++n) {
             const shaped_glyph& g = glyphs[n];
             const point at = down ? point{base.x, base.y - along} : point{base.x + along, base.y};
-            out[n] = {g.id, g.cluster, at + g.offset, has(g.flags, glyph_flags::missing), now.glyph_style};
+            out[n] = {g.id, g.cluster, at + g.offset, has(g.flags, glyph_flags::missing), now.glyph_style, 0.0f, false};
             along += g.advance;
             if (has(g.flags, noted)) note(g);
         }
@@ -123,6 +152,8 @@ private:
     bool down_;
     bool alike_;  // all items are drawn in the same way
     drawn_with now_;
+    std::uint32_t looked_up_ = 0xFFFF'FFFFu;  // an item, and whether its script joins letters
+    bool joined_ = false;
 };
 
 }  // namespace typemesh::inline TYPEMESH_ABI

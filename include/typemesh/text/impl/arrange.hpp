@@ -24,7 +24,9 @@ inline void bound(text_glyphs& all, solid_ref how) noexcept
     float bottom = at.height(how.heights().low), top = at.height(how.heights().high);
     const bool along_axes = placed.frame.is_along_axes(), each_has_own = how.has_heights_of_each();
     for (const drawn_glyph& s : all.records) {
+        at.frame = placed.frame;
         at.pen = s.built->cells() * (s.origin - placed.centre);
+        turn(at, s.right);
         at.unit_per_cell = placed.unit_per_font_unit * s.built->font_units_per_cell();
         const box& around = s.built->around();
         if (each_has_own) {
@@ -36,7 +38,7 @@ inline void bound(text_glyphs& all, solid_ref how) noexcept
             const vec3 corner = at.position(at.foot(around.low), bottom);
             all.bounds = {corner, corner};
         }
-        add_placed(all.bounds, around, bottom, top, at, along_axes);
+        add_placed(all.bounds, around, bottom, top, at, along_axes && !is_turned(s.right));
     }
 }
 
@@ -70,14 +72,15 @@ inline error arrange(text_glyphs& all, const glyph_run& run, const text_options&
         if (boxes == nullptr) return error::out_of_memory;
         for (std::size_t i = 0; i < lines; ++i) boxes[i] = {};
     }
+    const bool has_own = all.in_place || all.turned;  // boxes that textures span
     for (const drawn_glyph& s : all.records) {
         const box ink = text_glyphs::ink_of(s);
         all.ink.merge(ink);
-        if (all.in_place) all.textured.merge(text_glyphs::textured_of(s));
-        if (by_line) all.line_boxes[s.line].merge(all.in_place ? text_glyphs::textured_of(s) : ink);
+        if (has_own) all.textured.merge(text_glyphs::textured_of(s));
+        if (by_line) all.line_boxes[s.line].merge(has_own ? text_glyphs::textured_of(s) : ink);
     }
 
-    if (!all.in_place) all.textured = all.ink;
+    if (!has_own) all.textured = all.ink;
 
     text_placement& placed = all.placed;
     placed = {};

@@ -188,7 +188,9 @@ private:
         const pen first = snapped(run.glyphs[members[0]].origin, onto->cells);
         for (const std::uint32_t m : members) {
             auto face = all.glyph_styles.face_of(font, run.glyphs[m].glyph_style);
-            const auto filled = by.build_region(face, run.glyphs[m].id, how, with, with.warp,
+            glyph_settings own = how;
+            if (!all.stands.empty()) own.stand = &all.stands[m];
+            const auto filled = by.build_region(face, run.glyphs[m].id, own, with, with.warp,
                                                 all.place_at(run.glyphs[m].origin).origin);
             corners += by.parting().corners;
             if (!filled) return filled.error();

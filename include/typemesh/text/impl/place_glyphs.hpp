@@ -121,7 +121,11 @@ inline error place_glyphs(text_glyphs& all, const glyph_run& run, bool on_grid =
         const placed_glyph& glyph = run.glyphs[i];
         drawn_glyph s;
         s.built = all.pinned[number];
-        s.origin = glyph.origin;
+        s.origin = s.flat = glyph.origin;
+        if (all.turned) {
+            s.origin = all.stands[i].origin;
+            s.right = all.stands[i].right;
+        }
         s.id = glyph.id;
         s.cluster = glyph.cluster;
         s.style = all.glyph_styles.style_of(glyph.glyph_style);
@@ -130,10 +134,10 @@ inline error place_glyphs(text_glyphs& all, const glyph_run& run, bool on_grid =
         if (!merged.groups.empty()) s.merged = detail::group_of(merged, i);
         if (s.merged != drawn_glyph::none) {
             s.built = merged.groups[s.merged].built;
-            s.origin = merged.groups[s.merged].origin;
+            s.origin = s.flat = merged.groups[s.merged].origin;
         }
         error refusal = detail::misplaced(s.origin);
-        if (on_grid && !refusal) s.origin = detail::on_grid(s.origin, s.built->cells());
+        if (on_grid && !refusal) s.origin = s.flat = detail::on_grid(s.origin, s.built->cells());
         if (!refusal) refusal = s.built->refusal();
         if (refusal) {
             counts.refused(i, refusal.at(glyph.id, glyph.cluster));

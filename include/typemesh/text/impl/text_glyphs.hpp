@@ -13,6 +13,7 @@
 #include <typemesh/text/impl/glyph_set.hpp>
 #include <typemesh/text/impl/merged_glyphs.hpp>
 #include <typemesh/text/impl/run_glyph_styles.hpp>
+#include <typemesh/text/impl/turned.hpp>
 #include <typemesh/text/instances.hpp>
 #include <typemesh/text/text_options.hpp>
 #include <typemesh/text/text_report.hpp>
@@ -69,12 +70,15 @@ struct text_glyphs {
     struct glyph_place {
         solid_place place;
         cluster_id cluster;
+        std::uint32_t glyph;  ///< its index in the run
     };
 
     buffer<glyph_place> places;  ///< of the different glyphs, if they differ from place to place
     double em_per_depth = 1.0;   ///< for these places
     double em_per_font_unit = 0.0;
     bool in_place = false;            ///< whether they do; then no glyph is drawn twice
+    buffer<glyph_stand> stands;       ///< of the run's glyphs, if an outline step places them
+    bool turned = false;              ///< whether it only moves and turns them
     glyph_store store;                ///< holds the glyphs that neither a cache nor a glyph_workers keeps
     lent_glyphs lent;                 ///< the glyphs that a glyph_workers keeps
     merged_glyphs merged;             ///< glyphs that are drawn together
@@ -97,6 +101,7 @@ struct text_glyphs {
           pinned{source},
           numbers{source},
           places{source},
+          stands{source},
           store{source},
           merged{source},
           mesh_of{source},
@@ -115,6 +120,8 @@ struct text_glyphs {
         numbers.clear();
         places.clear();
         in_place = false;
+        stands.clear();
+        turned = false;
         em_per_depth = 1.0;
         em_per_font_unit = 0.0;
         store.clear();
@@ -211,15 +218,15 @@ struct text_glyphs {
     /// A glyph's own box, in font units, relative to the text's origin.
     [[nodiscard]] static box ink_of(const drawn_glyph& s) noexcept
     {
-        const box own = s.built->ink();
+        const box own = turned_box(s.built->ink(), s.right);
         return {s.origin + own.low, s.origin + own.high};
     }
 
-    /// A glyph's own box that textures span, likewise.
+    /// A glyph's own box that textures span, likewise; in the flat text, if a path turns the glyph.
     [[nodiscard]] static box textured_of(const drawn_glyph& s) noexcept
     {
         const box own = s.built->textured();
-        return {s.origin + own.low, s.origin + own.high};
+        return {s.flat + own.low, s.flat + own.high};
     }
 
     /// The box that textures span, in em.
@@ -243,6 +250,11 @@ struct text_glyphs {
             per_font_unit = texture_over(over);
         }
         placement at = place(*s.built, s.origin, placed.centre, low, per_font_unit);
+        if (turned) {
+            at.em_pen = s.built->cells() * s.flat;
+            at.texture_pen = s.built->cells() * (s.flat - low);
+            turn(at, s.right);
+        }
         at.glyph = s.merged == drawn_glyph::none ? s.id : no_glyph;
         at.cluster = s.cluster;
         at.style = s.style;

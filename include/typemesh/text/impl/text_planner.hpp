@@ -81,13 +81,16 @@ private:
     }
 
     /// Plans for glyphs that are written up to `reach` em from the origin: see glyph_settings::max_cells.
-    error plan_once(const call& now, double reach) noexcept;
+    error plan_once(const call& asked, double reach) noexcept;
 
     /// The error if no text can be written with these options, or none.
     [[nodiscard]] error refused(const call& now) const noexcept;
 
     /// Copies the run's reports.
     void report(const glyph_run& run) noexcept;
+
+    /// Asks an outline step that places where the glyphs stand, and counts those that have no place.
+    error find_stands(const call& now) noexcept;
 
     /// Prepares the places of glyphs that differ from place to place.
     ///
@@ -137,8 +140,10 @@ error text_planner::each_glyph(const call& now, const glyph_settings& how, const
         if (built == nullptr) {
             drawn_face face = glyphs_.glyph_styles.face_of(from, keys[k].glyph_style);
             const text_glyphs::glyph_place at =
-                glyphs_.in_place ? glyphs_.places[k] : text_glyphs::glyph_place{{}, no_cluster};
-            const auto draft = builder.build(face, keys[k].id, how, with, at.place);
+                glyphs_.in_place ? glyphs_.places[k] : text_glyphs::glyph_place{{}, no_cluster, 0};
+            glyph_settings own = how;
+            if (glyphs_.in_place && !glyphs_.stands.empty()) own.stand = &glyphs_.stands[at.glyph];
+            const auto draft = builder.build(face, keys[k].id, own, with, at.place);
             if (!draft) return glyphs_.in_place ? draft.error().at(keys[k].id, at.cluster) : draft.error();
             built = keep(keys[k], *draft, store);
             if (built == nullptr) return error::out_of_memory;
@@ -179,14 +184,18 @@ error text_planner::plan(const glyph_run& run, const text_options& options, cons
     }
 }
 
-inline error text_planner::plan_once(const call& now, double reach) noexcept
+inline error text_planner::plan_once(const call& asked, double reach) noexcept
 {
-    const auto& [run, options, with, team] = now;
-    error e = refused(now);
-    if (e) return stop(e, with);
+    const auto& [run, options, given, team] = asked;
+    error e = refused(asked);
+    if (e) return stop(e, given);
     report(run);
-    e = with.step.refused_options();
-    if (!e) e = with.raise.refused_options();
+    e = given.step.refused_options();
+    if (!e) e = given.raise.refused_options();
+    if (!e && given.warp.places()) e = find_stands(asked);
+    policies with = given;
+    if (glyphs_.turned) with.warp = {};  // glyphs are built as they are
+    const call now{run, options, with, team};
     if (!e) e = find_places(now);
     if (!e) e = glyphs_.glyph_styles.read(run, font);
     if (!e) e = collect(run, options);
@@ -232,6 +241,25 @@ inline void text_planner::report(const glyph_run& run) noexcept
     report.first_invalid_unit = run.first_invalid_unit;
     report.unbroken = run.unbroken;
     report.first_unbroken = run.first_unbroken;
+}
+
+inline error text_planner::find_stands(const call& now) noexcept
+{
+    const auto& [run, options, with, team] = now;
+    if (error e = with.warp.refused(pens_of(run))) return e;
+    const std::size_t count = run.glyphs.size();
+    glyph_stand* const stands = glyphs_.stands.append(count);
+    if (stands == nullptr && count != 0) return error::out_of_memory;
+    if (error e = with.warp.place(run, font.units_per_em(), stands)) return e;
+    text_report& report = glyphs_.report;
+    glyphs_.turned = !options.merge && options.corners == touching::keep && !with.raise.plans_in_place();
+    for (std::size_t i = 0; i < count; ++i) {
+        glyphs_.turned = glyphs_.turned && !stands[i].warped;
+        if (!stands[i].left_out) continue;
+        ++report.off_path;
+        if (run.glyphs[i].cluster < report.first_off_path) report.first_off_path = run.glyphs[i].cluster;
+    }
+    return {};
 }
 
 inline error text_planner::find_places(const call& now) noexcept
@@ -281,8 +309,10 @@ inline error text_planner::collect(const glyph_run& run, const text_options& opt
         if (glyph.glyph_style >= glyph_styles)
             return error{error::no_such_glyph_style, run.glyph_styles.size()}.at(glyph.id, glyph.cluster);
         if (glyph.missing && !options.draw_missing) continue;
+        if (!glyphs_.stands.empty() && glyphs_.stands[i].left_out) continue;
         const glyph_key key{glyph.id, glyphs_.glyph_styles.outlines_of(glyph.glyph_style)};
-        if (glyphs_.in_place && !glyphs_.places.push_back({glyphs_.place_at(glyph.origin), glyph.cluster}))
+        if (glyphs_.in_place &&
+            !glyphs_.places.push_back({glyphs_.place_at(glyph.origin), glyph.cluster, static_cast<std::uint32_t>(i)}))
             return error::out_of_memory;
         const bool is_repeated = options.reuse && !glyphs_.in_place;
         numbers[i] = is_repeated ? glyphs_.different.number_of(key) : glyphs_.different.append(key);
