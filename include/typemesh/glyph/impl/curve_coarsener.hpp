@@ -1,0 +1,251 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <typemesh/core/array_view.hpp>
+#include <typemesh/core/buffer.hpp>
+#include <typemesh/core/contours.hpp>
+#include <typemesh/core/curve.hpp>
+#include <typemesh/core/error.hpp>
+#include <typemesh/core/impl/same.hpp>
+#include <typemesh/core/impl/tangent.hpp>
+#include <typemesh/core/memory.hpp>
+#include <typemesh/core/orientation.hpp>
+#include <typemesh/core/point.hpp>
+#include <typemesh/discretise/impl/chord.hpp>
+#include <typemesh/extrude/impl/box_tree.hpp>
+
+#include <cstddef>
+#include <cstdint>
+
+namespace typemesh::inline TYPEMESH_ABI::detail {
+
+/// Drops points of loops that bound a region. The loops that remain bound a region too, with the same nesting.
+///
+///          b             Consecutive edges of one curve are a run, and only the points inside runs are dropped. The
+///       .-' '-.          points of a piece of a run are dropped one by one: first b, then c. A point is dropped only
+///     a ------- c        if no other point of any loop lies in the closed triangle that it leaves (a b c, then
+///      '-.       |       a c d). Then the new edge (a c) meets no other edge: an edge that crossed it would also have
+///         '-.    |       to cross a b or b c, or end in the triangle. And no loop lies in the triangle, so no winding
+///            '-. |       number changes except in the triangle itself. Every test is exact.
+///               'd
+///
+/// A piece may become a chord if the chord keeps the tolerance from the true curve. The points that remain of a run
+/// are evenly distributed over its points if that needs no further piece; the points of `certified` are then again
+/// distributed as it would distribute them. Points where a curve stops and turns stay, because they are hard corners.
+///
+/// Cost   O(n log n) for n points whose loops are not entangled; see box_tree
+class curve_coarsener {
+public:
+    explicit curve_coarsener(memory source = heap()) noexcept : tree_{source}, fates_{source} {}
+
+    /// Drops points in place. Every loop keeps at least 3 points.
+    ///
+    ///     tolerance    in cells. No place of a new edge is farther from its curve
+    ///
+    /// Fails  only with error::out_of_memory
+    [[nodiscard]] error operator()(contours& loops, double tolerance) noexcept
+    {
+        const std::size_t n = loops.points.size();
+        fates_.clear();
+        if (!tree_.open(n) || (fates_.append(n) == nullptr && n != 0)) return error::out_of_memory;
+        for (std::size_t i = 0; i < n; ++i) {
+            fates_[i] = stays;
+            grid_box b;
+            b.add(loops.points[i]);
+            tree_.set(i, b);
+        }
+        tree_.close();
+        loops_ = &loops;
+        tolerance_ = tolerance;
+        for (std::uint32_t k = 0; k < loops.contour_count(); ++k) coarsen_loop(loops.starts[k], loops.starts[k + 1]);
+        remove_dropped(loops);
+        return {};
+    }
+
+private:
+    static constexpr std::uint8_t stays = 0, dropped = 1;
+    static constexpr double kept_share = 1.0 - 0x1p-20;  // of the tolerance; the rest is a margin for rounding
+
+    /// A loop, whose points are counted from a point where a run begins.
+    struct cyclic {
+        std::uint32_t begin, size, seam;
+
+        [[nodiscard]] std::uint32_t index(std::uint32_t place) const noexcept
+        {
+            const std::uint32_t i = seam - begin + place;
+            return begin + (i < size ? i : i - size);
+        }
+        [[nodiscard]] std::uint32_t place(std::uint32_t index) const noexcept
+        {
+            return index >= seam ? index - seam : index + size - seam;
+        }
+    };
+
+    [[nodiscard]] grid_point at(std::uint32_t place) const noexcept
+    {
+        return loops_->points[loop_.index(place < loop_.size ? place : 0)];
+    }
+    /// The edge that leaves a point.
+    [[nodiscard]] const contour_edge& edge(std::uint32_t place) const noexcept
+    {
+        return loops_->edges[loop_.index(place)];
+    }
+
+    [[nodiscard]] bool goes_on(const contour_edge& before, const contour_edge& after) const noexcept
+    {
+        return before.curve == after.curve && after.curve < loops_->curves.size() && same(before.t1, after.t0) &&
+               (before.t0 < before.t1) == (after.t0 < after.t1) &&
+               !tangents_at(loops_->curves[after.curve], static_cast<double>(after.t0)).stops;
+    }
+
+    void coarsen_loop(std::uint32_t begin, std::uint32_t end) noexcept
+    {
+        loop_ = {begin, end - begin, begin};
+        while (loop_.seam < end && goes_on(loops_->edges[loop_.seam == begin ? end - 1 : loop_.seam - 1],
+                                           loops_->edges[loop_.seam]))
+            ++loop_.seam;
+        if (loop_.seam == end) loop_.seam = begin;
+        spare_ = loop_.size - 3;
+        for (std::uint32_t first = 0; first < loop_.size && spare_ != 0;) {
+            std::uint32_t last = first + 1;
+            while (last < loop_.size && goes_on(edge(last - 1), edge(last))) ++last;
+            if (last - first >= 2) coarsen_run(first, last);
+            first = last;
+        }
+    }
+
+    /// Drops points strictly between two places of the loop, whose edges belong to one curve.
+    void coarsen_run(std::uint32_t first, std::uint32_t last) noexcept
+    {
+        curve_ = loops_->curves[edge(first).curve];
+        for (point& p : curve_.p) p = loops_->grid.cells * p;
+        const cubic c = curve_.degree == 3   ? curve_.as_cubic()
+                        : curve_.degree == 2 ? raised(curve_.as_quadratic())
+                                             : raised(quadratic{curve_.p[0], lerp(curve_.p[0], curve_.p[1], 0.5), //
+                                                                curve_.p[1]});
+        const point l0 = c.p1 - c.p0, l1 = c.p2 - c.p1, l2 = c.p3 - c.p2, s0 = l1 - l0, s1 = l2 - l1;
+        const chords of_curve{c.p0, 3.0 * l0, 3.0 * s0, s1 - s0, 0.0};
+        const std::uint32_t spare = spare_, edges = last - first;
+        std::uint32_t pieces = 0;
+        for (std::uint32_t from = first; from < last; ++pieces) {
+            std::uint32_t to = from + 1;
+            while (to < last && spare_ != 0 && may_drop(from, to) && fits(of_curve, from, last, to + 1)) {
+                --spare_;
+                ++to;
+            }
+            end_of_piece(from, to);
+            from = to;
+        }
+        if (pieces == 1 || pieces == edges || !is_even(of_curve, first, last, pieces)) return;
+        spare_ = spare - (edges - pieces);
+        for (std::uint32_t k = 0; k < pieces; ++k)
+            end_of_piece(share(first, edges, k, pieces), share(first, edges, k + 1, pieces));
+    }
+
+    /// Marks the points between two that stay.
+    void end_of_piece(std::uint32_t from, std::uint32_t to) noexcept
+    {
+        fates_[loop_.index(from)] = stays;
+        for (std::uint32_t k = from + 1; k < to; ++k) fates_[loop_.index(k)] = dropped;
+    }
+
+    [[nodiscard]] static std::uint32_t share(std::uint32_t first, std::uint32_t edges, std::uint32_t k,
+                                             std::uint32_t of) noexcept
+    {
+        return first + static_cast<std::uint32_t>((std::uint64_t{edges} * k + of / 2) / of);
+    }
+
+    using chords = cubic_chords<false>;
+
+    /// Whether a run can be divided into pieces of equally many edges.
+    [[nodiscard]] bool is_even(const chords& of_curve, std::uint32_t first, std::uint32_t last,
+                               std::uint32_t pieces) const noexcept
+    {
+        const std::uint32_t edges = last - first;
+        for (std::uint32_t k = 0; k < pieces; ++k) {
+            const std::uint32_t from = share(first, edges, k, pieces), to = share(first, edges, k + 1, pieces);
+            if (to - from > 1 && !fits(of_curve, from, last, to)) return false;
+            for (std::uint32_t i = from + 1; i < to; ++i)
+                if (!may_drop(from, i)) return false;
+        }
+        return true;
+    }
+
+    /// The parameter at a place of a run that ends at `last`, and the distance of the point there from the curve.
+    [[nodiscard]] double parameter(std::uint32_t place, std::uint32_t last) const noexcept
+    {
+        return static_cast<double>(place == last ? edge(place - 1).t1 : edge(place).t0);
+    }
+    [[nodiscard]] double offset(std::uint32_t place, double t) const noexcept
+    {
+        const grid_point p = at(place);
+        return length(curve_.at(t) - point{static_cast<double>(p.x), static_cast<double>(p.y)});
+    }
+
+    /// Whether the chord between two places keeps the tolerance: the curve's own chord, and the distances of its ends.
+    [[nodiscard]] bool fits(chords of_curve, std::uint32_t from, std::uint32_t last, std::uint32_t to) const noexcept
+    {
+        const double u = parameter(from, last), v = parameter(to, last);
+        const double one = offset(from, u), other = offset(to, v);
+        const double room = kept_share * (tolerance_ - (one > other ? one : other));
+        of_curve.tt = room * room;
+        return room > 0.0 && of_curve.excess(u < v ? u : v, u < v ? v : u) <= 1.0;
+    }
+
+    /// Whether a point may be dropped after all points between `from` and itself: no other point lies in the triangle.
+    [[nodiscard]] bool may_drop(std::uint32_t from, std::uint32_t place) const noexcept
+    {
+        const grid_point a = at(from), b = at(place), c = at(place + 1);
+        if (a == c) return false;
+        grid_box around;
+        around.add(a), around.add(b), around.add(c);
+        bool is_clear = true;
+        tree_.each_meeting(around, [&](std::size_t i) noexcept {
+            const auto index = static_cast<std::uint32_t>(i);
+            if (index - loop_.begin < loop_.size) {
+                const std::uint32_t own = loop_.place(index);
+                if (own - from <= place + 1 - from || (own == 0 && place + 1 == loop_.size)) return;
+            }
+            const grid_point p = loops_->points[i];
+            const std::int64_t x = orientation(a, b, p), y = orientation(b, c, p), z = orientation(c, a, p);
+            if ((x >= 0 && y >= 0 && z >= 0) || (x <= 0 && y <= 0 && z <= 0)) is_clear = false;
+        });
+        return is_clear;
+    }
+
+    /// Closes the gaps. An edge ends where the last edge of its piece ended.
+    void remove_dropped(contours& loops) const noexcept
+    {
+        std::uint32_t to = 0, begin = 0;
+        for (std::uint32_t k = 0; k < loops.contour_count(); ++k) {
+            const std::uint32_t end = loops.starts[k + 1];
+            std::uint32_t first = begin;
+            while (fates_[first] == dropped) ++first;
+            const float t1_of_last = loops.edges[first == begin ? end - 1 : first - 1].t1;
+            loops.starts[k] = to;
+            for (std::uint32_t i = first; i < end;) {
+                std::uint32_t next = i + 1;
+                while (next < end && fates_[next] == dropped) ++next;
+                loops.points[to] = loops.points[i];
+                const float t1 = next < end ? loops.edges[next - 1].t1 : t1_of_last;
+                loops.edges[to++] = {loops.edges[i].curve, loops.edges[i].t0, t1};
+                i = next;
+            }
+            begin = end;
+        }
+        if (!loops.starts.empty()) loops.starts[loops.contour_count()] = to;
+        loops.points.truncate(to);
+        loops.edges.truncate(to);
+        loops.forget_order();
+    }
+
+    box_tree tree_;
+    buffer<std::uint8_t> fates_;
+    const contours* loops_ = nullptr;
+    double tolerance_ = 0.0;
+    cyclic loop_{};
+    curve curve_;              // of the run, in cells
+    std::uint32_t spare_ = 0;  // the number of points that the loop can still lose
+};
+
+}  // namespace typemesh::inline TYPEMESH_ABI::detail
