@@ -363,8 +363,7 @@ public:
             return "the statistics cannot be written.";
         if (std::string trouble = files_.finish(); !trouble.empty()) return trouble;
         if (o_.stats || o_.output.empty() || o_.output == standard_output) return {};
-        const std::string coarser = levels_.empty() ? "" : "; coarser levels: " + levels_.substr(2) + " triangles";
-        std::puts((o_.output + ": " + size_in_words(facts_, is_printed(o_.kind)) + coarser).c_str());
+        std::puts((o_.output + ": " + size_in_words(facts_, is_printed(o_.kind)) + levels_).c_str());
         return std::fflush(stdout) == 0 ? std::string{} : "the size cannot be printed.";
     }
 
@@ -397,6 +396,7 @@ private:
     /// Adds the coarser levels of detail; the plan of the finest one ends.
     std::string add_levels(chosen_mesher& mesher, const typemesh::text_options& how, double up, model& mesh)
     {
+        if (!o_.lod.empty()) levels_ = "; triangles of the levels: " + std::to_string(mesh.indices.size() / 3);
         for (std::size_t level = 1; level <= o_.lod.size(); ++level) {
             use_level(o_, level, mesher);
             const auto coarser = mesher.plan(page_, how);
@@ -417,7 +417,7 @@ private:
     file_set files_;
     mesh_facts facts_;
     std::string stats_;
-    std::string levels_;  // the triangles of the coarser levels of detail, with commas
+    std::string levels_;  // what is said of levels of detail
 };
 
 /// One text. Gives an empty string, or one sentence.

@@ -282,8 +282,7 @@ void add_mesh_options(CLI::App& app, options& out, raw_values& raw)
         [](double n) { return n > 0.0; }, [&out](double n) { out.tolerance = n; })
         ->type_name("EM")
         ->excludes(named);
-    app.add_option("--lod", raw.lod,
-                   "in a .glb, also coarser levels of detail with these tolerances: 0.006,0.02,0.05")
+    app.add_option("--lod", raw.lod, "in a .glb, also coarser levels of detail with these tolerances: 0.006,0.02,0.05")
         ->type_name("EM[,EM...]");
     add_named<discretiser_name>(
         app, "--discretiser", out.discretiser,

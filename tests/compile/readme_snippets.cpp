@@ -20,6 +20,7 @@
 #include <typemesh/extrude/outlined.hpp>
 #include <typemesh/extrude/inflated.hpp>
 #include <typemesh/extrude/refined.hpp>
+#include <typemesh/glyph/coarsened.hpp>
 #include <typemesh/inspect/closedness.hpp>
 #include <typemesh/inspect/normal_check.hpp>
 #include <typemesh/paragraph/fit_size.hpp>
@@ -136,6 +137,19 @@ auto balloon = typemesh::text_mesher{*font, typemesh::inflated{}};
 auto pillow = typemesh::text_mesher{*font, typemesh::inflated{.limit = 0.05f}};
 auto dome = typemesh::text_mesher{*font, typemesh::inflated{.height = 0.5f, .form = typemesh::inflated_form::dome, .depth = 0.1f}};
     use(balloon, pillow, dome);
+    const auto all_levels = [&]() -> typemesh::error {
+typemesh::coarsened levels{.tolerances = {1.0 / 160, 1.0 / 60, 1.0 / 25}};                 // of levels 1 to 3, in em
+auto lod = typemesh::text_mesher{*font, levels};
+std::vector<vertex> level_vertices[4];
+std::vector<std::uint32_t> level_indices[4];
+for (; levels.level <= 3; ++levels.level) {                                                // level 0 is the text itself
+    lod.use(levels);
+    auto made = lod.build("Hello world!", typemesh::into(level_vertices[levels.level], level_indices[levels.level]));
+    if (!made) return made.error();
+}
+        return {};
+    };
+    use(all_levels);
 auto cup = typemesh::text_mesher{*font, typemesh::bent<typemesh::on_cylinder>{.how = {.radius = 1.5}}};
 auto flag = typemesh::text_mesher{*font, typemesh::bent<typemesh::displaced<typemesh::wave>>{.how = {{.height = 0.2}}}};
 auto screw = typemesh::text_mesher{*font, typemesh::bent<typemesh::twist, typemesh::bevelled>{.how = {.degrees_per_em = 15.0}}};

@@ -67,7 +67,8 @@ void check_levels(const Solid& solid, const text_options& how)
 
 }  // namespace
 
-TEST_CASE("every level of a text is closed, with the same holes, and with vertices of the finer level", "[glyph][levels]")
+TEST_CASE("every level of a text is closed, with the same holes, and with vertices of the finer level",
+          "[glyph][levels]")
 {
     check_levels(extruded<>{}, finest);
     text_options merged = finest;

@@ -45,8 +45,8 @@ inline bool is_thinned(const std::vector<typemesh::grid_point>& some, std::vecto
 inline bool is_nested_in(const loop_points& coarse, const loop_points& fine)
 {
     return coarse.size() == fine.size() && std::all_of(coarse.begin(), coarse.end(), [&](const auto& some) {
-               return some.size() >= 3 && std::any_of(fine.begin(), fine.end(),
-                                                      [&](const auto& all) { return is_thinned(some, all); });
+               return some.size() >= 3 &&
+                      std::any_of(fine.begin(), fine.end(), [&](const auto& all) { return is_thinned(some, all); });
            });
 }
 
@@ -60,8 +60,8 @@ inline bool bound_a_region(const loop_points& loops)
 
 /// The greatest distance of a place of a curve from the edge that stands for it, in cells.
 template <class Region>
-double farthest_curve_place(const loop_points& loops, const Region& edges, typemesh::array_view<const typemesh::curve> curves,
-                            double cells)
+double farthest_curve_place(const loop_points& loops, const Region& edges,
+                            typemesh::array_view<const typemesh::curve> curves, double cells)
 {
     double farthest = 0.0;
     std::size_t next = 0;

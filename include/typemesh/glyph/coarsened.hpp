@@ -55,7 +55,7 @@ struct coarsened {
 
     /// The coarser letter, and the working memory for making it.
     struct scratch : inner_region {
-        detail::curve_coarsener drop;
+        detail::curve_coarsener drop;  ///< chooses the points that are dropped
 
         explicit scratch(memory source = heap()) noexcept : inner_region{source}, drop{source} {}
     };
@@ -100,8 +100,8 @@ struct coarsened {
         }
         const auto filled = made.fill(caps);
         if (!filled) return filled.error();
-        return stepped_region{*filled, made.triangles.view(), false, false, made.parting.still_touching,
-                              made.parting.corners};
+        return stepped_region{*filled, made.triangles.view(),       false,
+                              false,   made.parting.still_touching, made.parting.corners};
     }
 };
 static_assert(region_step<coarsened>);

@@ -101,8 +101,8 @@ private:
     void coarsen_loop(std::uint32_t begin, std::uint32_t end) noexcept
     {
         loop_ = {begin, end - begin, begin};
-        while (loop_.seam < end && goes_on(loops_->edges[loop_.seam == begin ? end - 1 : loop_.seam - 1],
-                                           loops_->edges[loop_.seam]))
+        while (loop_.seam < end &&
+               goes_on(loops_->edges[loop_.seam == begin ? end - 1 : loop_.seam - 1], loops_->edges[loop_.seam]))
             ++loop_.seam;
         if (loop_.seam == end) loop_.seam = begin;
         spare_ = loop_.size - 3;
@@ -121,7 +121,7 @@ private:
         for (point& p : curve_.p) p = loops_->grid.cells * p;
         const cubic c = curve_.degree == 3   ? curve_.as_cubic()
                         : curve_.degree == 2 ? raised(curve_.as_quadratic())
-                                             : raised(quadratic{curve_.p[0], lerp(curve_.p[0], curve_.p[1], 0.5), //
+                                             : raised(quadratic{curve_.p[0], lerp(curve_.p[0], curve_.p[1], 0.5),  //
                                                                 curve_.p[1]});
         const point l0 = c.p1 - c.p0, l1 = c.p2 - c.p1, l2 = c.p3 - c.p2, s0 = l1 - l0, s1 = l2 - l1;
         const chords of_curve{c.p0, 3.0 * l0, 3.0 * s0, s1 - s0, 0.0};
