@@ -14,7 +14,9 @@
 //
 // The rows "levels" are levels of detail (coarsened.hpp) of extruded letters, the finest at 1/800 em: points is the
 // number of contour points per glyph, points_of_fresh the same by that of letters that are flattened at the level's
-// tolerance, time_of_fresh the time likewise.
+// tolerance, time_of_fresh the time likewise. step_of_fresh is the time of the step alone, which makes the level of a
+// region that is there already, with its triangles: by the time from the font to region and triangles at the level's
+// tolerance.
 //
 // Fonts: packages fonts-dejavu-core, fonts-liberation, fonts-sawarabi-mincho.
 
@@ -39,6 +41,7 @@
 #include <deque>
 #include <string>
 #include <utility>
+#include <vector>
 
 namespace {
 
@@ -122,6 +125,64 @@ void run_way(benchmark::State& state, font_to_mesh& f, const Solid& solid, const
     }
 }
 
+/// A region with memory of its own.
+struct kept_region {
+    contours loops;
+    std::vector<curve> curves;
+    region filled;
+};
+
+/// Makes the regions of all glyphs, and keeps them if `out` is not null.
+void fill_all(font_to_mesh& f, double tolerance, std::deque<kept_region>* out)
+{
+    const certified flatten;
+    const monotone cut;
+    no_observer nobody;
+    static glyph_builder builder;
+    for (const placed_glyph& g : f.run.glyphs) {
+        const auto fill = [&] {
+            return builder.build_region(f.font, g.id, {.tolerance = tolerance}, cap_policies{flatten, cut, nobody});
+        };
+        if (out == nullptr) {
+            (void)fill();
+            continue;
+        }
+        const auto made = fill();
+        if (!made || made->points().empty()) continue;
+        kept_region& kept = out->emplace_back();
+        kept.curves.assign(made->curves().begin(), made->curves().end());
+        (void)kept.loops.points.append(made->points());
+        (void)kept.loops.edges.append(made->edges());
+        (void)kept.loops.starts.append(made->starts());
+        kept.loops.grid = made->grid();
+        kept.loops.tolerance = made->tolerance();
+        kept.loops.curves = kept.curves;
+        kept.filled = region::proven(kept.loops, made->holes(), made->outers(), made->is_touching());
+    }
+}
+
+/// The time of the step alone, by that of making regions at the level's tolerance.
+double step_of_fresh(font_to_mesh& f, const coarsened& levels, double tolerance)
+{
+    std::deque<kept_region> regions;
+    fill_all(f, fine, &regions);
+    cap_builder own, further;
+    const monotone cut;
+    coarsened::scratch scratch;
+    double ours = 1e300, theirs = 1e300;
+    for (int pass = 0; pass < 5; ++pass) {
+        theirs = std::min(theirs, seconds([&] { fill_all(f, tolerance, nullptr); }));
+        ours = std::min(ours, seconds([&] {
+                            for (const kept_region& r : regions) {
+                                scratch.clear();
+                                region_caps caps{own, further, cut, {}};
+                                (void)levels(r.filled, scratch, caps);
+                            }
+                        }));
+    }
+    return ours / theirs;
+}
+
 void run_level(benchmark::State& state, font_to_mesh& f, std::uint32_t level)
 {
     coarsened levels{.tolerances = {quality::normal, 1.0 / 60, 1.0 / 25}, .level = level};
@@ -138,6 +199,7 @@ void run_level(benchmark::State& state, font_to_mesh& f, std::uint32_t level)
     }
     if (const auto plan = fresh.plan(f.run, {.tolerance = tolerance}))
         fresh_points = static_cast<double>(plan->contour_points());
+    if (level != 0) state.counters["step_of_fresh"] = step_of_fresh(f, levels, tolerance);
     state.counters["us_per_glyph"] = ours;
     state.counters["time_of_fresh"] = ours / theirs;
     state.counters["points"] = points / glyphs;

@@ -149,7 +149,24 @@ for (; levels.level <= 3; ++levels.level) {                                     
 }
         return {};
     };
-    use(all_levels);
+    const auto glyph_levels = [&](typemesh::glyph_id id) -> typemesh::error {
+const typemesh::certified flatten;
+const typemesh::monotone cut;
+typemesh::no_observer nobody;
+typemesh::glyph_builder glyphs;
+typemesh::cap_builder caps_of_level, further;
+typemesh::coarsened::scratch kept;
+const auto drawn = glyphs.build_region(*font, id, {.tolerance = typemesh::quality::high}, {flatten, cut, nobody});
+if (!drawn) return drawn.error();
+for (typemesh::coarsened level{.tolerances = {1.0 / 160, 1.0 / 60}, .level = 1}; level.level <= 2; ++level.level) {
+    kept.clear();
+    typemesh::region_caps caps{caps_of_level, further, cut, {}};
+    const auto made = level(*drawn, kept, caps);                       // made->filled and made->triangles, for extrude()
+    if (!made) return made.error();
+}
+        return {};
+    };
+    use(all_levels, glyph_levels);
 auto cup = typemesh::text_mesher{*font, typemesh::bent<typemesh::on_cylinder>{.how = {.radius = 1.5}}};
 auto flag = typemesh::text_mesher{*font, typemesh::bent<typemesh::displaced<typemesh::wave>>{.how = {{.height = 0.2}}}};
 auto screw = typemesh::text_mesher{*font, typemesh::bent<typemesh::twist, typemesh::bevelled>{.how = {.degrees_per_em = 15.0}}};

@@ -16,6 +16,8 @@
 #include <type_traits>
 
 #include "support/catch.hpp"
+#include "support/counting_memory.hpp"
+#include "support/each_failure.hpp"
 #include "support/lit_mesh.hpp"
 #include "support/toy_font.hpp"
 
@@ -128,4 +130,22 @@ TEST_CASE("options that make no levels are refused by name", "[glyph][levels]")
     CHECK(refusal({.tolerances = {std::numeric_limits<double>::infinity()}, .level = 1}) == "coarsened::tolerances");
     CHECK(refusal({.tolerances = {std::numeric_limits<double>::quiet_NaN()}, .level = 1}) == "coarsened::tolerances");
     CHECK(refusal({.tolerances = {1, 2, 3, 4, 5, 6}, .level = 7}) == "coarsened::level");
+}
+
+TEST_CASE("a level allocates nothing after warm-up, and fails as memory does", "[glyph][levels]")
+{
+    test::toy_font font;
+    coarsened third = four_levels;
+    third.level = 3;
+    test::counting_memory counted;
+    text_mesher mesher{font, third, counted.source()};
+    for (int again = 0; again < 4; ++again) {
+        const std::size_t before = counted.requests;
+        REQUIRE(mesher.plan("oEx", finest));
+        if (again == 3) CHECK(counted.requests == before);
+    }
+    CHECK(test::check_each_failure([&](memory source) {
+              text_mesher failing{font, third, source};
+              return failing.plan("o", finest).error();
+          }) > 10);
 }

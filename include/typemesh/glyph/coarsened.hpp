@@ -32,9 +32,9 @@ namespace typemesh::inline TYPEMESH_ABI {
 ///     }
 ///
 /// Points are dropped only between points of one curve. So corners stay, each point keeps its normals, and the levels
-/// have the same loops with the same nesting: a hole, a gap or a stroke that the finest level has is in all levels. Each
-/// edge of a level is within the level's tolerance of its true curve, or is an edge of the finest level. Where dropping
-/// a point would let edges meet, it stays. Every loop keeps at least 3 points.
+/// have the same loops with the same nesting: a hole, a gap or a stroke of the finest level is in all levels. Each edge
+/// of a level is within the level's tolerance of its true curve, or is an edge of the finest level. Where dropping a
+/// point would let edges meet, it stays. Every loop keeps at least 3 points.
 ///
 /// A level can have a few more points than a text that is flattened at the level's tolerance, because it must choose
 /// among the points of the finer level. The ratio is best where tolerances are far apart, or in the ratio of squares

@@ -119,10 +119,7 @@ private:
     {
         curve_ = loops_->curves[edge(first).curve];
         for (point& p : curve_.p) p = loops_->grid.cells * p;
-        const cubic c = curve_.degree == 3   ? curve_.as_cubic()
-                        : curve_.degree == 2 ? raised(curve_.as_quadratic())
-                                             : raised(quadratic{curve_.p[0], lerp(curve_.p[0], curve_.p[1], 0.5),  //
-                                                                curve_.p[1]});
+        const cubic c = as_cubic(curve_);
         const point l0 = c.p1 - c.p0, l1 = c.p2 - c.p1, l2 = c.p3 - c.p2, s0 = l1 - l0, s1 = l2 - l1;
         const chords of_curve{c.p0, 3.0 * l0, 3.0 * s0, s1 - s0, 0.0};
         const std::uint32_t spare = spare_, edges = last - first;
@@ -156,6 +153,12 @@ private:
     }
 
     using chords = cubic_chords<false>;
+
+    [[nodiscard]] static cubic as_cubic(const curve& c) noexcept
+    {
+        if (c.degree == 3) return c.as_cubic();
+        return raised(c.degree == 2 ? c.as_quadratic() : quadratic{c.p[0], lerp(c.p[0], c.p[1], 0.5), c.p[1]});
+    }
 
     /// Whether a run can be divided into pieces of equally many edges.
     [[nodiscard]] bool is_even(const chords& of_curve, std::uint32_t first, std::uint32_t last,
