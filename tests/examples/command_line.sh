@@ -827,7 +827,7 @@ for number in 0 1025 -1 2.5 nan many; do
 done
 expect 2 "^text_to_mesh: --segments needs a solid, but --depth 0 makes a flat mesh: give a larger --depth\.$" x --font $sans --output x.glb --depth 0 --segments 2
 # Levels of detail.
-expect 0 "" "Rag" --font $sans --output levels.glb --lod 0.006,0.02,0.06
+expect 0 "" "Rag" --font $sans --output levels.glb --lod 0.003,0.006,0.02
 that "the triangles of the levels are printed" grep -qE '^levels\.glb: [0-9.x ]+; triangles of the levels: [0-9]+, [0-9]+, [0-9]+, [0-9]+$' out
 that "levels have fewer and fewer triangles: $(cat out)" awk -F'[:,]' '{ exit !($3 > $4 + 0 && $4 > $5 + 0 && $5 > $6 + 0) }' out
 that "the finest level names the others" grep -aq '"MSFT_lod":{"ids":\[1,2,3\]}' levels.glb
