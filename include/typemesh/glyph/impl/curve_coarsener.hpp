@@ -47,23 +47,20 @@ public:
     {
         const std::size_t n = loops.points.size();
         fates_.clear();
-        if (!tree_.open(n) || (fates_.append(n) == nullptr && n != 0)) return error::out_of_memory;
-        for (std::size_t i = 0; i < n; ++i) {
-            fates_[i] = stays;
-            grid_box b;
-            b.add(loops.points[i]);
-            tree_.set(i, b);
-        }
-        tree_.close();
+        if (fates_.append(n) == nullptr && n != 0) return error::out_of_memory;
+        for (std::uint8_t& fate : fates_) fate = stays;
         loops_ = &loops;
         tolerance_ = tolerance;
-        for (std::uint32_t k = 0; k < loops.contour_count(); ++k) coarsen_loop(loops.starts[k], loops.starts[k + 1]);
+        has_tree_ = false;
+        for (std::uint32_t k = 0; k < loops.contour_count(); ++k)
+            if (!coarsen_loop(loops.starts[k], loops.starts[k + 1])) return error::out_of_memory;
         remove_dropped(loops);
         return {};
     }
 
 private:
     static constexpr std::uint8_t stays = 0, dropped = 1;
+    static constexpr std::uint32_t max_others = 16;
     static constexpr double kept_share = 1.0 - 0x1p-20;  // of the tolerance; the rest is a margin for rounding
 
     /// A loop, whose points are counted from a point where a run begins.
@@ -98,7 +95,8 @@ private:
                !tangents_at(loops_->curves[after.curve], static_cast<double>(after.t0)).stops;
     }
 
-    void coarsen_loop(std::uint32_t begin, std::uint32_t end) noexcept
+    /// False if out of memory.
+    [[nodiscard]] bool coarsen_loop(std::uint32_t begin, std::uint32_t end) noexcept
     {
         loop_ = {begin, end - begin, begin};
         while (loop_.seam < end &&
@@ -109,9 +107,23 @@ private:
         for (std::uint32_t first = 0; first < loop_.size && spare_ != 0;) {
             std::uint32_t last = first + 1;
             while (last < loop_.size && goes_on(edge(last - 1), edge(last))) ++last;
-            if (last - first >= 2) coarsen_run(first, last);
+            if (last - first >= 2) {
+                if (!has_tree_ && !plant_tree()) return false;
+                coarsen_run(first, last);
+            }
             first = last;
         }
+        return true;
+    }
+
+    /// The tree of all points, for loops that have runs. False if out of memory.
+    [[nodiscard]] bool plant_tree() noexcept
+    {
+        const array_view<const grid_point> points = loops_->points.view();
+        if (!tree_.open(points.size())) return false;
+        for (std::size_t i = 0; i < points.size(); ++i) tree_.set(i, {points[i], points[i]});
+        tree_.close();
+        return has_tree_ = true;
     }
 
     /// Drops points strictly between two places of the loop, whose edges belong to one curve.
@@ -122,19 +134,24 @@ private:
         const cubic c = as_cubic(curve_);
         const point l0 = c.p1 - c.p0, l1 = c.p2 - c.p1, l2 = c.p3 - c.p2, s0 = l1 - l0, s1 = l2 - l1;
         const chords of_curve{c.p0, 3.0 * l0, 3.0 * s0, s1 - s0, 0.0};
-        const std::uint32_t spare = spare_, edges = last - first;
+        look_around(first, last);
+        const std::uint32_t edges = last - first;
+        if (edges - 1 <= spare_ && is_even(of_curve, first, last, 1)) {
+            spare_ -= edges - 1;
+            return end_of_piece(first, last);
+        }
         std::uint32_t pieces = 0;
         for (std::uint32_t from = first; from < last; ++pieces) {
+            const curve_place start = measured(from, last);
             std::uint32_t to = from + 1;
-            while (to < last && spare_ != 0 && may_drop(from, to) && fits(of_curve, from, last, to + 1)) {
+            while (to < last && spare_ != 0 && fits(of_curve, start, measured(to + 1, last)) && may_drop(from, to)) {
                 --spare_;
                 ++to;
             }
             end_of_piece(from, to);
             from = to;
         }
-        if (pieces == 1 || pieces == edges || !is_even(of_curve, first, last, pieces)) return;
-        spare_ = spare - (edges - pieces);
+        if (pieces == edges || !is_even(of_curve, first, last, pieces)) return;
         for (std::uint32_t k = 0; k < pieces; ++k)
             end_of_piece(share(first, edges, k, pieces), share(first, edges, k + 1, pieces));
     }
@@ -165,53 +182,92 @@ private:
                                std::uint32_t pieces) const noexcept
     {
         const std::uint32_t edges = last - first;
+        curve_place start = measured(first, last);
         for (std::uint32_t k = 0; k < pieces; ++k) {
             const std::uint32_t from = share(first, edges, k, pieces), to = share(first, edges, k + 1, pieces);
-            if (to - from > 1 && !fits(of_curve, from, last, to)) return false;
+            const curve_place end = measured(to, last);
+            if (to - from > 1 && !fits(of_curve, start, end)) return false;
             for (std::uint32_t i = from + 1; i < to; ++i)
                 if (!may_drop(from, i)) return false;
+            start = end;
         }
         return true;
     }
 
-    /// The parameter at a place of a run that ends at `last`, and the distance of the point there from the curve.
-    [[nodiscard]] double parameter(std::uint32_t place, std::uint32_t last) const noexcept
+    /// The parameter at a place of a run, and the distance of the point there from the curve.
+    struct curve_place {
+        double t, offset;
+    };
+    [[nodiscard]] curve_place measured(std::uint32_t place, std::uint32_t last) const noexcept
     {
-        return static_cast<double>(place == last ? edge(place - 1).t1 : edge(place).t0);
-    }
-    [[nodiscard]] double offset(std::uint32_t place, double t) const noexcept
-    {
+        const double t = static_cast<double>(place == last ? edge(place - 1).t1 : edge(place).t0);
         const grid_point p = at(place);
-        return length(curve_.at(t) - point{static_cast<double>(p.x), static_cast<double>(p.y)});
+        return {t, length(curve_.at(t) - point{static_cast<double>(p.x), static_cast<double>(p.y)})};
     }
 
     /// Whether the chord between two places keeps the tolerance: the curve's own chord, and the distances of its ends.
-    [[nodiscard]] bool fits(chords of_curve, std::uint32_t from, std::uint32_t last, std::uint32_t to) const noexcept
+    [[nodiscard]] bool fits(chords of_curve, curve_place a, curve_place b) const noexcept
     {
-        const double u = parameter(from, last), v = parameter(to, last);
-        const double one = offset(from, u), other = offset(to, v);
-        const double room = kept_share * (tolerance_ - (one > other ? one : other));
+        const double room = kept_share * (tolerance_ - (a.offset > b.offset ? a.offset : b.offset));
         of_curve.tt = room * room;
-        return room > 0.0 && of_curve.excess(u < v ? u : v, u < v ? v : u) <= 1.0;
+        return room > 0.0 && of_curve.excess(a.t < b.t ? a.t : b.t, a.t < b.t ? b.t : a.t) <= 1.0;
+    }
+
+    /// Whether a point's index lies between two places of the loop, or at one of them.
+    [[nodiscard]] bool is_between(std::uint32_t index, std::uint32_t from, std::uint32_t to) const noexcept
+    {
+        if (index - loop_.begin >= loop_.size) return false;
+        const std::uint32_t own = loop_.place(index);
+        return own - from <= to - from || (own == 0 && to == loop_.size);
+    }
+
+    /// Finds out which points may lie in the triangles of a run: its own ones if it is not convex, and the others that
+    /// are in the box around it.
+    void look_around(std::uint32_t first, std::uint32_t last) noexcept
+    {
+        is_convex_ = is_convex(first, last);
+        grid_box around;
+        for (std::uint32_t k = first; k <= last; ++k) around.add(at(k));
+        others_ = 0;
+        tree_.each_meeting(around, [&](std::size_t i) noexcept {
+            if (is_between(static_cast<std::uint32_t>(i), first, last)) return;
+            if (others_ < max_others) other_[others_] = loops_->points[i];
+            ++others_;
+        });
+    }
+
+    /// Whether a run and the chord between its ends bound a convex polygon: it turns to one side only, and lies on one
+    /// side of the chord. A spiral that turns further would cross the chord's line.
+    [[nodiscard]] bool is_convex(std::uint32_t first, std::uint32_t last) const noexcept
+    {
+        const grid_point a = at(first), z = at(last);
+        bool is_left = !(a == z), is_right = is_left;
+        for (std::uint32_t k = first + 1; k < last; ++k) {
+            const grid_point p = at(k);
+            const std::int64_t turn = orientation(at(k - 1), p, at(k + 1)), side = orientation(a, p, z);
+            is_left = is_left && turn >= 0 && side > 0;
+            is_right = is_right && turn <= 0 && side < 0;
+        }
+        return is_left || is_right;
     }
 
     /// Whether a point may be dropped after all points between `from` and itself: no other point lies in the triangle.
     [[nodiscard]] bool may_drop(std::uint32_t from, std::uint32_t place) const noexcept
     {
         const grid_point a = at(from), b = at(place), c = at(place + 1);
-        if (a == c) return false;
-        grid_box around;
-        around.add(a), around.add(b), around.add(c);
-        bool is_clear = true;
-        tree_.each_meeting(around, [&](std::size_t i) noexcept {
-            const auto index = static_cast<std::uint32_t>(i);
-            if (index - loop_.begin < loop_.size) {
-                const std::uint32_t own = loop_.place(index);
-                if (own - from <= place + 1 - from || (own == 0 && place + 1 == loop_.size)) return;
-            }
-            const grid_point p = loops_->points[i];
+        bool is_clear = !(a == c);
+        const auto look_at = [&](grid_point p) noexcept {
             const std::int64_t x = orientation(a, b, p), y = orientation(b, c, p), z = orientation(c, a, p);
             if ((x >= 0 && y >= 0 && z >= 0) || (x <= 0 && y <= 0 && z <= 0)) is_clear = false;
+        };
+        if (is_convex_ && others_ <= max_others) {
+            for (std::uint32_t k = 0; k < others_; ++k) look_at(other_[k]);
+            return is_clear;
+        }
+        grid_box around;
+        around.add(a), around.add(b), around.add(c);
+        tree_.each_meeting(around, [&](std::size_t i) noexcept {
+            if (!is_between(static_cast<std::uint32_t>(i), from, place + 1)) look_at(loops_->points[i]);
         });
         return is_clear;
     }
@@ -242,12 +298,16 @@ private:
         loops.forget_order();
     }
 
-    box_tree tree_;
+    box_tree tree_;  // of all points
+    bool has_tree_ = false;
     buffer<std::uint8_t> fates_;
     const contours* loops_ = nullptr;
     double tolerance_ = 0.0;
     cyclic loop_{};
-    curve curve_;              // of the run, in cells
+    curve curve_;  // of the run, in cells
+    bool is_convex_ = false;
+    std::uint32_t others_ = 0;  // the points of other runs in the box around the run; the first ones are in other_
+    grid_point other_[max_others];
     std::uint32_t spare_ = 0;  // the number of points that the loop can still lose
 };
 
