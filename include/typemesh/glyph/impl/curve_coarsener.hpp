@@ -36,7 +36,10 @@ namespace typemesh::inline TYPEMESH_ABI::detail {
 /// Cost   O(n log n) for n points whose loops are not entangled; see box_tree
 class curve_coarsener {
 public:
-    explicit curve_coarsener(memory source = heap()) noexcept : tree_{source}, fates_{source} {}
+    explicit curve_coarsener(memory source = heap()) noexcept
+        : tree_{source}, chunks_{source}, fates_{source}, measures_{source}
+    {
+    }
 
     /// Drops points in place. Every loop keeps at least 3 points.
     ///
@@ -47,19 +50,21 @@ public:
     {
         const std::size_t n = loops.points.size();
         fates_.clear();
-        if (fates_.append(n) == nullptr && n != 0) return error::out_of_memory;
+        measures_.clear();
+        if (n == 0) return {};
+        if (fates_.append(n) == nullptr || measures_.append(n + 1) == nullptr) return error::out_of_memory;
         for (std::uint8_t& fate : fates_) fate = stays;
+        if (!divide(loops.points.view())) return error::out_of_memory;
         loops_ = &loops;
         tolerance_ = tolerance;
-        has_tree_ = false;
-        for (std::uint32_t k = 0; k < loops.contour_count(); ++k)
-            if (!coarsen_loop(loops.starts[k], loops.starts[k + 1])) return error::out_of_memory;
+        for (std::uint32_t k = 0; k < loops.contour_count(); ++k) coarsen_loop(loops.starts[k], loops.starts[k + 1]);
         remove_dropped(loops);
         return {};
     }
 
 private:
     static constexpr std::uint8_t stays = 0, dropped = 1;
+    static constexpr std::size_t chunk = 8, few_chunks = 64;  // few are looked at faster one by one than in a tree
     static constexpr std::uint32_t max_others = 16;
     static constexpr double kept_share = 1.0 - 0x1p-20;  // of the tolerance; the rest is a margin for rounding
 
@@ -95,8 +100,7 @@ private:
                !tangents_at(loops_->curves[after.curve], static_cast<double>(after.t0)).stops;
     }
 
-    /// False if out of memory.
-    [[nodiscard]] bool coarsen_loop(std::uint32_t begin, std::uint32_t end) noexcept
+    void coarsen_loop(std::uint32_t begin, std::uint32_t end) noexcept
     {
         loop_ = {begin, end - begin, begin};
         while (loop_.seam < end &&
@@ -107,23 +111,39 @@ private:
         for (std::uint32_t first = 0; first < loop_.size && spare_ != 0;) {
             std::uint32_t last = first + 1;
             while (last < loop_.size && goes_on(edge(last - 1), edge(last))) ++last;
-            if (last - first >= 2) {
-                if (!has_tree_ && !plant_tree()) return false;
-                coarsen_run(first, last);
-            }
+            if (last - first >= 2) coarsen_run(first, last);
             first = last;
         }
+    }
+
+    /// Finds the boxes of chunks of points, in the order along the loops. False if out of memory.
+    [[nodiscard]] bool divide(array_view<const grid_point> points) noexcept
+    {
+        chunks_.clear();
+        const std::size_t count = (points.size() + chunk - 1) / chunk;
+        if (chunks_.append(count) == nullptr) return false;
+        for (grid_box& b : chunks_) b = {};
+        for (std::size_t i = 0; i < points.size(); ++i) chunks_[i / chunk].add(points[i]);
+        if (count <= few_chunks) return true;
+        if (!tree_.open(count)) return false;
+        for (std::size_t k = 0; k < count; ++k) tree_.set(k, chunks_[k]);
+        tree_.close();
         return true;
     }
 
-    /// The tree of all points, for loops that have runs. False if out of memory.
-    [[nodiscard]] bool plant_tree() noexcept
+    /// Calls found(i) for the points in a box.
+    template <class Found>
+    void each_in(const grid_box& b, const Found& found) const noexcept
     {
         const array_view<const grid_point> points = loops_->points.view();
-        if (!tree_.open(points.size())) return false;
-        for (std::size_t i = 0; i < points.size(); ++i) tree_.set(i, {points[i], points[i]});
-        tree_.close();
-        return has_tree_ = true;
+        const auto look_into = [&](std::size_t k) noexcept {
+            const std::size_t end = (k + 1) * chunk < points.size() ? (k + 1) * chunk : points.size();
+            for (std::size_t i = k * chunk; i < end; ++i)
+                if (b.meets({points[i], points[i]})) found(i);
+        };
+        if (chunks_.size() > few_chunks) return tree_.each_meeting(b, look_into);
+        for (std::size_t k = 0; k < chunks_.size(); ++k)
+            if (b.meets(chunks_[k])) look_into(k);
     }
 
     /// Drops points strictly between two places of the loop, whose edges belong to one curve.
@@ -135,6 +155,7 @@ private:
         const point l0 = c.p1 - c.p0, l1 = c.p2 - c.p1, l2 = c.p3 - c.p2, s0 = l1 - l0, s1 = l2 - l1;
         const chords of_curve{c.p0, 3.0 * l0, 3.0 * s0, s1 - s0, 0.0};
         look_around(first, last);
+        measure(first, last);
         const std::uint32_t edges = last - first;
         if (edges - 1 <= spare_ && is_even(of_curve, first, last, 1)) {
             spare_ -= edges - 1;
@@ -142,9 +163,8 @@ private:
         }
         std::uint32_t pieces = 0;
         for (std::uint32_t from = first; from < last; ++pieces) {
-            const curve_place start = measured(from, last);
             std::uint32_t to = from + 1;
-            while (to < last && spare_ != 0 && fits(of_curve, start, measured(to + 1, last)) && may_drop(from, to)) {
+            while (to < last && spare_ != 0 && fits(of_curve, from - first, to + 1 - first) && may_drop(from, to)) {
                 --spare_;
                 ++to;
             }
@@ -182,32 +202,31 @@ private:
                                std::uint32_t pieces) const noexcept
     {
         const std::uint32_t edges = last - first;
-        curve_place start = measured(first, last);
         for (std::uint32_t k = 0; k < pieces; ++k) {
             const std::uint32_t from = share(first, edges, k, pieces), to = share(first, edges, k + 1, pieces);
-            const curve_place end = measured(to, last);
-            if (to - from > 1 && !fits(of_curve, start, end)) return false;
+            if (to - from > 1 && !fits(of_curve, from - first, to - first)) return false;
             for (std::uint32_t i = from + 1; i < to; ++i)
                 if (!may_drop(from, i)) return false;
-            start = end;
         }
         return true;
     }
 
-    /// The parameter at a place of a run, and the distance of the point there from the curve.
-    struct curve_place {
-        double t, offset;
-    };
-    [[nodiscard]] curve_place measured(std::uint32_t place, std::uint32_t last) const noexcept
+    /// Notes the parameter at each place of a run, and the distance of the point there from the curve.
+    void measure(std::uint32_t first, std::uint32_t last) noexcept
     {
-        const double t = static_cast<double>(place == last ? edge(place - 1).t1 : edge(place).t0);
-        const grid_point p = at(place);
-        return {t, length(curve_.at(t) - point{static_cast<double>(p.x), static_cast<double>(p.y)})};
+        for (std::uint32_t k = first; k <= last; ++k) {
+            const double t = static_cast<double>(k == last ? edge(k - 1).t1 : edge(k).t0);
+            const grid_point p = at(k);
+            const point gap = curve_.at(t) - point{static_cast<double>(p.x), static_cast<double>(p.y)};
+            measures_[k - first] = {t, length(gap)};
+        }
     }
 
-    /// Whether the chord between two places keeps the tolerance: the curve's own chord, and the distances of its ends.
-    [[nodiscard]] bool fits(chords of_curve, curve_place a, curve_place b) const noexcept
+    /// Whether the chord between two places of a run, counted from its first one, keeps the tolerance: the curve's own
+    /// chord, and the distances of its ends.
+    [[nodiscard]] bool fits(chords of_curve, std::uint32_t from, std::uint32_t to) const noexcept
     {
+        const curve_place a = measures_[from], b = measures_[to];
         const double room = kept_share * (tolerance_ - (a.offset > b.offset ? a.offset : b.offset));
         of_curve.tt = room * room;
         return room > 0.0 && of_curve.excess(a.t < b.t ? a.t : b.t, a.t < b.t ? b.t : a.t) <= 1.0;
@@ -229,7 +248,7 @@ private:
         grid_box around;
         for (std::uint32_t k = first; k <= last; ++k) around.add(at(k));
         others_ = 0;
-        tree_.each_meeting(around, [&](std::size_t i) noexcept {
+        each_in(around, [&](std::size_t i) noexcept {
             if (is_between(static_cast<std::uint32_t>(i), first, last)) return;
             if (others_ < max_others) other_[others_] = loops_->points[i];
             ++others_;
@@ -266,7 +285,7 @@ private:
         }
         grid_box around;
         around.add(a), around.add(b), around.add(c);
-        tree_.each_meeting(around, [&](std::size_t i) noexcept {
+        each_in(around, [&](std::size_t i) noexcept {
             if (!is_between(static_cast<std::uint32_t>(i), from, place + 1)) look_at(loops_->points[i]);
         });
         return is_clear;
@@ -298,9 +317,14 @@ private:
         loops.forget_order();
     }
 
-    box_tree tree_;  // of all points
-    bool has_tree_ = false;
+    struct curve_place {
+        double t, offset;
+    };
+
+    box_tree tree_;            // of the chunks, if they are many
+    buffer<grid_box> chunks_;  // boxes of so many consecutive points
     buffer<std::uint8_t> fates_;
+    buffer<curve_place> measures_;  // of a run
     const contours* loops_ = nullptr;
     double tolerance_ = 0.0;
     cyclic loop_{};
