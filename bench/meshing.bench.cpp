@@ -7,9 +7,9 @@
 //     bench_meshing --benchmark_filter=Serif
 //
 // us_per_glyph is the best pass of several, in processor time; of_monotone the same by the time of `monotone`.
-// triangles are those seen from the front, per glyph. The counters 15, 30, ... 180 are the shares of all their angles in
-// steps of 15 degrees, in percent: 15 counts the angles below 15 degrees, 30 those from 15 to 30. least is the least
-// angle in degrees, greatest the greatest. Refined meshes have edges of at most 0.05 em; bent ones lie on a cylinder of
+// triangles are those seen from the front, per glyph. The counters 015, 030, ... 180 are the shares of all their angles
+// in steps of 15 degrees, in percent: 015 counts the angles below 15 degrees, 030 the angles from 15 to 30. least is the
+// least angle in degrees, greatest the greatest. Refined meshes have edges of at most 0.05 em; bent ones lie on a cylinder of
 // 2 em, and their angles are measured before they are bent.
 //
 // The rows "levels" are levels of detail (coarsened.hpp) of extruded letters, the finest at 1/800 em: points is the

@@ -256,7 +256,7 @@ private:
     }
 
     /// Whether a run and the chord between its ends bound a convex polygon: it turns to one side only, and lies on one
-    /// side of the chord. A spiral that turns further would cross the chord's line.
+    /// side of the chord. Then the polygon is simple, because the run's edges do not meet, so it turns exactly once.
     [[nodiscard]] bool is_convex(std::uint32_t first, std::uint32_t last) const noexcept
     {
         const grid_point a = at(first), z = at(last);
