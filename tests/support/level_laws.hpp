@@ -12,6 +12,8 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <set>
+#include <utility>
 #include <vector>
 
 namespace test {
@@ -58,10 +60,22 @@ inline bool bound_a_region(const loop_points& loops)
     return typemesh::inspect::is_region(views);
 }
 
-/// The greatest distance of a place of a curve from the edge that stands for it, in cells.
-template <class Region>
-double farthest_curve_place(const loop_points& loops, const Region& edges,
-                            typemesh::array_view<const typemesh::curve> curves, double cells)
+/// The edges of loops, by their ends.
+using edge_set = std::set<std::pair<std::uint64_t, std::uint64_t>>;
+inline edge_set edges_in(const loop_points& loops)
+{
+    edge_set all;
+    for (const auto& l : loops)
+        for (std::size_t i = 0; i < l.size(); ++i) all.emplace(l[i].word(), l[(i + 1) % l.size()].word());
+    return all;
+}
+
+/// The greatest distance of a place of a curve from the edge that stands for it, in cells, without the edges of the
+/// finest level: where contours cross, the parameters of these may be far off.
+template <class Edges>
+double farthest_curve_place(const loop_points& loops, const Edges& edges,
+                            typemesh::array_view<const typemesh::curve> curves, double cells,
+                            const edge_set& finest = {})
 {
     double farthest = 0.0;
     std::size_t next = 0;
@@ -69,6 +83,7 @@ double farthest_curve_place(const loop_points& loops, const Region& edges,
         for (std::size_t i = 0; i < l.size(); ++i) {
             const typemesh::grid_point p = l[i], q = l[(i + 1) % l.size()];
             const typemesh::contour_edge e = edges[next++];
+            if (finest.count({p.word(), q.word()}) != 0) continue;
             for (int k = 1; k < 8; ++k) {
                 const double t = double{e.t0} + k / 8.0 * (double{e.t1} - double{e.t0});
                 farthest = (std::max)(farthest, typemesh::inspect::curve_chords::squared_distance(
