@@ -162,6 +162,23 @@ std::vector<std::uint32_t> solid_by_solid(const chosen_plan& plan, const std::ve
     return ordered;
 }
 
+/// Adds a coarser level of detail behind the finer ones.
+void add_level(model& all, const model& level)
+{
+    const std::string name = all.name.empty() ? "text" : all.name;
+    if (all.letters.empty()) all.letters.push_back({name, 0, all.vertices.size(), 0, all.parts.size()});
+    const std::size_t vertices = all.vertices.size(), indices = all.indices.size();
+    all.letters.push_back({name + "_lod" + std::to_string(all.letters.size()), vertices, level.vertices.size(),
+                           all.parts.size(), level.parts.size()});
+    all.vertices.insert(all.vertices.end(), level.vertices.begin(), level.vertices.end());
+    for (const std::uint32_t i : level.indices) all.indices.push_back(static_cast<std::uint32_t>(vertices + i));
+    for (model::part p : level.parts) {
+        p.first_index += indices;
+        all.parts.push_back(std::move(p));
+    }
+    all.has_levels = true;
+}
+
 /// Gives an empty string, or one sentence.
 std::string write_output(const options& o, const chosen_plan& plan, model& mesh, file_set& files)
 {
@@ -348,7 +365,7 @@ public:
             return "the statistics cannot be written.";
         if (std::string trouble = files_.finish(); !trouble.empty()) return trouble;
         if (o_.stats || o_.output.empty() || o_.output == standard_output) return {};
-        std::puts((o_.output + ": " + size_in_words(facts_, is_printed(o_.kind))).c_str());
+        std::puts((o_.output + ": " + size_in_words(facts_, is_printed(o_.kind)) + levels_).c_str());
         return std::fflush(stdout) == 0 ? std::string{} : "the size cannot be printed.";
     }
 
@@ -373,8 +390,26 @@ private:
         facts_ = facts_of(mesh);
         if (o_.stats) stats_ = stats_of(*plan, quality_of_front(mesh), facts_, is_printed(o_.kind), clock);
         if (o_.output.empty()) return {};
+        if (std::string trouble = add_levels(mesher, how, up, mesh); !trouble.empty()) return trouble;
         tell_.begin("writing " + o_.output);
         return write_output(o_, *plan, mesh, files_);
+    }
+
+    /// Adds the coarser levels of detail; the plan of the finest one ends.
+    std::string add_levels(chosen_mesher& mesher, const typemesh::text_options& how, double up, model& mesh)
+    {
+        if (!o_.lod.empty()) levels_ = "; triangles of the levels: " + std::to_string(mesh.indices.size() / 3);
+        for (std::size_t level = 1; level <= o_.lod.size(); ++level) {
+            use_level(o_, level, mesher);
+            const auto coarser = mesher.plan(page_, how);
+            if (!coarser) return refusal_in_words(o_, coarser.error());
+            model made;
+            if (const auto done = write_model(o_, *coarser, made); !done) return in_words(done.error());
+            if (!lift(made, up)) return heights_lost(o_);
+            levels_ += ", " + std::to_string(made.indices.size() / 3);
+            add_level(mesh, made);
+        }
+        return {};
     }
 
     const options& o_;
@@ -384,6 +419,7 @@ private:
     file_set files_;
     mesh_facts facts_;
     std::string stats_;
+    std::string levels_;  // what is said of levels of detail
 };
 
 /// One text. Gives an empty string, or one sentence.

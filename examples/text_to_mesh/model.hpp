@@ -63,6 +63,7 @@ struct model {
     std::vector<std::uint32_t> indices;
     std::vector<part> parts;      ///< together all the indices; none at all stands for one nameless part
     std::vector<letter> letters;  ///< none: the model is one mesh, and stands where its vertices say
+    bool has_levels = false;  ///< the letters are levels of detail of one mesh, the finest first; there are no places
     std::vector<place> places;
     std::string name;  ///< UTF-8, best effort: writers replace what their format cannot hold
 };

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "option_values.hpp"
 
+#include <typemesh/glyph/coarsened.hpp>
+
 #include <algorithm>
 #include <charconv>
 #include <cmath>
@@ -78,6 +80,23 @@ std::string read_profile(std::string_view written, typemesh::profile_points& out
         return "must have at most " + std::to_string(typemesh::profile_points::most) + " points, not " +
                std::to_string(points.size());
     return out.is_valid() ? std::string{} : "must begin at 0,0 and end at t = 1, not " + given;
+}
+
+std::string read_levels(std::string_view written, std::vector<double>& out)
+{
+    constexpr std::size_t most = typemesh::coarsened::max_levels;
+    const std::string given = '"' + std::string{written} + '"';
+    out.clear();
+    for (;;) {
+        const auto comma = written.find(',');
+        const auto em = decimal(written.substr(0, comma));
+        if (!em || !(*em > 0.0)) return "must be positive numbers such as 0.01,0.04, not " + given;
+        if (!out.empty() && *em <= out.back()) return "must be rising numbers, not " + given;
+        if (out.size() == most) return "must have at most " + std::to_string(most) + " levels, not " + given;
+        out.push_back(*em);
+        if (comma == std::string_view::npos) return {};
+        written.remove_prefix(comma + 1);
+    }
 }
 
 bool read_box(std::string_view written, double& width, double& height)

@@ -24,6 +24,10 @@ namespace text_to_mesh {
 /// A box, "30x10": two positive numbers up to 1000000. False if it is not of that form.
 [[nodiscard]] bool read_box(std::string_view written, double& width, double& height);
 
+/// The tolerances of levels of detail, "0.01,0.04": at most 6, each larger than the one before it. Gives an empty string,
+/// or what is wrong: "must ...".
+[[nodiscard]] std::string read_levels(std::string_view written, std::vector<double>& out);
+
 /// A backslash and an n, as a shell passes them on, become a line break.
 [[nodiscard]] std::string with_line_breaks(std::string text);
 

@@ -95,7 +95,7 @@ std::string version()
 /// Words of the command line that become something else after parsing.
 struct raw_values {
     std::vector<std::string> variations, features, show;
-    std::string uv, fill, fit, profile = "chamfer", refine, bend, path, family, format, anchor, origin;
+    std::string uv, fill, fit, lod, profile = "chamfer", refine, bend, path, family, format, anchor, origin;
     std::optional<typemesh::touching> corners;
     std::optional<double> size, bevel_depth, bevel_steps, letter_spacing;
     bool text_given = false, no_merge = false, tolerance_given = false, shading_given = false, normals_given = false,
@@ -282,6 +282,8 @@ void add_mesh_options(CLI::App& app, options& out, raw_values& raw)
         [](double n) { return n > 0.0; }, [&out](double n) { out.tolerance = n; })
         ->type_name("EM")
         ->excludes(named);
+    app.add_option("--lod", raw.lod, "in a .glb, also coarser levels of detail with these tolerances: 0.006,0.02,0.05")
+        ->type_name("EM[,EM...]");
     add_named<discretiser_name>(
         app, "--discretiser", out.discretiser,
         "how curves become lines (default certified); adaptive uses the thesis' four, by --quality",
@@ -664,6 +666,19 @@ std::string refused_faces(const options& o)
     return {};
 }
 
+/// Finishes levels of detail. Gives an empty string, or one sentence of what is wrong.
+std::string settle_levels(options& out, const raw_values& raw)
+{
+    if (raw.lod.empty()) return {};
+    if (const std::string trouble = read_levels(raw.lod, out.lod); !trouble.empty()) return "--lod " + trouble;
+    if (out.kind != file_kind::glb) return "--lod needs --output FILE.glb";
+    if (out.instances) return "--lod does not work with --instances";
+    if (out.embolden != 0.0f) return "--lod does not work with --embolden";
+    if (out.discretiser == discretiser_name::certified && out.lod.front() <= out.tolerance)
+        return "--lod must be above the finest distance, which --quality or --tolerance gives: " + raw.lod;
+    return {};
+}
+
 /// Finds out what is to be written. Gives an empty string, or what is wrong.
 std::string settle_files(options& out, const raw_values& raw)
 {
@@ -777,6 +792,7 @@ std::string settle(options& out, const raw_values& raw)
     if (std::string trouble = refused_inflation(out, raw); !trouble.empty()) return trouble;
 
     if (std::string trouble = settle_files(out, raw); !trouble.empty()) return trouble;
+    if (std::string trouble = settle_levels(out, raw); !trouble.empty()) return trouble;
     if (std::string trouble = settle_carving(out, raw); !trouble.empty()) return trouble;
     if (std::string trouble = settle_place(out, raw); !trouble.empty()) return trouble;
     if (out.picture.empty() && !raw.show.empty()) return "--show needs --picture";

@@ -113,6 +113,7 @@ struct options {
     inflate_options inflate;
     preset quality = preset::high;
     double tolerance = typemesh::quality::high;
+    std::vector<double> lod;     ///< em; the tolerances of coarser levels of detail, ascending
     bool quality_given = false;  ///< by --quality or --tolerance
     discretiser_name discretiser = discretiser_name::certified;
     triangulator_name triangulator = triangulator_name::monotone;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "policies.hpp"
 
+#include <algorithm>
+
 namespace text_to_mesh {
 namespace {
 
@@ -38,6 +40,14 @@ void choose_policies(const options& o, double units_per_em, chosen_mesher& meshe
     mesher.use(solid_of(o));
     use_stages(o, units_per_em, mesher);
     if (o.path.curve) mesher.use(typemesh::on_path{o.path.curve.get(), o.path.how});
+    if (!o.lod.empty()) use_level(o, 0, mesher);
+}
+
+void use_level(const options& o, std::size_t level, chosen_mesher& mesher)
+{
+    typemesh::coarsened levels{.level = static_cast<std::uint32_t>(level)};
+    std::copy(o.lod.begin(), o.lod.end(), levels.tolerances);
+    mesher.use(levels);
 }
 
 }  // namespace text_to_mesh

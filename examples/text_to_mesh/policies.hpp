@@ -11,6 +11,7 @@
 #include <typemesh/extrude/one_of.hpp>
 #include <typemesh/extrude/outlined.hpp>
 #include <typemesh/extrude/refined.hpp>
+#include <typemesh/glyph/coarsened.hpp>
 #include <typemesh/refine/quadtree_refined.hpp>
 #include <typemesh/typemesh.hpp>
 
@@ -37,6 +38,9 @@ using chosen_plan = typemesh::text_plan<chosen_solid>;
 
 /// Gives a mesher what the options choose: solid, step before it, discretiser, triangulator.
 void choose_policies(const options& o, double units_per_em, chosen_mesher& mesher);
+
+/// Gives a mesher of a text with --lod the step that makes one of its levels, 0 to o.lod.size().
+void use_level(const options& o, std::size_t level, chosen_mesher& mesher);
 
 /// Adds up how long each stage took, and counts the letters begun.
 struct stage_clock {

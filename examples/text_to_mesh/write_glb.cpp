@@ -159,12 +159,31 @@ void add_places(tinygltf::Model& file, const model& mesh, const std::string& nam
     }
 }
 
+/// A node for each level of detail: only the first one, the finest, is in the scene, and it names the others.
+/// https://github.com/KhronosGroup/glTF/tree/main/extensions/2.0/Vendor/MSFT_lod
+void add_levels(tinygltf::Model& file, const model& mesh)
+{
+    tinygltf::Value::Array coarser;
+    for (std::size_t k = 0; k < mesh.letters.size(); ++k) {
+        tinygltf::Node node;
+        node.name = well_formed(mesh.letters[k].name);
+        node.mesh = static_cast<int>(k);
+        if (k != 0) coarser.emplace_back(static_cast<int>(k));
+        file.nodes.push_back(std::move(node));
+    }
+    file.nodes[0].extras = text_of(mesh.name);
+    file.nodes[0].extensions["MSFT_lod"] =
+        tinygltf::Value{tinygltf::Value::Object{{"ids", tinygltf::Value{std::move(coarser)}}}};
+    file.extensionsUsed.emplace_back("MSFT_lod");
+}
+
 void add_scene(tinygltf::Model& file, const model& mesh, const std::string& name)
 {
     std::vector<model::letter> letters = mesh.letters;
     if (letters.empty()) letters.push_back({name, 0, mesh.vertices.size(), 0, mesh.parts.size()});
     const geometry made = add_geometry(file, mesh, letters);
     for (const model::letter& l : letters) add_mesh(file, mesh, l, made);
+    if (mesh.has_levels) return add_levels(file, mesh);
     if (!mesh.letters.empty()) return add_places(file, mesh, name);
     tinygltf::Node node;
     node.name = name;

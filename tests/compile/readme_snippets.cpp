@@ -20,6 +20,7 @@
 #include <typemesh/extrude/outlined.hpp>
 #include <typemesh/extrude/inflated.hpp>
 #include <typemesh/extrude/refined.hpp>
+#include <typemesh/glyph/coarsened.hpp>
 #include <typemesh/inspect/closedness.hpp>
 #include <typemesh/inspect/normal_check.hpp>
 #include <typemesh/paragraph/fit_size.hpp>
@@ -137,6 +138,36 @@ auto balloon = typemesh::text_mesher{*font, typemesh::inflated{}};
 auto pillow = typemesh::text_mesher{*font, typemesh::inflated{.limit = 0.05f}};
 auto dome = typemesh::text_mesher{*font, typemesh::inflated{.height = 0.5f, .form = typemesh::inflated_form::dome, .depth = 0.1f}};
     use(balloon, pillow, dome);
+    const auto all_levels = [&]() -> typemesh::error {
+typemesh::coarsened levels{.tolerances = {1.0 / 160, 1.0 / 60, 1.0 / 25}};                 // of levels 1 to 3, in em
+auto lod = typemesh::text_mesher{*font, levels};
+std::vector<vertex> level_vertices[4];
+std::vector<std::uint32_t> level_indices[4];
+for (; levels.level <= 3; ++levels.level) {                                                // level 0 is the text itself
+    lod.use(levels);
+    auto made = lod.build("Hello world!", typemesh::into(level_vertices[levels.level], level_indices[levels.level]));
+    if (!made) return made.error();
+}
+        return {};
+    };
+    const auto glyph_levels = [&](typemesh::glyph_id id) -> typemesh::error {
+const typemesh::certified flatten;
+const typemesh::monotone cut;
+typemesh::no_observer nobody;
+typemesh::glyph_builder glyphs;
+typemesh::cap_builder caps_of_level, further;
+typemesh::coarsened::scratch kept;
+const auto drawn = glyphs.build_region(*font, id, {.tolerance = typemesh::quality::high}, {flatten, cut, nobody});
+if (!drawn) return drawn.error();
+for (typemesh::coarsened level{.tolerances = {1.0 / 160, 1.0 / 60}, .level = 1}; level.level <= 2; ++level.level) {
+    kept.clear();
+    typemesh::region_caps caps{caps_of_level, further, cut, {}};
+    const auto made = level(*drawn, kept, caps);                       // made->filled and made->triangles, for extrude()
+    if (!made) return made.error();
+}
+        return {};
+    };
+    use(all_levels, glyph_levels);
 auto cup = typemesh::text_mesher{*font, typemesh::bent<typemesh::on_cylinder>{.how = {.radius = 1.5}}};
 auto flag = typemesh::text_mesher{*font, typemesh::bent<typemesh::displaced<typemesh::wave>>{.how = {{.height = 0.2}}}};
 auto screw = typemesh::text_mesher{*font, typemesh::bent<typemesh::twist, typemesh::bevelled>{.how = {.degrees_per_em = 15.0}}};

@@ -826,6 +826,20 @@ for number in 0 1025 -1 2.5 nan many; do
     expect 2 "^text_to_mesh: --segments must be a whole number from 1 to 1024, not $number\.$" x --font $sans --output x.glb --segments $number
 done
 expect 2 "^text_to_mesh: --segments needs a solid, but --depth 0 makes a flat mesh: give a larger --depth\.$" x --font $sans --output x.glb --depth 0 --segments 2
+# Levels of detail.
+expect 0 "" "Rag" --font $sans --output levels.glb --lod 0.003,0.006,0.02
+that "the triangles of the levels are printed" grep -qE '^levels\.glb: [0-9.x ]+; triangles of the levels: [0-9]+, [0-9]+, [0-9]+, [0-9]+$' out
+that "levels have fewer and fewer triangles: $(cat out)" awk -F'[:,]' '{ exit !($3 > $4 + 0 && $4 > $5 + 0 && $5 > $6 + 0) }' out
+that "the finest level names the others" grep -aq '"MSFT_lod":{"ids":\[1,2,3\]}' levels.glb
+that "only the finest level is in the scene" grep -aq '"nodes":\[0\]' levels.glb
+expect 0 "" "Rag" --font $sans --output levels.glb --lod 0.02 --bevel 0.02 --anchor centre,base --stats
+expect 2 "^text_to_mesh: --lod needs --output FILE\.glb\.$" x --font $sans --output x.obj --lod 0.01
+expect 2 "^text_to_mesh: --lod does not work with --instances\.$" x --font $sans --output x.glb --lod 0.01 --instances
+expect 2 "^text_to_mesh: --lod does not work with --embolden\.$" x --font $sans --output x.glb --lod 0.01 --embolden 0.01
+expect 2 "^text_to_mesh: --lod must be rising numbers, not \"0.02,0.01\"\.$" x --font $sans --output x.glb --lod 0.02,0.01
+expect 2 "^text_to_mesh: --lod must be positive numbers such as 0\.01,0\.04, not \"0.02,\"\.$" x --font $sans --output x.glb --lod 0.02,
+expect 2 "^text_to_mesh: --lod must have at most 6 levels" x --font $sans --output x.glb --lod 1,2,3,4,5,6,7
+expect 2 "^text_to_mesh: --lod must be above the finest distance" x --font $sans --output x.glb --lod 0.001
 # Refined letters: more triangles, none with a small angle, no long edge; the solid stays closed (external/admesh.sh).
 triangles() { sed -n 's/.*"triangles": *\([0-9]*\).*/\1/p' "$1"; }
 expect 0 "" "Rag" --font $sans --output plain.stl --stats && cp out plain.stats

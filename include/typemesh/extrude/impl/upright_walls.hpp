@@ -101,7 +101,7 @@ private:
         explicit no_mapping(const placement&) noexcept {}
     };
 
-    /// The triangles of walls in several segments. Inlined beside those of one segment, they cost the common case 4 %.
+    /// The triangles of walls in several segments. Inlined beside the other function, they cost the common case 4 %.
     template <class Put>
     [[gnu::noinline, gnu::cold]] static void column_triangles(array_view<const std::uint32_t> starts,
                                                               array_view<const side_point> side_points,
