@@ -21,7 +21,8 @@ namespace typemesh::inline TYPEMESH_ABI::detail {
 ///     1. triangles   delaunay_refinement with a small least angle. If no angle is above 90 degrees then, that is all.
 ///     2. weights     radical_weights looks for weights with which each triangle's radical centre lies inside.
 ///     3. points      Where it finds none, the centre of the circle around the triangle becomes a point, as in
-///                    delaunay_refinement; then step 2 is repeated.
+///                    delaunay_refinement; then step 2 is repeated. From the fourth time on it looks longer, and is
+///                    content with centres nearer to the edges.
 ///     4. division    right_triangles divides each triangle into six.
 ///
 /// Steps 1 and 3 keep the mesh valid by exact decisions, and step 4 checks each triangle exactly, so the triangles are
@@ -67,12 +68,12 @@ private:
         return false;
     }
 
+    /// Steps 2 and 3. If no point can be added any more, triangles remain whose radical centres lie outside.
     [[nodiscard]] error find_weights() noexcept
     {
-        constexpr int passes = 60;
-        for (int rounds = 60; rounds != 0; --rounds) {
+        for (int round = 0; round < 40; ++round) {
             if (!weights_.open(mesh_)) return error::out_of_memory;
-            if (weights_.settle(passes)) return {};
+            if (round < 3 ? weights_.settle(60, 1.0) : weights_.settle(500, 0.3)) return {};
             const std::uint32_t before = mesh_.vertex_count();
             if (error e = add_points()) return e;
             if (mesh_.vertex_count() == before) return {};
