@@ -19,6 +19,24 @@ error refine_right(const non_obtuse& how, const test::filled_shape& shape, test:
     return how(shape.filled, given.view(), scratch, out.out());
 }
 
+/// The largest power of two that keeps a shape within half of the grid.
+std::int32_t greatest_scale(const test::shape& s)
+{
+    std::int32_t farthest = 1;
+    for (const auto& loop : s.loops)
+        for (const grid_point p : loop) farthest = (std::max)({farthest, std::abs(p.x), std::abs(p.y)});
+    std::int32_t scale = 1;
+    while (farthest <= (1 << 26) / scale) scale *= 2;
+    return scale;
+}
+
+test::shape scaled(test::shape s, std::int32_t scale)
+{
+    for (auto& loop : s.loops)
+        for (grid_point& p : loop) p = {p.x * scale, p.y * scale};
+    return s;
+}
+
 /// A grid with an em, for options in em.
 constexpr grid with_em{512.0, 1024.0};
 
@@ -26,30 +44,36 @@ constexpr grid with_em{512.0, 1024.0};
 
 TEST_CASE("no angle of a refined shape is above 90 degrees, but for rounding; the triangles fill the shape", "[refine]")
 {
-    std::size_t shapes = 0;
+    std::size_t shapes = 0, too_narrow = 0;
     for (const test::shape& s : test::generated_regions()) {
         if (!inspect::is_region(test::loops_of(s)) || s.loops[0].size() > 400) continue;
-        for (const double degrees : {0.0, 17.0}) {
-            const test::shape turned = test::turned(s, degrees);
+        for (const std::int32_t scale : {1, greatest_scale(s)}) {
+            const test::shape turned = test::turned(scaled(s, scale), 17.0);
             if (!inspect::is_region(test::loops_of(turned))) continue;
-            INFO(turned.name);
+            INFO(turned.name << ", times " << scale);
             const test::filled_shape shape{turned};
             test::refined_result out;
-            REQUIRE_FALSE(refine_right({}, shape, out));
+            const error e = refine_right({.max_points = 20'000}, shape, out);
+            if (e == error::too_many_points) {  // a long gap
+                ++too_narrow;
+                continue;
+            }
+            REQUIRE_FALSE(e);
             CHECK(test::broken_refinement(shape.filled, out) == "");
             const test::wide_corners wide = test::wide_corners_of(out);
-            CHECK(wide.above <= out.kept);
-            CHECK((out.kept == 0) == (wide.above == 0));
-            CHECK(1000 * wide.above <= out.triangles.size());
+            CHECK(wide.above == out.kept);  // a triangle has one obtuse corner at most
+            if (scale > 100) CHECK(wide.above == 0);
             ++shapes;
         }
     }
     CHECK(shapes > 20);
+    CHECK(10 * too_narrow < shapes);
 }
 
 TEST_CASE("random polygons on a fine grid have no angle above 90.1 degrees", "[refine]")
 {
     test::dice d{11};
+    int divided = 0;
     for (int round = 0; round < 20; ++round) {
         test::shape s{"polygon", {{}}};
         const int n = 5 + d.roll(40);
@@ -62,9 +86,10 @@ TEST_CASE("random polygons on a fine grid have no angle above 90.1 degrees", "[r
         CHECK(test::broken_refinement(shape.filled, out) == "");
         const test::wide_corners wide = test::wide_corners_of(out);
         CHECK(wide.above == 0);
-        CHECK(wide.rounded > 0);
         CHECK(wide.greatest < 90.1);
+        divided += wide.rounded > 0;
     }
+    CHECK(divided > 10);
 }
 
 TEST_CASE("a shape that has right triangles already is not divided", "[refine]")

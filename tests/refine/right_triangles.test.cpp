@@ -45,10 +45,13 @@ TEST_CASE("a divided triangle is six right ones; its boundary moves inwards by l
         const std::int64_t off = orientation(p, q, f);
         CHECK(off >= 0);
         CHECK(double(off) < std::sqrt(2.0 * double(squared_distance(p, q))));
-        CHECK(out.loops.edges[i].t1 == out.loops.edges[i + 1].t0);
+        const contour_edge before = out.loops.edges[i], after = out.loops.edges[i + 1];
+        CHECK(before.t1 == after.t0);
         const double share = std::sqrt(double(squared_distance(p, f)) / double(squared_distance(p, q)));
-        CHECK(double(out.loops.edges[i].t1) == Catch::Approx(share).margin(1e-3));
-        CHECK(out.loops.edges[i + 1].t1 == 1.0f);
+        CHECK(double(before.t1) ==
+              Catch::Approx(double(before.t0) + share * (double(after.t1) - double(before.t0))).margin(1e-3));
+        CHECK(before.t0 == shape.filled.edges()[i / 2].t0);
+        CHECK(after.t1 == shape.filled.edges()[i / 2].t1);
     }
 }
 

@@ -131,9 +131,9 @@ inline std::size_t corners_below(const refined_result& cap, double degrees)
 
 /// What is the largest angle of a cap.
 struct wide_corners {
-    std::size_t above = 0;     ///< corners above 90 degrees by more than moving each coordinate of both edges by 3/2
-    std::size_t rounded = 0;   ///< the other corners above 90 degrees
-    double greatest = 0.0;     ///< in degrees
+    std::size_t above = 0;    ///< corners above 90 degrees by more than moving each coordinate of both edges by 3/2
+    std::size_t rounded = 0;  ///< the other corners above 90 degrees
+    double greatest = 0.0;    ///< in degrees
 };
 inline wide_corners wide_corners_of(const refined_result& cap)
 {

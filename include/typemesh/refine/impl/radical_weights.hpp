@@ -27,8 +27,9 @@ namespace typemesh::inline TYPEMESH_ABI::detail {
 /// than the inequality, so that rounding to the grid does no harm.
 ///
 /// From  M. Bern, S. Mitchell & J. Ruppert, Linear-size nonobtuse triangulation of polygons (1995), where the weights
-///       are the squared radii of circles that touch; P. Mullen, P. Memari, F. de Goes & M. Desbrun, HOT: Hodge-optimized
-///       triangulations (2011), for weights; S. Agmon, The relaxation method for linear inequalities (1954)
+///       are the squared radii of circles that touch; P. Mullen, P. Memari, F. de Goes & M. Desbrun, HOT:
+///       Hodge-optimized triangulations (2011), for weights; S. Agmon, The relaxation method for linear inequalities
+///       (1954)
 class radical_weights {
 public:
     explicit radical_weights(memory source = heap()) noexcept : all_{source}, triangles_{source} {}
@@ -84,8 +85,10 @@ public:
     {
         const measured& m = triangles_[t];
         for (int k = 0; k < 3; ++k) {
-            const double off = foot_offset(m, k), most = (1.0 - 0.4 * margin_ * foot_margin) * m.square(k);
-            if (height(m, k) < 0.2 * margin_ * m.wanted * std::sqrt(m.square(k)) || off > most || off < -most) return false;
+            const double square = m.square(k), off = foot_offset(m, k);
+            const double wanted = 0.2 * margin_ * m.wanted * std::sqrt(square),
+                         most = (1.0 - 0.4 * margin_ * foot_margin) * square;
+            if (height(m, k) < wanted || off > most || off < -most) return false;
         }
         return true;
     }
@@ -111,7 +114,7 @@ public:
 
 private:
     static constexpr double inner_margin = 0.3;  // of the radius of the inscribed circle
-    static constexpr double foot_margin = 0.08;   // of an edge
+    static constexpr double foot_margin = 0.08;  // of an edge
 
     struct weighted {
         double weight;
@@ -139,8 +142,8 @@ private:
         double around = 0.0;
         for (int k = 0; k < 3; ++k) {
             const grid_point o = at[k], p = at[(k + 1) % 3], q = at[(k + 2) % 3];
-            const std::int64_t px = std::int64_t{p.x} - o.x, py = std::int64_t{p.y} - o.y,
-                               qx = std::int64_t{q.x} - o.x, qy = std::int64_t{q.y} - o.y;
+            const std::int64_t px = std::int64_t{p.x} - o.x, py = std::int64_t{p.y} - o.y, qx = std::int64_t{q.x} - o.x,
+                               qy = std::int64_t{q.y} - o.y;
             m.dot[k] = static_cast<double>(px * qx + py * qy);
         }
         for (int k = 0; k < 3; ++k) around += std::sqrt(m.square(k));

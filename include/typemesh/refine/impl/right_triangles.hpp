@@ -146,8 +146,8 @@ private:
                                       std::uint32_t h) noexcept
     {
         const grid_point p = mesh.start(h), q = mesh.place(mesh.target(h));
-        const double share = weights.foot_share(mesh.origin(h), mesh.target(h),
-                                                static_cast<double>(squared_distance(p, q)));
+        const double share =
+            weights.foot_share(mesh.origin(h), mesh.target(h), static_cast<double>(squared_distance(p, q)));
         foot made;
         if (!(share > 0.0 && share < 1.0)) return made;
         made.share = static_cast<float>(share);
