@@ -16,7 +16,8 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// The refiner for triangles without obtuse angles: adds points until no angle is above 90 degrees, but for rounding.
+/// The refiner for triangles without obtuse angles: adds points until no angle is above 90 degrees, except
+/// for what rounding adds.
 ///
 ///           c                 Each triangle of a coarse Delaunay mesh is divided into six right triangles: at a point
 ///         / | \               inside, and at the feet of the perpendiculars from it to the edges. Two triangles that

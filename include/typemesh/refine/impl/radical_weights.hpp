@@ -23,8 +23,8 @@ namespace typemesh::inline TYPEMESH_ABI::detail {
 ///      a------f3-----b          With equal weights, o is the centre of the circle around the triangle.
 ///
 /// That o lies on the inner side of an edge, and that a foot lies on its edge, are linear inequalities of the weights.
-/// settle() corrects weights for one broken inequality after the other, until none is broken. It asks for some more
-/// than the inequality, so that rounding to the grid does no harm.
+/// settle() corrects weights for one broken inequality after the other, until none is broken. It goes somewhat farther
+/// than the inequalities, so that rounding to the grid does no harm.
 ///
 /// From  M. Bern, S. Mitchell & J. Ruppert, Linear-size nonobtuse triangulation of polygons (1995), where the weights
 ///       are the squared radii of circles that touch; P. Mullen, P. Memari, F. de Goes & M. Desbrun, HOT:
@@ -36,8 +36,8 @@ public:
 
     void clear() noexcept { all_.clear(); }
 
-    /// Reads a mesh. The points that it had before, of which there may be more now, keep their weights. False if out of
-    /// memory.
+    /// Reads a mesh. The points that it had before keep their weights; others may have been added since. False if out
+    /// of memory.
     [[nodiscard]] bool open(const refinable_mesh& mesh) noexcept
     {
         const std::size_t old = all_.size(), n = mesh.vertex_count();

@@ -19,8 +19,8 @@
 
 namespace typemesh::inline TYPEMESH_ABI::detail {
 
-/// Whether the corner between two edges, given as vectors from it, is a right angle or less, but for the rounding of
-/// the points: each coordinate of a vector may have moved by one and a half cells.
+/// Whether the corner between two edges, given as vectors from it, is a right angle or less, or
+/// larger only by rounding: each coordinate of a vector may have moved by one and a half cells.
 [[nodiscard]] constexpr bool is_right_or_less(std::int64_t px, std::int64_t py, std::int64_t qx,
                                               std::int64_t qy) noexcept
 {
