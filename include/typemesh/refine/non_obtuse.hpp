@@ -26,8 +26,8 @@ namespace typemesh::inline TYPEMESH_ABI {
 ///      a----f3---b
 ///
 /// Solvers of heat or Poisson equations do not need it: they need cotangent weights that are not negative, and
-/// delaunay_refined has these on all inner edges, with a fifth of the triangles. Here the edge from a corner to an inner
-/// point o lies opposite two right angles: its weight is 0, or by rounding a little less. There is no least angle.
+/// delaunay_refined has these on all inner edges, with a fifth of the triangles. Here the edge from a corner to a point
+/// o inside lies opposite two right angles: its weight is 0, or by rounding a little less. There is no least angle.
 ///
 /// Points are rounded to the grid, so right angles become larger or smaller. At each corner, with the vectors p and q
 /// to the other corners, in cells:
