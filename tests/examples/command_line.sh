@@ -844,7 +844,7 @@ that "shorter edges are more triangles" [ "$(triangles short.stats)" -gt "$(tria
 expect 2 "^text_to_mesh: --min-angle needs --refine delaunay\.$" x --font $sans --output x.glb --refine nonobtuse --min-angle 20
 expect 2 "^text_to_mesh: --min-angle needs --refine delaunay\.$" x --font $sans --output x.glb --refine quadtree --min-angle 20
 expect 2 "^text_to_mesh: --max-edge must be above 0 with --refine quadtree\.$" x --font $sans --output x.glb --refine quadtree --max-edge 0
-expect 2 "^text_to_mesh: --refine must be delaunay or quadtree, not squares\.$" x --font $sans --output x.glb --refine squares
+expect 2 "^text_to_mesh: --refine must be delaunay, quadtree or nonobtuse, not squares\.$" x --font $sans --output x.glb --refine squares
 expect 1 "^text_to_mesh: --max-edge is too small for this font: give a larger number\.$" x --font $sans --output x.glb --refine quadtree --max-edge 1e-6
 expect 2 "^text_to_mesh: --max-edge needs --refine\.$" x --font $sans --output x.glb --max-edge 0.1
 expect 2 "^text_to_mesh: --refine does not work with --bevel\.$" x --font $sans --output x.glb --refine delaunay --bevel 0.01
