@@ -14,6 +14,8 @@
 //
 // The rows "squares" are quadtree_refined; of_delaunay is the number of its triangles as a multiple of
 // delaunay_refined's with the same longest edge and 25 degrees, below the number with an angle below 15 degrees.
+// The rows "right triangles" are non_obtuse; of_delaunay is the same, kept counts the triangles with an angle above 90 degrees
+// that rounding does not explain.
 // The rows "inflated" solve membrane.hpp on the same glyphs, with its default longest edge: ms_per_glyph is the best pass,
 // of_refined the same by the time of delaunay_refined alone with that edge.
 //
@@ -25,6 +27,7 @@
 #include <typemesh/glyph/glyph_builder.hpp>
 #include <typemesh/inflate/membrane.hpp>
 #include <typemesh/refine/delaunay_refined.hpp>
+#include <typemesh/refine/non_obtuse.hpp>
 #include <typemesh/refine/quadtree_refined.hpp>
 #include <typemesh/typemesh.hpp>
 
@@ -165,9 +168,12 @@ std::pair<std::size_t, double> refine_all(benchmark::State& state, const set& s,
     return {count, best};
 }
 
-void run_squares(benchmark::State& state, const set& s, float longest)
+/// Another refiner, and the number of its triangles as a multiple of delaunay_refined's.
+template <class Refiner>
+void run_other(benchmark::State& state, const set& s, const Refiner& how)
 {
-    const std::size_t count = refine_all(state, s, quadtree_refined{longest}, 15.0).first;
+    const float longest = how.max_edge;
+    const std::size_t count = refine_all(state, s, how, 15.0).first;
     delaunay_refined::scratch scratch;
     contours loops;
     buffer<grid_point> inner;
@@ -257,15 +263,19 @@ int main(int argc, char** argv)
             ->Iterations(1)
             ->Unit(benchmark::kMillisecond);
     for (const set& s : sets) {
-        if (s.how.min_angle == 25.0f && s.how.max_edge == 0.0f)
-            for (const float longest : {0.02f, 0.05f, 0.1f}) {
-                const std::string name = s.name.substr(0, s.name.find(" / 25")) + " / squares / longest edge " +
-                                         std::to_string(longest).substr(0, 4) + " em";
+        if (s.how.min_angle == 25.0f && s.how.max_edge == 0.0f) {
+            const std::string of = s.name.substr(0, s.name.find(" / 25"));
+            const auto add = [&](const char* way, auto how) {
+                const std::string name =
+                    of + " / " + way + " / longest edge " + std::to_string(how.max_edge).substr(0, 4) + " em";
                 benchmark::RegisterBenchmark(name.c_str(),
-                                             [&s, longest](benchmark::State& state) { run_squares(state, s, longest); })
+                                             [&s, how](benchmark::State& state) { run_other(state, s, how); })
                     ->Iterations(1)
                     ->Unit(benchmark::kMillisecond);
-            }
+            };
+            for (const float longest : {0.02f, 0.05f, 0.1f}) add("squares", quadtree_refined{longest});
+            for (const float longest : {0.0f, 0.05f}) add("right triangles", non_obtuse{longest});
+        }
         benchmark::RegisterBenchmark(s.name.c_str(), [&s](benchmark::State& state) { run(state, s); })
             ->Iterations(1)
             ->Unit(benchmark::kMillisecond);

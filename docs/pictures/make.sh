@@ -132,14 +132,15 @@ bent=(--font /usr/share/fonts/truetype/dejavu/DejaVuSans.ttf --depth 0.15 --alig
 mogrify -resize 700x360 -background '#eef0f3' -gravity center -extent 700x360 "$scratch"/{cup,cup_triangles,twist,wave}.png
 montage "$scratch"/{cup,cup_triangles,twist,wave}.png -tile 2x2 -geometry +0+0 bent.png
 
-# Five ways to mesh a letter.
+# Six ways to mesh a letter.
 ways=(--font /usr/share/fonts/truetype/dejavu/DejaVuSans.ttf --depth 0 --show triangles)
 "$program" "Rg" "${ways[@]}" --triangulator monotone --picture "$scratch/way1.png"
 "$program" "Rg" "${ways[@]}" --triangulator delaunay --picture "$scratch/way2.png"
 "$program" "Rg" "${ways[@]}" --refine delaunay --picture "$scratch/way3.png"
 "$program" "Rg" "${ways[@]}" --refine delaunay --max-edge 0.06 --picture "$scratch/way4.png"
 "$program" "Rg" "${ways[@]}" --refine quadtree --max-edge 0.06 --picture "$scratch/way5.png"
-montage "$scratch"/way[1-5].png -tile 3x2 -geometry 640x440+2+2 meshing.png
+"$program" "Rg" "${ways[@]}" --refine nonobtuse --picture "$scratch/way6.png"
+montage "$scratch"/way[1-6].png -tile 3x2 -geometry 640x440+2+2 meshing.png
 
 # Letters like balloons; outlines that are warped.
 "$program" "Balloon" --font /usr/share/fonts/truetype/dejavu/DejaVuSans.ttf --inflate 1 --turn -25 --picture "$scratch/balloon1.png"

@@ -396,14 +396,14 @@ void add_weight_options(CLI::App& app, options& out)
 void add_refine_options(CLI::App& app, options& out, raw_values& raw)
 {
     app.add_option("--refine", raw.refine, "add points to the letters, for meshes to be bent or used in a simulation")
-        ->check(one_of({"delaunay", "quadtree"}));
+        ->check(one_of({"delaunay", "quadtree", "nonobtuse"}));
     add_number(
         app, "--min-angle", "the least angle of triangles from --refine delaunay (default 25)", "a number from 0 to 33",
         [](double n) { return n >= 0.0 && n <= 33.0; },
         [&out](double n) { out.refine.min_angle = static_cast<float>(n); })
         ->type_name("DEGREES");
     add_number(
-        app, "--max-edge", "the longest edge of refined triangles (default: any with delaunay, 0.05 with quadtree)",
+        app, "--max-edge", "the longest edge of refined triangles (default: 0.05 with quadtree, otherwise any)",
         "a number from 0 to 1000", [](double n) { return n >= 0.0 && n <= 1000.0; },
         [&out](double n) { out.refine.max_edge = static_cast<float>(n); })
         ->type_name("EM");
@@ -547,12 +547,13 @@ std::string settle_weight(options& out, const raw_values& raw)
 std::string settle_refine(options& out, const raw_values& raw)
 {
     if (raw.refine.empty()) return raw.of_refining.empty() ? std::string{} : raw.of_refining + " needs --refine";
-    out.refine.refiner = raw.refine == "quadtree" ? refiner_name::quadtree : refiner_name::delaunay;
-    if (out.refine.refiner == refiner_name::quadtree) {
-        if (raw.of_refining == "--min-angle") return "--min-angle needs --refine delaunay";
-        if (out.refine.max_edge && !(*out.refine.max_edge > 0.0f))
-            return "--max-edge must be above 0 with --refine quadtree";
-    }
+    out.refine.refiner = raw.refine == "quadtree"    ? refiner_name::quadtree
+                         : raw.refine == "nonobtuse" ? refiner_name::non_obtuse
+                                                     : refiner_name::delaunay;
+    if (out.refine.refiner != refiner_name::delaunay && raw.of_refining == "--min-angle")
+        return "--min-angle needs --refine delaunay";
+    if (out.refine.refiner == refiner_name::quadtree && out.refine.max_edge && !(*out.refine.max_edge > 0.0f))
+        return "--max-edge must be above 0 with --refine quadtree";
     if (out.bevel.width > 0.0f) return "--refine does not work with --bevel";
     if (out.outline.width > 0.0f) return "--refine does not work with --outline";
     return {};

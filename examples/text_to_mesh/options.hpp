@@ -26,7 +26,7 @@ enum class discretiser_name { certified, two_lines, adaptive };
 enum class triangulator_name { monotone, delaunay };
 enum class normals_name { cap, shared, averaged, creased, curve };
 enum class profile_name { chamfer, round, concave, stepped, engraved, points };
-enum class refiner_name { none, delaunay, quadtree };
+enum class refiner_name { none, delaunay, quadtree, non_obtuse };
 enum class preset { low, normal, high, best };
 
 /// Bevels, as bevelled.hpp has them.
@@ -55,7 +55,7 @@ struct outline_options {
     bool letter = false;  ///< the letter is made, too
 };
 
-/// Refined letters, as delaunay_refined.hpp and quadtree_refined.hpp have them.
+/// Refined letters, as delaunay_refined.hpp, quadtree_refined.hpp and non_obtuse.hpp have them.
 struct refine_options {
     refiner_name refiner = refiner_name::none;
     float min_angle = 25.0f;        ///< degrees; of delaunay

@@ -27,6 +27,8 @@ chosen_solid solid_of(const options& o)
         if (o.refine.max_edge) solid.how.max_edge = *o.refine.max_edge;
         return solid;
     }
+    if (o.refine.refiner == refiner_name::non_obtuse)
+        return right_solid{.solid = plain_of(o), .how = {.max_edge = o.refine.max_edge.value_or(0.0f)}};
     if (o.carve.tool_angle > 0.0f) return letter_solid{carved_of(o)};
     const letter_solid letter = o.bevel.width > 0.0f ? letter_solid{bevelled_of(o)} : letter_solid{plain_of(o)};
     if (o.outline.width > 0.0f) return hollow_of(o, letter);

@@ -12,6 +12,7 @@
 #include <typemesh/extrude/outlined.hpp>
 #include <typemesh/extrude/refined.hpp>
 #include <typemesh/glyph/coarsened.hpp>
+#include <typemesh/refine/non_obtuse.hpp>
 #include <typemesh/refine/quadtree_refined.hpp>
 #include <typemesh/typemesh.hpp>
 
@@ -30,8 +31,9 @@ using letter_solid = typemesh::one_of<plain_solid, typemesh::bevelled, typemesh:
 using hollow_solid = typemesh::outlined<letter_solid, plain_solid>;
 using refined_solid = typemesh::refined<plain_solid>;
 using squared_solid = typemesh::refined<plain_solid, typemesh::quadtree_refined>;
-using chosen_solid = typemesh::one_of<letter_solid, hollow_solid, refined_solid, squared_solid, bent_solid, bent_bevels,
-                                      typemesh::inflated>;
+using right_solid = typemesh::refined<plain_solid, typemesh::non_obtuse>;
+using chosen_solid = typemesh::one_of<letter_solid, hollow_solid, refined_solid, squared_solid, right_solid, bent_solid,
+                                      bent_bevels, typemesh::inflated>;
 
 using chosen_mesher = typemesh::text_mesher<chosen_solid>;
 using chosen_plan = typemesh::text_plan<chosen_solid>;

@@ -850,9 +850,15 @@ that "squares are about as many: $(triangles refined.stats) to $(triangles squar
 that "squares are less than twice as many" [ "$(triangles squared.stats)" -lt $((2 * $(triangles refined.stats))) ]
 expect 0 "" "Rag" --font $sans --output same.stl --stats --refine quadtree && cp out same.stats
 that "the longest edge of a quadtree is 0.05 em by default" cmp squared.stl same.stl
+expect 0 "" "Rag" --font $sans --output right.stl --stats --refine nonobtuse && cp out right.stats
+that "right triangles are some times as many" [ "$(triangles right.stats)" -gt $((3 * $(triangles plain.stats))) ]
+alike "any edge is the default" stl "Rag" --font $sans --refine nonobtuse / "Rag" --font $sans --refine nonobtuse --max-edge 0
+expect 0 "" "Rag" --font $sans --output short.stl --stats --refine nonobtuse --max-edge 0.05 && cp out short.stats
+that "shorter edges are more triangles" [ "$(triangles short.stats)" -gt "$(triangles right.stats)" ]
+expect 2 "^text_to_mesh: --min-angle needs --refine delaunay\.$" x --font $sans --output x.glb --refine nonobtuse --min-angle 20
 expect 2 "^text_to_mesh: --min-angle needs --refine delaunay\.$" x --font $sans --output x.glb --refine quadtree --min-angle 20
 expect 2 "^text_to_mesh: --max-edge must be above 0 with --refine quadtree\.$" x --font $sans --output x.glb --refine quadtree --max-edge 0
-expect 2 "^text_to_mesh: --refine must be delaunay or quadtree, not squares\.$" x --font $sans --output x.glb --refine squares
+expect 2 "^text_to_mesh: --refine must be delaunay, quadtree or nonobtuse, not squares\.$" x --font $sans --output x.glb --refine squares
 expect 1 "^text_to_mesh: --max-edge is too small for this font: give a larger number\.$" x --font $sans --output x.glb --refine quadtree --max-edge 1e-6
 expect 2 "^text_to_mesh: --max-edge needs --refine\.$" x --font $sans --output x.glb --max-edge 0.1
 expect 2 "^text_to_mesh: --refine does not work with --bevel\.$" x --font $sans --output x.glb --refine delaunay --bevel 0.01

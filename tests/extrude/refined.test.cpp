@@ -6,6 +6,7 @@
 #include <typemesh/glyph/cap_builder.hpp>
 #include <typemesh/glyph/region_caps.hpp>
 #include <typemesh/inspect/mesh_measure.hpp>
+#include <typemesh/refine/non_obtuse.hpp>
 #include <typemesh/refine/quadtree_refined.hpp>
 #include <typemesh/triangulate/monotone.hpp>
 
@@ -123,6 +124,24 @@ TEST_CASE("a solid refined by squares is closed as well, and upright on the edge
             CHECK(m->sizes.vertices[part::front] == data.loops.points.size());
             if (longest == 0.02f) CHECK(m->inner.size() > 10);
         }
+    }
+}
+
+TEST_CASE("a solid of right triangles is closed as well, and upright on the edge of its caps", "[extrude][refined]")
+{
+    using right = refined<extruded<>, non_obtuse>;
+    static_assert(extruder<right> && cacheable_policy<right>);
+    CHECK_FALSE(right{}.cache_key() == right{.how = {.max_edge = 0.1f}}.cache_key());
+    plan_data_of<right> data;
+    for (const auto& s : shapes::all()) {
+        INFO(s.name);
+        const auto m = refine(s, right{}, data);
+        REQUIRE(m);
+        CHECK(m->vertices.size() == m->announced.vertices);
+        CHECK(m->triangles.size() == m->announced.triangles);
+        CHECK(open_edges(*m) == 0);
+        CHECK(volume_of(*m) == Catch::Approx(0.2 * front_area(*m)).epsilon(1e-5));
+        CHECK(m->sizes.vertices[part::front] == data.loops.points.size());
     }
 }
 

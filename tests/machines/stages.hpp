@@ -25,6 +25,7 @@
 #include <typemesh/extrude/refined.hpp>
 #include <typemesh/paragraph/paragraph.hpp>
 #include <typemesh/paragraph/total_fit.hpp>
+#include <typemesh/refine/non_obtuse.hpp>
 #include <typemesh/refine/quadtree_refined.hpp>
 #include <typemesh/triangulate/constrained_delaunay.hpp>
 #include <typemesh/typemesh.hpp>
@@ -312,6 +313,8 @@ inline std::vector<stage_hash> hash_stages(const faces& all)
     stage("mesh: refined, delaunay", [&](hash& h) { hash_mesh(h, all, refined<>{.how = {.max_edge = 0.1f}}); });
     stage("mesh: refined, quadtree",
           [&](hash& h) { hash_mesh(h, all, refined<extruded<>, quadtree_refined>{.how = {.max_edge = 0.1f}}); });
+    stage("mesh: refined, non_obtuse",
+          [&](hash& h) { hash_mesh(h, all, refined<extruded<>, non_obtuse>{.how = {.max_edge = 0.1f}}); });
     stage("mesh: bent, cylinder", [&](hash& h) { hash_mesh(h, all, bent<on_cylinder>{.how = {50.0}}); });
     stage("mesh: bent, twisted bevels", [&](hash& h) { hash_mesh(h, all, bent<twist, bevelled>{.how = {5.0}}); });
     stage("mesh: warped, arc", [&](hash& h) { hash_mesh(h, all, warped{arc{.degrees = 90.0}}); });

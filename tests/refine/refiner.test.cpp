@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 
 #include <typemesh/refine/delaunay_refined.hpp>
+#include <typemesh/refine/non_obtuse.hpp>
 #include <typemesh/refine/quadtree_refined.hpp>
 #include <typemesh/refine/refiner.hpp>
 
@@ -31,6 +32,7 @@ TEST_CASE("a refiner has a scratch and does not throw", "[refine]")
     STATIC_REQUIRE(refiner<no_refinement>);
     STATIC_REQUIRE(refiner<delaunay_refined>);
     STATIC_REQUIRE(refiner<quadtree_refined>);
+    STATIC_REQUIRE(refiner<non_obtuse>);
     STATIC_REQUIRE_FALSE(refiner<may_throw>);
     STATIC_REQUIRE_FALSE(refiner<int>);
 }

@@ -13,8 +13,10 @@
 #include <typemesh/triangulate/constrained_delaunay.hpp>
 #include <typemesh/triangulate/monotone.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <cstdlib>
 #include <map>
 #include <string>
 #include <utility>
@@ -156,6 +158,28 @@ inline std::size_t corners_below(const refined_result& cap, double degrees)
         count += std::atan2(ax * by - ay * bx, ax * bx + ay * by) < (degrees - 1e-9) * (turn_once / 360.0);
     }
     return count;
+}
+
+/// What is the largest angle of a cap.
+struct wide_corners {
+    std::size_t above = 0;    ///< corners above 90 degrees by more than moving each coordinate of both edges by 3/2
+    std::size_t rounded = 0;  ///< the other corners above 90 degrees
+    double greatest = 0.0;    ///< in degrees
+};
+inline wide_corners wide_corners_of(const refined_result& cap)
+{
+    const std::vector<typemesh::grid_point> points = cap.points();
+    wide_corners all;
+    for (const auto& [edge, apex] : edges_of(cap)) {
+        const typemesh::grid_point at = points[apex], a = points[edge.first], b = points[edge.second];
+        const std::int64_t px = std::int64_t{a.x} - at.x, py = std::int64_t{a.y} - at.y, qx = std::int64_t{b.x} - at.x,
+                           qy = std::int64_t{b.y} - at.y, product = px * qx + py * qy;
+        const std::int64_t around = std::abs(px) + std::abs(py) + std::abs(qx) + std::abs(qy);
+        (2 * product < -3 * around - 9 ? all.above : all.rounded) += product < 0;
+        all.greatest = (std::max)(all.greatest, std::atan2(double(px * qy - py * qx), double(product)));
+    }
+    all.greatest *= 360.0 / turn_once;
+    return all;
 }
 
 }  // namespace test

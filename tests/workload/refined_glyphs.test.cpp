@@ -10,6 +10,7 @@
 #include <typemesh/glyph/glyph_builder.hpp>
 #include <typemesh/inspect/closedness.hpp>
 #include <typemesh/inspect/mesh_view.hpp>
+#include <typemesh/refine/non_obtuse.hpp>
 #include <typemesh/refine/quadtree_refined.hpp>
 #include <typemesh/typemesh.hpp>
 
@@ -101,4 +102,43 @@ TEST_CASE("every smoke font's glyphs are refined by squares, lawfully, at three 
     CHECK(long_edges == 0);
     CHECK(below_5 < triangles / 1000);
     CHECK(below_15 < triangles / 300);
+}
+
+TEST_CASE("no triangle of a smoke font's glyphs has an angle above 90 degrees, but for rounding", "[workload]")
+{
+    const certified flatten;
+    const constrained_delaunay cut;
+    no_observer nobody;
+    glyph_builder builder;
+    non_obtuse::scratch scratch;
+    workspace space;
+    test::refined_result out;
+    triangle_list cap;
+    std::size_t glyphs = 0, triangles = 0, above = 0, kept = 0, whole = 0;
+    test::each_smoke_glyph(4001, [&](auto& font, std::uint32_t glyph, const std::string& name) {
+        for (const double tolerance : {1.0 / 50, 1.0 / 160, 1.0 / 800}) {
+            const auto filled =
+                builder.build_region(font, glyph, {.tolerance = tolerance}, cap_policies{flatten, cut, nobody});
+            if (!filled || filled->points().empty()) continue;
+            cap.clear();
+            INFO(name << " at " << tolerance);
+            REQUIRE_FALSE(cut(*filled, space, cap));
+            const error e = non_obtuse{glyph % 2 == 0 ? 0.0f : 0.1f}(*filled, cap.view(), scratch, out.out());
+            INFO(e.message());
+            REQUIRE_FALSE(e);
+            CHECK(test::broken_refinement(*filled, out) == "");
+            const test::wide_corners wide = test::wide_corners_of(out);
+            ++glyphs;
+            triangles += out.triangles.size();
+            above += wide.above;
+            kept += out.kept;
+            whole += wide.rounded == 0;
+        }
+    });
+    CAPTURE(glyphs, triangles, above, kept, whole);
+    CHECK(glyphs > 200);
+    CHECK(triangles > 200 * glyphs);
+    CHECK(above == 0);
+    CHECK(kept == 0);
+    CHECK(whole > 0);  // bars and dots need no division
 }
