@@ -8,6 +8,7 @@
 #include <typemesh/extrude/curve_normals.hpp>
 #include <typemesh/extrude/extruder.hpp>
 #include <typemesh/extrude/impl/axes.hpp>
+#include <typemesh/extrude/impl/bevel_bisection.hpp>
 #include <typemesh/extrude/impl/bevel_carver.hpp>
 #include <typemesh/extrude/impl/bevel_data.hpp>
 #include <typemesh/extrude/impl/bevel_heights.hpp>
@@ -24,6 +25,7 @@
 #include <typemesh/offset/impl/touching_walls.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <initializer_list>
@@ -137,8 +139,7 @@ struct bevelled {
         if (n > 0x3FFF'FFFFu) return error::too_large;
         const double em = filled.grid().cells * filled.grid().units_per_em;
         if (!(em > 0.0)) return error::bad("units_per_em");
-        profile_scale scale{as_double(width) * em, as_double(bevel_depth) * em, filled.tolerance(),
-                            filled.corners() != touching::keep};
+        profile_scale scale = scale_of(filled, em);
         if (!(scale.width < (outward ? 0x1p25 : grid::reach))) return error::bad("width");
         solid_plan made;
         const error e = outward && scale.width >= profile_levels::finest ? plan_outward(filled, scale, data, caps, made)
@@ -165,9 +166,18 @@ struct bevelled {
     }
 
     /// See bendable_caps in bent.hpp.
-    [[nodiscard]] double reach() const noexcept { return as_double(width); }
-    /// Likewise.
-    [[nodiscard]] double rise() const noexcept { return as_double(bevel_depth); }
+    [[nodiscard]] upright_faces uprights(const region& filled) const noexcept
+    {
+        const double em = filled.grid().cells * filled.grid().units_per_em;
+        const profile_scale scale = scale_of(filled, em);
+        const profile_levels levels{profile.at(scale), scale};
+        const bool apart = outward && scale.width >= profile_levels::finest;
+        const profile_level &wall = levels.view().front(), &own = apart ? levels.view().back() : wall;
+        const bevel_heights to = own_heights();
+        const double high = to.rim(true, wall.arrives), low = to.rim(false, wall.arrives);
+        const double riser = as_double(bevel_depth) * (as_double(own.leaves) - as_double(own.arrives));
+        return {side && high > low ? high - low : 0.0, std::fabs(riser), apart};
+    }
     /// Likewise.
     template <class Refine>
     [[nodiscard]] error refine_caps(Refine& refine, plan_data& data, solid_plan& made) const noexcept
@@ -312,6 +322,23 @@ private:
         return {};
     }
 
+    [[nodiscard]] profile_scale scale_of(const region& filled, double em) const noexcept
+    {
+        return {as_double(width) * em, as_double(bevel_depth) * em, filled.tolerance(),
+                filled.corners() != touching::keep};
+    }
+
+    /// Lets a cap_maker that bends solids divide the slopes: see bendable_caps in bent.hpp.
+    template <cap_maker Caps>
+    error divide(plan_data& data, [[maybe_unused]] const profile_levels& levels, [[maybe_unused]] std::uint32_t frame,
+                 Caps& caps) const noexcept
+    {
+        if constexpr (requires(const detail::swept_heights& to) { caps.divide(data.swept, to); })
+            return caps.divide(data.swept, detail::swept_heights{levels, as_double(bevel_depth), frame});
+        else
+            return {};
+    }
+
     [[nodiscard]] bevel_carver carver_of(const region& filled, bool outwards) const noexcept
     {
         const double em = filled.grid().cells * filled.grid().units_per_em;
@@ -326,7 +353,10 @@ private:
     {
         const auto doubled = plan_sides(filled, curve_normals{crease_degrees}, texture, data.of<side_point>());
         if (!doubled) return doubled.error();
-        const auto make = [&](const swept_region&) noexcept { return make_cap(data, caps); };
+        const auto make = [&](const swept_region&) noexcept {
+            const error e = divide(data, {profile.at(scale), scale}, none, caps);
+            return e ? e : make_cap(data, caps);
+        };
         const auto profile_at = [this](const profile_scale& at) noexcept { return profile.at(at); };
         bevel_carver carve = carver_of(filled, false);
         if (error e = carve({filled, caps.triangles()}, profile_at, scale, caps.space(), data.swept, make)) return e;
@@ -351,7 +381,9 @@ private:
         if (!doubled) return doubled.error();
         const double way = reach / scale.width;
         bevel_carver carve = carver_of(filled, true);
+        const std::uint32_t frame = frame_of(*around);
         const auto make = [&](const swept_region&) noexcept {
+            if (error e = divide(data, {profile.at(scale), scale}, frame, caps)) return e;
             constexpr double slack = 4.0;  // a margin for rounding
             if (!is_in_reach(data.swept.cap, filled, way * scale.width + slack)) return error{error::crossing_contours};
             leave_frame(data.swept.cap);
@@ -379,7 +411,6 @@ private:
             data.clear();
             return plan_inward(filled, scale, data, caps, made);
         }
-        const std::uint32_t frame = frame_of(*around);
         if (error e = make_bevel({profile.at(scale), scale}, *around, frame, data, caps.space())) return e;
         for (std::uint32_t i = 0; i < 4; ++i) data.of<side_point>()[frame + i].doubled = false;
         made.sizes = sizes(filled, 0, data);

@@ -10,6 +10,13 @@ namespace typemesh::inline TYPEMESH_ABI {
 /// The edges that are bevelled.
 enum class bevel_sides : std::uint8_t { both, front, back };
 
+/// The upright faces of a solid: see bendable_caps in bent.hpp.
+struct upright_faces {
+    double walls = 0.0;   ///< the height of the walls, in the unit of depths
+    double risers = 0.0;  ///< the height of other upright faces on the region's own edges, likewise
+    bool apart = false;   ///< whether the walls stand elsewhere
+};
+
 /// The heights of a bevelled solid, in the unit of its depth. `in_front` selects one of its two sides.
 ///
 ///     high     front ____                  share 1 of the bevel's depth
