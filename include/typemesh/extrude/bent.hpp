@@ -135,12 +135,15 @@ struct bent_data {
 namespace detail {
 
 /// A cap_maker that divides the slopes of bevels as far as they bend: see bendable_caps.
-template <cap_maker Caps, deformation Deformation>
-class bending_caps {
+template <cap_maker Caps, class Solid, deformation Deformation>
+class bending_caps : public caps_of_region<Caps> {
 public:
-    bending_caps(Caps& caps, bevel_bisection& working, const bent_measure<Deformation>& measure,
+    bending_caps(Caps& caps, bent_data<Solid>& data, const bent_measure<Deformation>& measure,
                  std::uint32_t max_points) noexcept
-        : caps_{caps}, working_{working}, measure_{measure}, max_points_{max_points}
+        : caps_of_region<Caps>{caps, data.flat.triangles.view()},
+          working_{data.slopes},
+          measure_{measure},
+          max_points_{max_points}
     {
     }
 
@@ -149,17 +152,7 @@ public:
         return working_.run(swept, heights, measure_, max_points_);
     }
 
-    // --- of the other cap_maker
-
-    [[nodiscard]] array_view<const triangle> triangles() const noexcept { return caps_.triangles(); }
-    error operator()(const region& r, triangle_list& out) noexcept { return caps_(r, out); }
-    [[nodiscard]] contours& loops() noexcept { return caps_.loops(); }
-    result<region> fill(triangle_list& out) noexcept { return caps_.fill(out); }
-    [[nodiscard]] workspace& space() noexcept { return caps_.space(); }
-    [[nodiscard]] solid_place place() const noexcept { return solid_place_of(caps_); }
-
 private:
-    Caps& caps_;
     bevel_bisection& working_;
     const bent_measure<Deformation>& measure_;
     std::uint32_t max_points_;
@@ -414,8 +407,8 @@ private:
             data.flat.inner.clear();
             data.flat.triangles.clear();
             if (error e = caps(data.flat.boundary_of(filled), data.flat.triangles)) return e;
-            detail::bending_caps<Caps, Deformation> bending{caps, data.slopes, measure, max_points};
-            auto made = data.flat.plan(own, data.flat.boundary_of(filled), bending);
+            detail::bending_caps<Caps, Solid, Deformation> dividing{caps, data, measure, max_points};
+            auto made = data.flat.plan_by(own, data.flat.boundary_of(filled), dividing);
             if (!made) return made;
             detail::bent_caps<Solid, Deformation> refine{data, measure, max_points};
             if (error e = own.refine_caps(refine, data.flat.data, *made)) return e;
