@@ -4,6 +4,7 @@
 #include <typemesh/core/array_view.hpp>
 #include <typemesh/core/buffer.hpp>
 #include <typemesh/core/error.hpp>
+#include <typemesh/core/impl/in_circle.hpp>
 #include <typemesh/core/memory.hpp>
 #include <typemesh/core/orientation.hpp>
 #include <typemesh/core/point.hpp>
@@ -242,7 +243,8 @@ private:
         constexpr double least = 0x1p-6;
         for (;;) {
             const std::uint32_t k = spans[0] >= spans[1] && spans[0] >= spans[2] ? 0 : spans[1] >= spans[2] ? 1 : 2;
-            if (!(spans[k] >= least) || halve(3 * t + k, fits)) return fits;
+            if (!(spans[k] >= least) || halve(3 * t + k, fits) || flip(3 * t + k, fits))
+                return fits;
             spans[k] = -1.0;
         }
     }
@@ -307,6 +309,30 @@ private:
         connect(3 * made + 1, twin);
         connect(3 * made + 2, side);
         return 3 * made;
+    }
+    /// Replaces an edge by the other diagonal of its two triangles, if that is the Delaunay one: for triangles that are
+    /// so thin that no grid point lies inside. Both then belong to the larger one's face. Whether it has been replaced;
+    /// `fits` becomes false if out of memory.
+    [[nodiscard]] bool flip(std::uint32_t h, bool& fits) noexcept
+    {
+        const std::uint32_t g = twins_[h], t = h / 3, u = g / 3;
+        if (g == none || cell_of(t).band != cell_of(u).band || heights_->is_frame(cell_of(u).edge)) return false;
+        const std::uint32_t a = origin(h), b = origin(g), c = origin(next(next(h))), d = origin(next(next(g)));
+        if (levels_[a] != none && levels_[a] == levels_[b]) return false;
+        const grid_point p = place(a), q = place(b), r = place(c), s = place(d);
+        if (orientation(p, s, r) <= 0 || orientation(s, q, r) <= 0 || in_circle(p, q, r, s) <= 0) return false;
+        cells_[t] = cells_[u] = orientation(p, q, r) > orientation(q, p, s) ? cells_[t] : cells_[u];
+        const std::uint32_t bc = twins_[next(h)], ca = twins_[next(next(h))], ad = twins_[next(g)],
+                            db = twins_[next(next(g))];
+        swept_->triangles[t] = {c, a, d};
+        swept_->triangles[u] = {d, b, c};
+        connect(3 * t, ca);
+        connect(3 * t + 1, ad);
+        connect(3 * t + 2, 3 * u + 2);
+        connect(3 * u, db);
+        connect(3 * u + 1, bc);
+        fits = waiting_.push_back(t) && waiting_.push_back(u);
+        return true;
     }
     void connect(std::uint32_t h, std::uint32_t twin) noexcept
     {
