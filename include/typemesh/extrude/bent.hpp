@@ -298,6 +298,7 @@ struct bent {
         if (!is_unfolded(how, whole)) return error::folds_over;
         if (error e = surface.read(own, data.flat.read(), *made, at)) return e;
         if (!(surface.greatest_error() <= tolerance)) return error::bad("tolerance");
+        if (surface.turns()) return error::folds_over;
         made->textured = made->around;
         const box3 bounds = surface.bounds();
         constexpr double margin = 0x1p-10;  // cells; more than the rounding of the sums below
@@ -416,8 +417,6 @@ private:
         } else {
             if (error e = data.working.run(filled, caps.triangles(), measure, max_points)) return e;
             if (error e = data.working.write(data.flat.out(kept))) return e;
-            if (measure.any_turns(data.flat.loops.points.view(), data.flat.inner.view(), data.flat.triangles.view()))
-                return error::folds_over;
             return data.flat.plan_refined(own, filled, caps);
         }
     }

@@ -16,6 +16,28 @@
 
 namespace typemesh::inline TYPEMESH_ABI::detail {
 
+/// Triangles less high than this are roundings, and have no side; in cells.
+inline constexpr double thinnest = 4.0;
+
+/// Whether the image of a triangle faces away from the direction in which the bent surface faces at one of its corners.
+/// False if it is lower than `thin`.
+template <deformation D>
+[[nodiscard]] bool is_turned(const D& bends, const double3 (&corners)[3], double thin) noexcept
+{
+    const double3 sides[] = {corners[1] - corners[0], corners[2] - corners[0], corners[2] - corners[1]};
+    const double3 n = cross(sides[0], sides[1]);
+    for (const double3& side : sides)
+        if (dot(n, n) < thin * thin * dot(side, side)) return false;
+    const deformed_point images[] = {bends(corners[0]), bends(corners[1]), bends(corners[2])};
+    const double3 facing = cross(images[1].at - images[0].at, images[2].at - images[0].at);
+    for (const deformed_point& c : images) {
+        // By the cofactors of the Jacobian matrix, as normals are bent.
+        const double3 own = n.x * cross(c.y, c.z) + n.y * cross(c.z, c.x) + n.z * cross(c.x, c.y);
+        if (!(dot(facing, own) > 0.0)) return true;
+    }
+    return false;
+}
+
 /// Measures how much the edges and triangles of a glyph at its place in the text bend: see edge_bisection. The unit is
 /// the tolerance.
 template <deformation D>
@@ -55,13 +77,24 @@ struct bent_measure {
     }
     [[nodiscard]] double span(const raised_point& a, const raised_point& b) const noexcept
     {
-        return upright(a.at, b.at, a.height < b.height ? b.height - a.height : a.height - b.height);
+        return upright(a.at, b.at, a.behind < b.behind ? b.behind - a.behind : a.behind - b.behind);
     }
     [[nodiscard]] double slope(const raised_point& a, const raised_point& b, const raised_point& c) const noexcept
     {
-        const auto [least, greatest] = std::minmax({a.height, b.height, c.height});
+        const auto [least, greatest] = std::minmax({a.behind, b.behind, c.behind});
         return size_of(around(a.at, b.at, c.at), (greatest - least) * em_per_depth);
     }
+    /// Whether its image turns, in front or at the back.
+    [[nodiscard]] bool turns(const raised_point& a, const raised_point& b, const raised_point& c) const noexcept
+    {
+        const auto in_front = [&](const raised_point& p) noexcept { return at(p.at, high - p.behind * em_per_depth); };
+        const auto behind = [&](const raised_point& p) noexcept { return at(p.at, low + p.behind * em_per_depth); };
+        const double thin = thinnest * em_per_cell;
+        return is_turned(bends, {in_front(a), in_front(b), in_front(c)}, thin) ||
+               is_turned(bends, {behind(a), behind(c), behind(b)}, thin);
+    }
+
+    // --- of caps: see edge_bisection
 
     /// Triangles that turn when they are bent are too large as well.
     [[nodiscard]] double triangle(grid_point p, grid_point q, grid_point r) const noexcept
@@ -79,20 +112,6 @@ struct bent_measure {
         const double3 facing = cross(corners[1].at - corners[0].at, corners[2].at - corners[0].at);
         for (const deformed_point& c : corners)
             if (!(dot(facing, cross(c.x, c.y)) > 0.0)) return true;
-        return false;
-    }
-
-    /// Whether any of these triangles turns, at the lowest or at the greatest height. Their corners are `points`,
-    /// followed by `inner`.
-    [[nodiscard]] bool any_turns(array_view<const grid_point> points, array_view<const grid_point> inner,
-                                 array_view<const typemesh::triangle> triangles) const noexcept
-    {
-        const auto corner = [&](std::uint32_t i) noexcept {
-            return i < points.size() ? points[i] : inner[i - points.size()];
-        };
-        for (const typemesh::triangle& t : triangles)
-            for (const double height : {low, high})
-                if (turns(corner(t.a), corner(t.b), corner(t.c), height)) return true;
         return false;
     }
 

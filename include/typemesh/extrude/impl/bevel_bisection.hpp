@@ -18,7 +18,8 @@
 
 namespace typemesh::inline TYPEMESH_ABI::detail {
 
-/// The heights of a bevel above the levels of its sweep, in the unit of depths.
+/// The heights of a bevel at the levels of its sweep: how far it lies behind the front, or before the back, in the unit
+/// of depths.
 class swept_heights {
 public:
     static constexpr std::uint32_t no_frame = ~std::uint32_t{0};
@@ -33,11 +34,11 @@ public:
     /// The heights at which a band begins and ends.
     [[nodiscard]] double begin(std::uint32_t band) const noexcept
     {
-        return rise_ * as_double(is_outward() ? at(band).arrives : at(band).leaves);
+        return behind(is_outward() ? at(band).arrives : at(band).leaves);
     }
     [[nodiscard]] double end(std::uint32_t band) const noexcept
     {
-        return rise_ * as_double(is_outward() ? at(band + 1).leaves : at(band + 1).arrives);
+        return behind(is_outward() ? at(band + 1).leaves : at(band + 1).arrives);
     }
     /// The height of the riser at a level; 0 if there is none.
     [[nodiscard]] double riser(std::uint32_t level) const noexcept
@@ -53,6 +54,7 @@ public:
     [[nodiscard]] std::uint32_t last() const noexcept { return static_cast<std::uint32_t>(profile_.view().size() - 1); }
 
 private:
+    [[nodiscard]] double behind(float share) const noexcept { return rise_ * (1.0 - as_double(share)); }
     [[nodiscard]] const profile_level& at(std::uint32_t level) const noexcept
     {
         return profile_.view()[is_outward() ? last() - level : level];
@@ -63,10 +65,10 @@ private:
     std::uint32_t frame_;
 };
 
-/// A point of a bevel: a grid point at a height, in the unit of depths.
+/// A point of a bevel: a grid point, and how far it lies behind the front or before the back, in the unit of depths.
 struct raised_point {
     grid_point at;
-    double height;
+    double behind;
 };
 
 /// Halves the edges of a bevel's triangles until none is too large for a measure: of its faces' triangles, and of the
@@ -79,6 +81,7 @@ struct raised_point {
 ///     | |                | |        | .|                | |
 ///
 ///     measure.slope(a, b, c)      the size of a triangle of three raised points
+///     measure.turns(a, b, c)      whether it is too large although its size is not
 ///     measure.span(a, b)          for the choice: the edge of a triangle with the greatest span is halved
 ///     measure.upright(p, q, h)    the size of a face of height h on an edge, in the unit of depths
 ///     measure.outer(p, q)         the size of an edge at the end of an outward sweep, with its walls
@@ -235,15 +238,16 @@ private:
         const std::uint32_t band = cell_of(t).band;
         const raised_point corners[] = {raised(origin(3 * t), band), raised(origin(3 * t + 1), band),
                                         raised(origin(3 * t + 2), band)};
-        if (measure.slope(corners[0], corners[1], corners[2]) <= 1.0) return true;
+        const double size = measure.slope(corners[0], corners[1], corners[2]);
+        if (size <= 1.0 && !measure.turns(corners[0], corners[1], corners[2])) return true;
         double spans[3];
         for (std::uint32_t k = 0; k < 3; ++k)
             spans[k] = twins_[3 * t + k] == fixed ? -1.0 : measure.span(corners[k], corners[(k + 1) % 3]);
         // Beside an edge that stays and is small enough, another one is not much smaller.
-        constexpr double least = 0x1p-6;
+        const double least = 0x1p-6 * size;
         for (;;) {
             const std::uint32_t k = spans[0] >= spans[1] && spans[0] >= spans[2] ? 0 : spans[1] >= spans[2] ? 1 : 2;
-            if (!(spans[k] >= least) || halve(3 * t + k, fits) || flip(3 * t + k, fits))
+            if (!(spans[k] > 0.0) || spans[k] < least || halve(3 * t + k, fits) || flip(3 * t + k, fits))
                 return fits;
             spans[k] = -1.0;
         }
