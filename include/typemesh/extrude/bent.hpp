@@ -276,7 +276,6 @@ struct bent {
         if (!is_finite(place.origin.x) || !is_finite(place.origin.y)) return error::outline_not_finite;
         const double em = filled.grid().cells * filled.grid().units_per_em;
         if (!(em > 0.0)) return error::bad("units_per_em");
-        const height_range heights = solid.heights();
         detail::bent_measure<Deformation> measure = measure_of(filled, place);
         box of_region;
         for (const grid_point p : filled.points()) of_region.add(placement::exact(p));
@@ -288,27 +287,26 @@ struct bent {
         bent_form form;
         form.segments = segments_for(filled, measure, around);
         measure.step /= form.segments;
-        if (points_for(filled, measure, how.bend(around), measure.step) > max_points)
-            return error{error::too_many_points, max_points};
         const Solid own = in_segments(form.segments);
-        auto made = plan_flat(own, filled, measure, data, caps);
-        if (!made) return made;
-        const box3 whole = box_of(made->around, measure);
-        if (error e = typemesh::refused_text(how, whole)) return e;
-        if (!is_unfolded(how, whole)) return error::folds_over;
-        if (error e = surface.read(own, data.flat.read(), *made, at)) return e;
-        if (!(surface.greatest_error() <= tolerance)) return error::bad("tolerance");
-        if (surface.turns()) return error::folds_over;
-        made->textured = made->around;
-        const box3 bounds = surface.bounds();
-        constexpr double margin = 0x1p-10;  // cells; more than the rounding of the sums below
-        const point low = em * (point{bounds.low.x, bounds.low.y} - place.origin),
-                    high = em * (point{bounds.high.x, bounds.high.y} - place.origin);
-        made->around = {{low.x - margin, low.y - margin}, {high.x + margin, high.y + margin}};
-        form.low = (bounds.low.z - margin * measure.em_per_cell) / place.em_per_depth;
-        form.high = (bounds.high.z + margin * measure.em_per_cell) / place.em_per_depth;
-        if (!data.form.template of<bent_form>().push_back(form)) return error::out_of_memory;
-        return made;
+        for (;; measure.margin *= 4.0) {
+            if (points_for(filled, measure, how.bend(around), measure.step) > max_points)
+                return error{error::too_many_points, max_points};
+            data.flat.clear();
+            auto made = plan_flat(own, filled, measure, data, caps);
+            if (!made) return made;
+            const box3 whole = box_of(made->around, measure);
+            if (error e = typemesh::refused_text(how, whole)) return e;
+            if (!is_unfolded(how, whole)) return error::folds_over;
+            if (error e = surface.read(own, data.flat.read(), *made, at)) return e;
+            const bool is_near = surface.greatest_error() <= tolerance;
+            if (is_near && !surface.turns()) {
+                take_bounds(surface.bounds(), measure, *made, form);
+                return data.form.template of<bent_form>().push_back(form) ? made : error{error::out_of_memory};
+            }
+            // Thin triangles on edges that stay get better with shorter edges.
+            if (!(measure.margin > 1.0) || measure.margin > 16.0)
+                return is_near ? error{error::folds_over} : error::bad("tolerance");
+        }
     }
 
     /// The heights before the solid is bent.
@@ -360,6 +358,20 @@ private:
         Solid own = solid;
         set_segments(own, segments);
         return own;
+    }
+
+    /// Keeps the bounds of a bent solid.
+    static void take_bounds(const box3& bounds, const detail::bent_measure<Deformation>& measure, solid_plan& made,
+                            bent_form& form) noexcept
+    {
+        constexpr double margin = 0x1p-10;  // cells; more than the rounding of the sums below
+        const double em = 1.0 / measure.em_per_cell, off = margin * measure.em_per_cell;
+        const point low = em * (point{bounds.low.x, bounds.low.y} - measure.origin),
+                    high = em * (point{bounds.high.x, bounds.high.y} - measure.origin);
+        made.textured = made.around;
+        made.around = {{low.x - margin, low.y - margin}, {high.x + margin, high.y + margin}};
+        form.low = (bounds.low.z - off) / measure.em_per_depth;
+        form.high = (bounds.high.z + off) / measure.em_per_depth;
     }
 
     /// The measure for walls that are not divided yet.

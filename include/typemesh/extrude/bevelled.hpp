@@ -168,8 +168,8 @@ struct bevelled {
     /// See bendable_caps in bent.hpp.
     [[nodiscard]] upright_faces uprights(const region& filled) const noexcept
     {
-        const double em = filled.grid().cells * filled.grid().units_per_em;
-        const profile_scale scale = scale_of(filled, em);
+        if (refused()) return {};
+        const profile_scale scale = scale_of(filled, filled.grid().cells * filled.grid().units_per_em);
         const profile_levels levels{profile.at(scale), scale};
         const bool apart = outward && scale.width >= profile_levels::finest;
         const profile_level &wall = levels.view().front(), &own = apart ? levels.view().back() : wall;
