@@ -102,6 +102,7 @@ struct bevelled {
     bevel_profile profile = {};
     std::uint32_t segments = 1;  ///< the number of equal pieces into which walls are divided along the depth: 1 to 1024
     float wanted = 0.0f;         ///< the width before refit() reduced it; leave this at 0
+    bool standing = false;       ///< whether the back is at z = 0 and the front at z = depth, as of a relief
 
     static constexpr std::size_t part_count = 5;
     using plan_data = bevel_data;
@@ -295,7 +296,10 @@ private:
         return reached < 0.5f * (wanted > width ? wanted : width);
     }
 
-    [[nodiscard]] bevel_heights own_heights() const noexcept { return {depth, bevel_depth, sides, centred}; }
+    [[nodiscard]] bevel_heights own_heights() const noexcept
+    {
+        return {depth, bevel_depth, sides, centred, standing};
+    }
 
     [[nodiscard]] error refused() const noexcept
     {

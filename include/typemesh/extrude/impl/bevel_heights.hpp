@@ -28,8 +28,12 @@ struct bevel_heights {
     float bevel_depth = 0.0f;  ///< of one bevel
     bevel_sides sides = bevel_sides::both;
     bool centred = false;
+    bool standing = false;  ///< whether the back is at 0
 
-    [[nodiscard]] double high() const noexcept { return centred ? 0.5 * as_double(depth) : 0.0; }
+    [[nodiscard]] double high() const noexcept
+    {
+        return standing ? as_double(depth) : centred ? 0.5 * as_double(depth) : 0.0;
+    }
     [[nodiscard]] double low() const noexcept { return high() - as_double(depth); }
     [[nodiscard]] bool is_bevelled(bool in_front) const noexcept
     {
