@@ -30,12 +30,17 @@ struct bending_along {
         return w * w;
     }
     [[nodiscard]] double flat(grid_point p, grid_point q) const { return of(p.x - q.x, p.y - q.y, 0.0); }
-    [[nodiscard]] double slope(const detail::raised_point& a, const detail::raised_point& b, const detail::raised_point& c) const
+    [[nodiscard]] double slope(const detail::raised_point& a, const detail::raised_point& b,
+                               const detail::raised_point& c) const
     {
         const auto width = [](double p, double q, double r) { return (std::max)({p, q, r}) - (std::min)({p, q, r}); };
         return of(width(a.at.x, b.at.x, c.at.x), width(a.at.y, b.at.y, c.at.y), width(a.behind, b.behind, c.behind));
     }
-    [[nodiscard]] bool turns(const detail::raised_point&, const detail::raised_point&, const detail::raised_point&) const { return false; }
+    [[nodiscard]] bool turns(const detail::raised_point&, const detail::raised_point&,
+                             const detail::raised_point&) const
+    {
+        return false;
+    }
     [[nodiscard]] double span(const detail::raised_point& a, const detail::raised_point& b) const
     {
         return of(a.at.x - b.at.x, a.at.y - b.at.y, a.behind - b.behind);
@@ -55,8 +60,8 @@ shapes::shape in_pieces(const shapes::shape& s, const bending_along& by)
             const grid_point p = s.loops.points[i], q = s.loops.points[s.next(i)];
             const int n = 1 + static_cast<int>(1.5 * std::sqrt(by.flat(p, q)));
             for (int j = 0; j < n; ++j)
-                corners.push_back((1.0 / 512.0) * lerp(point{double(p.x), double(p.y)}, {double(q.x), double(q.y)},
-                                                       double(j) / n));
+                corners.push_back((1.0 / 512.0) *
+                                  lerp(point{double(p.x), double(p.y)}, {double(q.x), double(q.y)}, double(j) / n));
         }
         outlines.push_back(shapes::polygon(corners));
     }
@@ -92,7 +97,8 @@ void check_divided(const swept_region& swept, const swept_region& before, const 
                 const double from = swept.levels[band], to = swept.levels[band + 1],
                              share = (double{swept.nodes[n].distance} - from) / (to - from);
                 wrong_level += share < -1e-6 || share > 1.0 + 1e-6;
-                return detail::raised_point{swept.nodes[n].at, (1.0 - share) * heights.begin(band) + share * heights.end(band)};
+                return detail::raised_point{swept.nodes[n].at,
+                                            (1.0 - share) * heights.begin(band) + share * heights.end(band)};
             };
             const detail::raised_point corners[] = {raised_at(at.a), raised_at(at.b), raised_at(at.c)};
             flat += orientation(corners[0].at, corners[1].at, corners[2].at) <= 0;
@@ -125,13 +131,14 @@ void check_divided(const swept_region& swept, const swept_region& before, const 
 
 }  // namespace
 
-TEST_CASE("a bevel's triangles are divided until none is too large, and still fit together", "[extrude][bevel_bisection]")
+TEST_CASE("a bevel's triangles are divided until none is too large, and still fit together",
+          "[extrude][bevel_bisection]")
 {
     detail::bevel_bisection divide;
     workspace space;
     std::size_t added = 0;
-    for (const auto& whole : shapes::several(shapes::rectangle(), shapes::letter_e(), shapes::ring(), shapes::letter_d(),
-                                             shapes::ribbon(), shapes::star(), shapes::notch()))
+    for (const auto& whole : shapes::several(shapes::rectangle(), shapes::letter_e(), shapes::ring(),
+                                             shapes::letter_d(), shapes::ribbon(), shapes::star(), shapes::notch()))
         for (const bending_along by : {bending_along{}, bending_along{0.6, 0.8}, bending_along{0.5, 0.1, 0.5, 9'000.0}})
             for (const double width : {5'000.0, 40'000.0, 300'000.0})
                 for (const auto& profile : {chamfer_profile(), round_profile(3), stepped_profile()}) {
@@ -175,7 +182,8 @@ TEST_CASE("slopes are divided only where the map bends", "[extrude][bevel_bisect
     CHECK(before.triangles.size() == triangles);
 }
 
-TEST_CASE("dividing a bevel fails cleanly without memory, and needs no more once it is warm", "[extrude][bevel_bisection]")
+TEST_CASE("dividing a bevel fails cleanly without memory, and needs no more once it is warm",
+          "[extrude][bevel_bisection]")
 {
     const bending_along by{.most = 5'000.0};
     const auto s = in_pieces(shapes::letter_e(), by);

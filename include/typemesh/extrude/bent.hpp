@@ -62,12 +62,11 @@ struct cap_refiner {
 ///     refine.cap(points, starts, triangles, added)     refines another cap. Inner points are appended to its points,
 ///                                          and its triangles are replaced
 template <class E>
-concept bendable_caps =
-    extruder<E> && requires(const E& e, detail::cap_refiner& refine, plan_data_of<E>& data, solid_plan& made,
-                            const region& filled) {
-        { e.uprights(filled) } noexcept -> std::same_as<upright_faces>;
-        { e.refine_caps(refine, data, made) } noexcept -> std::same_as<error>;
-    };
+concept bendable_caps = extruder<E> && requires(const E& e, detail::cap_refiner& refine, plan_data_of<E>& data,
+                                                solid_plan& made, const region& filled) {
+    { e.uprights(filled) } noexcept -> std::same_as<upright_faces>;
+    { e.refine_caps(refine, data, made) } noexcept -> std::same_as<error>;
+};
 
 /// An extruder whose solids can be bent.
 template <class E>
@@ -219,29 +218,30 @@ private:
 ///
 ///     bent<on_cylinder>{.how = {.radius = 1.5}}
 ///     bent<displaced<wave>, extruded<>>{.solid = {.depth = 0.1f}, .how = {{.height = 0.2}}}
-///     bent<twist, bevelled>{.solid = {.width = 0.02f}}      the boundary gets its points before it is bevelled
+///     bent<twist, bevelled>{.solid = {.width = 0.02f}}      slopes are divided as well, along and across
 ///
-/// Caps and walls get as many points as they need, so that no point of the mesh is farther than `tolerance` from its
-/// place on the bent solid. The promise rests on bounds of the deformation's second derivatives (bend_error.hpp), not
-/// on samples. Three further differences from the ideal shape come in addition: the text's own tolerance for curves,
-/// times the greatest stretch; the rounding of points to the grid, likewise; and the rounding of positions to floats.
+/// Caps, walls and bevels get as many points as they need, so that no point of the mesh is farther than `tolerance`
+/// from its place on the bent solid. The promise rests on bounds of the deformation's second derivatives
+/// (bend_error.hpp), not on samples. Three further differences from the ideal shape come in addition: the text's own
+/// tolerance for curves, times the greatest stretch; the rounding of points to the grid, likewise; and the rounding of
+/// positions to floats.
 /// Normals and tangents are exact: they are the flat solid's, mapped by the deformation's derivatives. Texture
 /// coordinates are the flat text's.
 ///
 /// The deformation works in em, relative to the text's own origin: x along the text, y up, z towards the reader. The
 /// bent text is then scaled and placed like any other (text_options).
 ///
-/// The edges of a bevelled letter's caps are given by its bevels, so thin triangles of these caps may face the wrong
-/// way, by less than the tolerance.
+/// No triangle turns: its image does not face away from the bent surface at any of its corners. Triangles that would
+/// are divided, too. Triangles lower than four cells, or than 2^-20 of the text's farthest coordinate, do not count:
+/// their side is a rounding, on the grid or to floats.
 ///
 /// Every occurrence of a glyph is planned at its own place, without a cache. write_meshes() writes each letter where it
 /// stands, and write_instances() then moves nothing.
 ///
 /// Fails  error::bad_option: tolerance is not positive and finite, or so small that points would come within a few
-///        cells of each other, or that a bevel bends by more, which is not divided across ("tolerance"); or as the
-///        deformation and the other extruder do
-///        error::folds_over: the deformation turns letters inside out, the text is refused; error::goes_around: see the
-///        deformation
+///        cells of each other ("tolerance"); or as the deformation and the other extruder do
+///        error::folds_over: the deformation turns letters inside out, or the image of a triangle turns at every
+///        division; the text is refused; error::goes_around: see the deformation
 ///        error::too_many_points: a glyph needs more than max_points; error::out_of_memory
 /// Cost   O(1) for each point
 template <deformation Deformation, bendable Solid = extruded<>>
@@ -378,11 +378,12 @@ private:
     [[nodiscard]] detail::bent_measure<Deformation> measure_of(const region& filled,
                                                                const solid_place& place) const noexcept
     {
-        const double per_cell = 1.0 / (filled.grid().cells * filled.grid().units_per_em), per_depth = place.em_per_depth;
+        const double per_cell = 1.0 / (filled.grid().cells * filled.grid().units_per_em),
+                     per_depth = place.em_per_depth;
         const height_range heights = solid.heights();
         detail::bent_measure<Deformation> measure{.bends = how,
                                                   .origin = place.origin,
-                                                  .em_per_cell = per_cell,
+                                                  .em_per_cell = 1.0 / em,
                                                   .low = heights.low * per_depth,
                                                   .high = heights.high * per_depth,
                                                   .tolerance = (1.0 - 0x1p-10) * tolerance,
@@ -444,16 +445,9 @@ private:
             const double height = measure.step;
             if (!(height > 0.0)) return fewest;
             const bend_bounds by = how.bend(around);
-            const auto at_a_point = [&](std::uint32_t n) noexcept {  // how much a wall bends beside its bevel
-                detail::bent_measure<Deformation> of_segment = measure;
-                of_segment.step = height / n;
-                return of_segment.edge(filled.points().front(), filled.points().front());
-            };
-            std::uint32_t first = fewest;
-            while (first < wall_rows::most && at_a_point(first) > 0.5) ++first;
-            std::uint32_t best = first;
+            std::uint32_t best = fewest;
             double least = -1.0;
-            for (std::uint32_t n = first; n <= wall_rows::most; n += 1 + n / 8) {
+            for (std::uint32_t n = fewest; n <= wall_rows::most; n += 1 + n / 8) {
                 const double points = points_for(filled, measure, by, height / n);
                 const double cost = points * (n + 3.0);  // the rows of the walls, and two caps
                 if (least >= 0.0 && points > 0.0 && cost >= least) break;

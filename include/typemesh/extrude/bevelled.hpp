@@ -25,7 +25,6 @@
 #include <typemesh/offset/impl/touching_walls.hpp>
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <initializer_list>
@@ -174,10 +173,8 @@ struct bevelled {
         const profile_levels levels{profile.at(scale), scale};
         const bool apart = outward && scale.width >= profile_levels::finest;
         const profile_level &wall = levels.view().front(), &own = apart ? levels.view().back() : wall;
-        const bevel_heights to = own_heights();
-        const double high = to.rim(true, wall.arrives), low = to.rim(false, wall.arrives);
-        const double riser = as_double(bevel_depth) * (as_double(own.leaves) - as_double(own.arrives));
-        return {side && high > low ? high - low : 0.0, std::fabs(riser), apart};
+        const double walls = own_heights().rim(true, wall.arrives) - own_heights().rim(false, wall.arrives);
+        return {side && walls > 0.0 ? walls : 0.0, as_double(bevel_depth) * own.riser(), apart};
     }
     /// Likewise.
     template <class Refine>
@@ -296,10 +293,7 @@ private:
         return reached < 0.5f * (wanted > width ? wanted : width);
     }
 
-    [[nodiscard]] bevel_heights own_heights() const noexcept
-    {
-        return {depth, bevel_depth, sides, centred, standing};
-    }
+    [[nodiscard]] bevel_heights own_heights() const noexcept { return {depth, bevel_depth, sides, centred, standing}; }
 
     [[nodiscard]] error refused() const noexcept
     {
@@ -334,13 +328,11 @@ private:
 
     /// Lets a cap_maker that bends solids divide the slopes: see bendable_caps in bent.hpp.
     template <cap_maker Caps>
-    error divide(plan_data& data, [[maybe_unused]] const profile_levels& levels, [[maybe_unused]] std::uint32_t frame,
-                 Caps& caps) const noexcept
+    error divide(plan_data& data, const profile_scale& scale, std::uint32_t frame, Caps& caps) const noexcept
     {
         if constexpr (requires(const detail::swept_heights& to) { caps.divide(data.swept, to); })
-            return caps.divide(data.swept, detail::swept_heights{levels, as_double(bevel_depth), frame});
-        else
-            return {};
+            return caps.divide(data.swept, {{profile.at(scale), scale}, as_double(bevel_depth), frame});
+        return {};
     }
 
     [[nodiscard]] bevel_carver carver_of(const region& filled, bool outwards) const noexcept
@@ -358,7 +350,7 @@ private:
         const auto doubled = plan_sides(filled, curve_normals{crease_degrees}, texture, data.of<side_point>());
         if (!doubled) return doubled.error();
         const auto make = [&](const swept_region&) noexcept {
-            const error e = divide(data, {profile.at(scale), scale}, none, caps);
+            const error e = divide(data, scale, none, caps);
             return e ? e : make_cap(data, caps);
         };
         const auto profile_at = [this](const profile_scale& at) noexcept { return profile.at(at); };
@@ -387,7 +379,7 @@ private:
         bevel_carver carve = carver_of(filled, true);
         const std::uint32_t frame = frame_of(*around);
         const auto make = [&](const swept_region&) noexcept {
-            if (error e = divide(data, {profile.at(scale), scale}, frame, caps)) return e;
+            if (error e = divide(data, scale, frame, caps)) return e;
             constexpr double slack = 4.0;  // a margin for rounding
             if (!is_in_reach(data.swept.cap, filled, way * scale.width + slack)) return error{error::crossing_contours};
             leave_frame(data.swept.cap);

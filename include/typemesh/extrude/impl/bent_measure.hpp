@@ -50,10 +50,10 @@ struct bent_measure {
     double step = 0.0;       ///< the height of one segment of its walls, in em; 0 without walls
     double tolerance = 0.0;  ///< in em
     double em_per_depth = 1.0;
-    double riser = 0.0;    ///< the height of upright faces on the region's own edges besides walls, in em
-    bool apart = false;    ///< whether the walls stand elsewhere
-    double margin = 1.0;   ///< how many times the error of an edge must fit into the tolerance, so that triangles on
-                           ///< it can be small enough although it stays
+    double riser = 0.0;   ///< the height of upright faces on the region's own edges besides walls, in em
+    bool apart = false;   ///< whether the walls stand elsewhere
+    double margin = 1.0;  ///< how many times the error of an edge must fit into the tolerance, so that triangles on
+                          ///< it can be small enough although it stays
 
     /// Includes the wall that stands on the edge.
     [[nodiscard]] double edge(grid_point p, grid_point q) const noexcept

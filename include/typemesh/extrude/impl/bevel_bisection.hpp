@@ -41,11 +41,7 @@ public:
         return behind(is_outward() ? at(band + 1).leaves : at(band + 1).arrives);
     }
     /// The height of the riser at a level; 0 if there is none.
-    [[nodiscard]] double riser(std::uint32_t level) const noexcept
-    {
-        const double height = rise_ * (as_double(at(level).leaves) - as_double(at(level).arrives));
-        return height < 0.0 ? -height : height;
-    }
+    [[nodiscard]] double riser(std::uint32_t level) const noexcept { return rise_ * at(level).riser(); }
     [[nodiscard]] bool is_outward() const noexcept { return frame_ != no_frame; }
     [[nodiscard]] bool is_frame(std::uint32_t edge) const noexcept
     {
@@ -180,11 +176,9 @@ private:
         sorted_.clear();
         const auto count = static_cast<std::uint32_t>(twins_.size());
         if (!sorted_.reserve(count)) return false;
-        for (std::uint32_t h = 0; h < count; ++h)
-            sorted_.push_back_unchecked({key_of(origin(h), origin(next(h))), h});
-        std::sort(sorted_.begin(), sorted_.end(), [](const keyed& a, const keyed& b) noexcept {
-            return a.key != b.key ? a.key < b.key : a.h < b.h;
-        });
+        for (std::uint32_t h = 0; h < count; ++h) sorted_.push_back_unchecked({key_of(origin(h), origin(next(h))), h});
+        std::sort(sorted_.begin(), sorted_.end(),
+                  [](const keyed& a, const keyed& b) noexcept { return a.key != b.key ? a.key < b.key : a.h < b.h; });
         for (std::size_t i = 0, end = 0; i < count; i = end) {
             for (end = i + 1; end < count && sorted_[end].key == sorted_[i].key;) ++end;
             const std::uint32_t h = sorted_[i].h, other = sorted_[end - 1].h;
@@ -207,11 +201,12 @@ private:
 
     [[nodiscard]] raised_point raised(std::uint32_t node, std::uint32_t band) const noexcept
     {
-        const double from = swept_->levels[band], to = swept_->levels[band + 1],
-                     low = heights_->begin(band), high = heights_->end(band);
-        const double share = levels_[node] == band       ? 0.0
-                             : levels_[node] == band + 1 ? 1.0
-                                                         : (as_double(swept_->nodes[node].distance) - from) / (to - from);
+        const double from = swept_->levels[band], to = swept_->levels[band + 1], low = heights_->begin(band),
+                     high = heights_->end(band);
+        const double share = levels_[node] == band ? 0.0
+                             : levels_[node] == band + 1
+                                 ? 1.0
+                                 : (as_double(swept_->nodes[node].distance) - from) / (to - from);
         return {place(node), low + (share < 0.0 ? 0.0 : share > 1.0 ? 1.0 : share) * (high - low)};
     }
 
@@ -247,8 +242,7 @@ private:
         const double least = 0x1p-6 * size;
         for (;;) {
             const std::uint32_t k = spans[0] >= spans[1] && spans[0] >= spans[2] ? 0 : spans[1] >= spans[2] ? 1 : 2;
-            if (!(spans[k] > 0.0) || spans[k] < least || halve(3 * t + k, fits) || flip(3 * t + k, fits))
-                return fits;
+            if (!(spans[k] > 0.0) || spans[k] < least || halve(3 * t + k, fits) || flip(3 * t + k, fits)) return fits;
             spans[k] = -1.0;
         }
     }
