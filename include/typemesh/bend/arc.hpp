@@ -4,7 +4,6 @@
 #include <typemesh/bend/impl/steady.hpp>
 #include <typemesh/bend/plane_warp.hpp>
 #include <typemesh/core/finite.hpp>
-#include <typemesh/core/impl/same.hpp>
 
 #include <cmath>
 

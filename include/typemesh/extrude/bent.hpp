@@ -283,7 +283,6 @@ struct bent {
         if (error e = typemesh::refused_text(how, around)) return e;
         if (!is_unfolded(how, around)) return error::folds_over;
         detail::bent_surface<Deformation> surface{how, data.places};
-        const placement at = flat_placement(measure, place);
         bent_form form;
         form.segments = segments_for(filled, measure, around);
         measure.step /= form.segments;
@@ -297,7 +296,7 @@ struct bent {
             const box3 whole = box_of(made->around, measure);
             if (error e = typemesh::refused_text(how, whole)) return e;
             if (!is_unfolded(how, whole)) return error::folds_over;
-            if (error e = surface.read(own, data.flat.read(), *made, at)) return e;
+            if (error e = surface.read(own, data.flat.read(), *made, flat_placement(measure, place))) return e;
             const bool is_near = surface.greatest_error() <= tolerance;
             if (is_near && !surface.turns()) {
                 take_bounds(surface.bounds(), measure, *made, form);

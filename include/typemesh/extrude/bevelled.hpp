@@ -29,7 +29,6 @@
 #include <cstdint>
 #include <initializer_list>
 #include <span>
-#include <type_traits>
 #include <utility>
 
 namespace typemesh::inline TYPEMESH_ABI {
