@@ -377,8 +377,7 @@ private:
     [[nodiscard]] detail::bent_measure<Deformation> measure_of(const region& filled,
                                                                const solid_place& place) const noexcept
     {
-        const double per_cell = 1.0 / (filled.grid().cells * filled.grid().units_per_em),
-                     per_depth = place.em_per_depth;
+        const double em = filled.grid().cells * filled.grid().units_per_em, per_depth = place.em_per_depth;
         const height_range heights = solid.heights();
         detail::bent_measure<Deformation> measure{.bends = how,
                                                   .origin = place.origin,
