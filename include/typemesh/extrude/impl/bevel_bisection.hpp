@@ -242,9 +242,20 @@ private:
         const double least = 0x1p-6 * size;
         for (;;) {
             const std::uint32_t k = spans[0] >= spans[1] && spans[0] >= spans[2] ? 0 : spans[1] >= spans[2] ? 1 : 2;
-            if (!(spans[k] > 0.0) || spans[k] < least || halve(3 * t + k, fits) || flip(3 * t + k, fits)) return fits;
+            const std::uint32_t h = 3 * t + k;
+            if (!(spans[k] > 0.0) || spans[k] < least) return true;
+            // A thin triangle that turns would need many points.
+            if ((size <= 1.0 && is_thin(h) && flip(h, fits)) || halve(h, fits) || flip(h, fits)) return fits;
             spans[k] = -1.0;
         }
+    }
+
+    /// Whether the corner opposite to an edge is less than 16 cells away from it.
+    [[nodiscard]] bool is_thin(std::uint32_t h) noexcept
+    {
+        const grid_point p = place(origin(h)), q = place(origin(next(h))), r = place(origin(next(next(h))));
+        const auto area = static_cast<double>(orientation(p, q, r));
+        return area * area < 256.0 * static_cast<double>(squared_distance(p, q));
     }
 
     /// Whether an edge has been halved. `fits` becomes false if out of memory.
@@ -308,9 +319,9 @@ private:
         connect(3 * made + 2, side);
         return 3 * made;
     }
-    /// Replaces an edge by the other diagonal of its two triangles, if that is the Delaunay one: for triangles that are
-    /// so thin that no grid point lies inside. Both then belong to the larger one's face. Whether it has been replaced;
-    /// `fits` becomes false if out of memory.
+    /// Replaces an edge by the other diagonal of its two triangles, if that is the Delaunay one: for triangles that
+    /// turn, or are so thin that no grid point lies inside. Both then belong to the larger one's face. Whether it has
+    /// been replaced; `fits` becomes false if out of memory.
     [[nodiscard]] bool flip(std::uint32_t h, bool& fits) noexcept
     {
         const std::uint32_t g = twins_[h], t = h / 3, u = g / 3;
