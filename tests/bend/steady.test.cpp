@@ -16,6 +16,7 @@ TEST_CASE("steady numbers are near, and the same for neighbours", "[bend][warp]"
         CHECK(detail::steady(std::nextafter(s, 9.0)) == s);
         CHECK(detail::steady(std::nextafter(s, -9.0)) == s);
     }
+    for (const double tiny : {1e-300, 1e-310, 5e-324, -3e-320}) CHECK(detail::steady_sine(tiny) == tiny);
     CHECK(detail::steady(0.0) == 0.0);
     CHECK(detail::steady_sine(0.0) == 0.0);
     CHECK(detail::steady_cosine(0.0) == 1.0);

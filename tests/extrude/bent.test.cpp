@@ -128,6 +128,29 @@ double normal_error(const bent_mesh& m, const D& d)
     return worst;
 }
 
+/// A drill: each plane at a height is turned. Its bounds may be withheld.
+struct drill {
+    double turn = 2.0;  ///< in radians per em of depth
+    bool honest = true;
+
+    static constexpr bool keeps_volume = true;
+
+    [[nodiscard]] deformed_point operator()(const double3& p) const noexcept
+    {
+        const double sine = std::sin(turn * p.z), cosine = std::cos(turn * p.z);
+        const double x = p.x * cosine - p.y * sine, y = p.x * sine + p.y * cosine;
+        return {{x, y, p.z}, {cosine, sine, 0.0}, {-sine, cosine, 0.0}, {-turn * y, turn * x, 1.0}};
+    }
+    [[nodiscard]] bend_bounds bend(const box3& b) const noexcept
+    {
+        const auto farthest = [](double low, double high) { return (std::max)(std::fabs(low), std::fabs(high)); };
+        if (!honest) return {};
+        const double r = std::hypot(farthest(b.low.x, b.high.x), farthest(b.low.y, b.high.y));
+        return {.zz = turn * turn * r, .xz = std::fabs(turn), .yz = std::fabs(turn)};
+    }
+    [[nodiscard]] error refused_options() const noexcept { return {}; }
+};
+
 double volume_in(const bent_mesh& m) { return measure(inspect::mesh_view{m.vertices, indices_of(m)}).volume; }
 
 /// The volume that a surface sweeps at most if it moves by a distance.
@@ -209,12 +232,7 @@ TEST_CASE("bevelled letters are bent with their bevels", "[extrude][bent]")
         solid.outward = true;
         check_bent(displaced<wave>{{.height = 0.15, .length = 1.5}}, 1.0 / 800, true, solid);
     }
-    // Wide bevels, and too fine a tolerance for any number of points.
-    for (const float width : {0.05f, 0.1f, 0.2f}) {
-        plan_data_of<bent<on_cylinder, bevelled>> data;
-        const bent<on_cylinder, bevelled> how{.solid = {.width = width}};
-        CHECK(bend(shapes::letter_e(), how, data));
-    }
+    // Too fine a tolerance for any number of points.
     {
         plan_data_of<bent<on_cylinder>> data;
         CHECK(bend(shapes::letter_e(), bent<on_cylinder>{.tolerance = 1e-12}, data).error() == error::too_many_points);
@@ -226,6 +244,116 @@ TEST_CASE("bevelled letters are bent with their bevels", "[extrude][bent]")
     REQUIRE(m);
     CHECK(m->sizes.triangles[part::front] > m->sizes.vertices[part::front]);
     CHECK(open_edges(*m) == 0);
+}
+
+TEST_CASE("bevels are divided across where they bend, so wide ones need few triangles", "[extrude][bent]")
+{
+    const auto triangles = [](const auto& s, const auto& how) {
+        plan_data_of<std::decay_t<decltype(how)>> data;
+        const auto m = bend(s, how, data);
+        INFO(s.name << ", " << how.solid.width << " em wide: " << m.error().message());
+        REQUIRE(m);
+        CHECK(open_edges(*m) == 0);
+        CHECK(deviation(*m, how.how, 4) <= how.tolerance + 1e-6);
+        return m->triangles.size();
+    };
+    for (const float width : {0.02f, 0.05f, 0.1f, 0.15f})
+        for (const auto& s : {shapes::letter_e(), shapes::letter_d(), shapes::star()}) {
+            bevelled solid{.depth = 0.3f, .width = width, .bevel_depth = (std::min)(width, 0.1f)};
+            CHECK(triangles(s, bent<on_cylinder, bevelled>{.solid = solid, .how = {0.5}}) < 4'000);
+            CHECK(triangles(s, bent<twist, bevelled>{.solid = solid, .how = {90.0}}) < 5'000);
+            // A steep wave, across all edges.
+            const displaced<wave> flag{{.height = 0.1, .length = 0.5, .direction = 30.0}};
+            CHECK(triangles(s, bent<displaced<wave>, bevelled>{.solid = solid, .how = flag}) < 16'000);
+            solid.outward = true;
+            solid.mitre_limit = 4.0f;
+            CHECK(triangles(s, bent<on_cylinder, bevelled>{.solid = solid, .how = {0.5}}) < 8'000);
+        }
+}
+
+TEST_CASE("of a million points of bent solids none is farther away than is promised", "[extrude][bent]")
+{
+    const auto check = [](const auto& s, const auto& how, double stretch) {
+        plan_data_of<std::decay_t<decltype(how)>> data;
+        const auto m = bend(s, how, data, {0.2, -0.1});
+        REQUIRE(m);
+        constexpr double floats = 1e-6;
+        const int samples = static_cast<int>(200'000 / m->triangles.size()) + 1;
+        const double off = deviation(*m, how.how, samples);
+        CHECK(off <= how.tolerance + floats);
+        CHECK(off > 0.3 * how.tolerance);
+        // The curves themselves, along the boundary: the certificate, and the chord's distance times the stretch.
+        const contours& loops = data.flat.loops;
+        std::size_t above = 0;
+        for (std::uint32_t k = 0; k < loops.contour_count(); ++k)
+            for (std::uint32_t i = loops.starts[k]; i < loops.starts[k + 1]; ++i) {
+                const std::uint32_t next = i + 1 == loops.starts[k + 1] ? loops.starts[k] : i + 1;
+                const auto in_text = [](point p) { return 0.001 * p + point{0.2, -0.1}; };
+                const auto placed = [&](grid_point p) { return in_text((1.0 / 512.0) * placement::exact(p)); };
+                const point a = placed(loops.points[i]), b = placed(loops.points[next]);
+                const contour_edge& e = loops.edges[i];
+                for (const double z : {0.0, -0.2})
+                    for (double u = 0.0; u <= 1.0; u += 1.0 / 64.0) {
+                        const point on = in_text(loops.curves[e.curve].at((1.0 - u) * double{e.t0} + u * double{e.t1})),
+                                    flat = lerp(a, b, u);
+                        const double3 made = (1.0 - u) * how.how({a.x, a.y, z}).at + u * how.how({b.x, b.y, z}).at;
+                        above += length(made - how.how({on.x, on.y, z}).at) >
+                                 how.tolerance + stretch * length(on - flat) + floats;
+                    }
+            }
+        CHECK(above == 0);
+    };
+    check(shapes::ring(8), bent<on_cylinder>{.solid = {.depth = 0.2f}, .how = {0.6}, .tolerance = 1.0 / 500}, 1.0);
+    check(shapes::letter_d(8), bent<twist>{.solid = {.depth = 0.2f}, .how = {60.0}, .tolerance = 1.0 / 2000}, 1.7);
+    const bevelled solid{.depth = 0.2f, .width = 0.05f, .bevel_depth = 0.05f};
+    check(shapes::ring(8), bent<on_cylinder, bevelled>{.solid = solid, .how = {0.6}}, 1.0);
+    check(shapes::letter_e(), bent<twist, bevelled>{.solid = solid, .how = {60.0}}, 1.7);
+    const displaced<wave> flag{{.height = 0.1, .length = 0.7, .direction = 30.0}};
+    check(shapes::letter_d(8), bent<displaced<wave>, bevelled>{.solid = solid, .how = flag}, 2.4);
+}
+
+TEST_CASE("what is bent and unbent again lies on its points of the grid", "[extrude][bent]")
+{
+    const auto check = [](const auto& d, const auto& back) {
+        const point origin{0.7, -0.3};
+        plan_data_of<bent<std::decay_t<decltype(d)>>> data;
+        for (const auto& s : shapes::all()) {
+            REQUIRE(bend(s, bent<std::decay_t<decltype(d)>>{.solid = {.depth = 0.2f}, .how = d}, data, origin));
+            std::size_t moved = 0;
+            for (const grid_point p : data.flat.loops.points)
+                for (const double z : {0.0, -0.2}) {
+                    const double3 flat{double(p.x) / 512000.0 + origin.x, double(p.y) / 512000.0 + origin.y, z};
+                    const double3 again = back(d(flat).at);
+                    moved += std::lround(512000.0 * (again.x - origin.x)) != p.x ||
+                             std::lround(512000.0 * (again.y - origin.y)) != p.y || std::fabs(again.z - z) > 1e-11;
+                }
+            CHECK(moved == 0);
+        }
+    };
+    constexpr double radius = 0.9, turn = 40.0;
+    check(on_cylinder{radius}, [](double3 q) {
+        return double3{radius * std::atan2(q.x, q.z + radius), q.y, std::hypot(q.x, q.z + radius) - radius};
+    });
+    check(twist{turn}, [](double3 q) {
+        const double angle = turn / 57.29577951308232 * q.x, sine = std::sin(angle), cosine = std::cos(angle);
+        return double3{q.x, q.y * cosine + q.z * sine, q.z * cosine - q.y * sine};
+    });
+}
+
+TEST_CASE("a triangle whose image turns is refused, however small the errors are said to be", "[extrude][bent]")
+{
+    // The caps are only turned in their planes. A wall between planes half a turn apart is inside out.
+    const bent<drill> honest{.solid = {.depth = 0.2f}, .how = {15.0}};
+    plan_data_of<bent<drill>> data;
+    const auto m = bend(shapes::letter_e(), honest, data);
+    REQUIRE(m);
+    CHECK(m->triangles.size() > 1000);
+    CHECK(deviation(*m, honest.how, 4) <= honest.tolerance + 1e-6);
+    bent<drill> withheld = honest;
+    withheld.how.honest = false;
+    CHECK(bend(shapes::letter_e(), withheld, data).error() == error::folds_over);
+    withheld.how.turn = 1.0;
+    CHECK(bend(shapes::letter_e(), withheld, data));
 }
 
 TEST_CASE("a bar once around a cylinder has the volume of a tube", "[extrude][bent]")

@@ -21,7 +21,13 @@ constexpr double cells_per_em = 512000.0;
 template <deformation D>
 bent_measure<D> measure_of(const D& d, double step = 0.0)
 {
-    return {d, {0.3, -0.1}, 1.0 / cells_per_em, -0.2, 0.05, step, 0.001};
+    return {.bends = d,
+            .origin = {0.3, -0.1},
+            .em_per_cell = 1.0 / cells_per_em,
+            .low = -0.2,
+            .high = 0.05,
+            .step = step,
+            .tolerance = 0.001};
 }
 
 grid_point random_cell(test::dice& d, std::int32_t size) { return {d.roll(2 * size) - size, d.roll(2 * size) - size}; }
@@ -104,4 +110,60 @@ TEST_CASE("triangles that turn when they are bent are too large, however close t
     CHECK(m.triangle(a, far, top) > 1.0);
     CHECK(m.turns(a, top, near, 0.0));  // and a clockwise triangle always does
     CHECK(m.turns(a, a, a, 0.0));       // one without area has no side
+}
+
+TEST_CASE("a bent measure knows what stands on an edge, and leaves room beside edges that stay",
+          "[extrude][bent_measure]")
+{
+    const on_cylinder ring{.radius = 2.0};
+    auto m = measure_of(ring, 0.125);
+    m.em_per_depth = 0.5;
+    const grid_point a{0, 0}, b{51'200, 25'600};
+    const double cap = m.length(a, b), wall = m.edge(a, b);
+    CHECK(wall > cap);
+    CHECK(m.outer(a, b) == wall);
+    CHECK(m.upright(a, b, 0.25) == Approx(wall));  // 0.125 em
+    CHECK(m.upright(a, b, 0.0) == cap);
+    CHECK(m.rim(a, b) == cap);
+    m.margin = 8.0;
+    CHECK(m.rim(a, b) == 8.0 * cap);
+    CHECK(m.edge(a, b) == (std::max)(wall, 8.0 * cap));
+    CHECK(detail::boundary_measure{m}.edge(a, b) == m.edge(a, b));
+    CHECK(detail::boundary_measure{m}.triangle(a, b, a) == 0.0);
+    m.margin = 1.0;
+    m.riser = 0.2;  // higher than a wall's segment
+    CHECK(m.edge(a, b) == Approx(m.upright(a, b, 0.4)));
+    m.riser = 0.0;
+    m.apart = true;
+    CHECK(m.edge(a, b) == cap);
+    // A slope is as large as its longest side, if that lies along its box.
+    const detail::raised_point p{a, 0.1}, q{b, 0.3}, r{{51'200, 0}, 0.3};
+    CHECK(m.slope(p, q, r) == Approx(m.span(p, q)));
+    CHECK(m.span(p, q) == Approx(m.upright(a, b, 0.2)));
+}
+
+TEST_CASE("a slope turns if its image faces away, unless it is so thin that it has no side", "[extrude][bent_measure]")
+{
+    const on_cylinder cup{.radius = 0.3};
+    auto m = measure_of(cup);
+    m.origin = {0.0, 0.0};
+    m.low = -0.2;
+    m.high = 0.0;
+    const auto cells = [](double em) { return std::int32_t(std::lround(cells_per_em * em)); };
+    // A long side across the bend, and a corner near it: the arc's height turns the triangle, unless it is high enough.
+    const auto turned = [&](std::int32_t height) {
+        const detail::raised_point a{{0, 0}, 0.0}, b{{cells(0.4), cells(0.4)}, 0.0},
+            c{{cells(0.2) - height, cells(0.2) + height}, 0.0};
+        return m.turns(a, b, c);
+    };
+    CHECK_FALSE(turned(cells(0.2)));
+    CHECK(turned(cells(0.001)));
+    CHECK(turned(10));
+    CHECK_FALSE(turned(2));
+    CHECK_FALSE(turned(0));
+    // Not by a map that does not bend so much.
+    const on_cylinder wide{.radius = 1e6};
+    auto still = measure_of(wide);
+    CHECK_FALSE(
+        still.turns({{0, 0}, 0.0}, {{cells(0.4), cells(0.4)}, 0.0}, {{cells(0.2) - 500, cells(0.2) + 500}, 0.0}));
 }

@@ -127,6 +127,11 @@ TEST_CASE("a bent surface knows its greatest error and its bounds", "[extrude][b
         const detail::bent_axes axes{ring, in_em()};
         detail::bent_surface surface{ring, places};
         REQUIRE_FALSE(surface.read(how, form, *plan, axes.flat()));
+        CHECK_FALSE(surface.turns());
+        const on_cylinder narrow{.radius = 0.05};  // the letters go around it several times
+        detail::bent_surface rolled{narrow, places};
+        REQUIRE_FALSE(rolled.read(how, form, *plan, axes.flat()));
+        CHECK(rolled.turns());
         const built flat_form = build(s, how, axes.flat());
         const box3 around = surface.bounds();
         double worst = 0.0;

@@ -304,3 +304,26 @@ TEST_CASE("the bytes of a carved plan are read back as they were", "[extrude][ca
     CHECK(there.own.of<carved_depth>()[0].depth == here.own.of<carved_depth>()[0].depth);
     CHECK(there.bevel.of<bevel_vertex>().size() == here.bevel.of<bevel_vertex>().size());
 }
+
+TEST_CASE("carved solids stay within their heights, to the last bit, at every size", "[extrude][carved]")
+{
+    for (const carving as : {carving::relief, carving::groove, carving::cutter})
+        for (const auto& s : carved_shapes())
+            for (const float depth : {0.0f, 0.031f})
+                for (const double unit : {1.0, 24.0, 0.3, 1.0 / 7.0}) {
+                    INFO(s.name << ", " << depth << " em deep, as " << int(as) << ", em of " << unit);
+                    const carved how{.tool_angle = 77.0f, .max_depth = depth, .as = as};
+                    placement at = in_em();
+                    at.unit_per_cell *= unit;
+                    at.unit_per_depth = unit;
+                    const auto m = capped(s, how, at);
+                    const height_range own = how.heights(form_of<carved>(s, m.data));
+                    float low = HUGE_VALF, high = -HUGE_VALF;
+                    for (const auto& v : m.vertices) {
+                        low = (std::min)(low, v.position.z);
+                        high = (std::max)(high, v.position.z);
+                    }
+                    CHECK(low == at.height(own.low));
+                    CHECK(high == at.height(own.high));
+                }
+}

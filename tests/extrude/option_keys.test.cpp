@@ -122,6 +122,7 @@ TEST_CASE("every option of bevelled is in the key, or changes the mesh with the 
          {"crease_degrees", seen_by::plan, [](bevelled& s) { s.crease_degrees = 20.0f; }},
          {"profile_crease_degrees", seen_by::plan, [](bevelled& s) { s.profile_crease_degrees = 20.0f; }},
          {"centred", seen_by::writing, [](bevelled& s) { s.centred = true; }},
+         {"standing", seen_by::writing, [](bevelled& s) { s.standing = true; }},
          {"front", seen_by::plan, [](bevelled& s) { s.front = false; }},
          {"back", seen_by::plan, [](bevelled& s) { s.back = false; }},
          {"side", seen_by::plan, [](bevelled& s) { s.side = false; }},

@@ -4,7 +4,6 @@
 #include <typemesh/bend/impl/steady.hpp>
 #include <typemesh/bend/plane_warp.hpp>
 #include <typemesh/core/finite.hpp>
-#include <typemesh/core/impl/same.hpp>
 
 #include <cmath>
 
@@ -54,7 +53,7 @@ struct arc {
     [[nodiscard]] warped_point operator()(point p) const noexcept
     {
         const double turn = per_em(), x = p.x - middle;
-        if (is_zero(turn)) return {p, {1.0, 0.0}, {0.0, 1.0}};
+        if (std::fabs(turn) < 0x1p-200) return {p, {1.0, 0.0}, {0.0, 1.0}};  // doubles do not see such a turn
         const double sine = detail::steady_sine(turn * x), cosine = detail::steady_cosine(turn * x),
                      half = detail::steady_sine(0.5 * turn * x), grown = 1.0 + turn * p.y;
         return {{middle + sine / turn + p.y * sine, p.y * cosine - 2.0 * half * half / turn},

@@ -14,6 +14,8 @@
 #include <typemesh/extrude/extruder.hpp>
 #include <typemesh/extrude/impl/bent_measure.hpp>
 #include <typemesh/extrude/impl/bent_surface.hpp>
+#include <typemesh/extrude/impl/bevel_bisection.hpp>
+#include <typemesh/extrude/impl/bevel_heights.hpp>
 #include <typemesh/extrude/impl/refined_solid.hpp>
 #include <typemesh/extrude/impl/wall_rows.hpp>
 #include <typemesh/extrude/impl/wall_segments.hpp>
@@ -51,20 +53,20 @@ struct cap_refiner {
 
 /// An extruder that makes caps of its own and can have them refined, such as bevelled:
 ///
-///     e.reach(), e.rise()                  how far its slopes reach from an edge in the plane, in em, and how far they
-///                                          rise, in the unit of depths
+///     e.uprights(filled)                   the faces that will stand upright on a region's edges
+///     e.plan(filled, data, caps)           calls caps.divide(swept, heights), if there is such a function, between the
+///                                          sweep for its slopes and the cap: see bevel_bisection
 ///     e.refine_caps(refine, data, made)    after plan(): has each cap that it draws refined, and adds their points and
 ///                                          triangles to made.sizes. Each inner point adds two triangles
 ///     refine.region_cap(added)             refines the region's own cap. The points follow the region's points
 ///     refine.cap(points, starts, triangles, added)     refines another cap. Inner points are appended to its points,
 ///                                          and its triangles are replaced
 template <class E>
-concept bendable_caps =
-    extruder<E> && requires(const E& e, detail::cap_refiner& refine, plan_data_of<E>& data, solid_plan& made) {
-        { e.reach() } noexcept -> std::same_as<double>;
-        { e.rise() } noexcept -> std::same_as<double>;
-        { e.refine_caps(refine, data, made) } noexcept -> std::same_as<error>;
-    };
+concept bendable_caps = extruder<E> && requires(const E& e, detail::cap_refiner& refine, plan_data_of<E>& data,
+                                                solid_plan& made, const region& filled) {
+    { e.uprights(filled) } noexcept -> std::same_as<upright_faces>;
+    { e.refine_caps(refine, data, made) } noexcept -> std::same_as<error>;
+};
 
 /// An extruder whose solids can be bent.
 template <class E>
@@ -83,6 +85,7 @@ struct bent_data {
     arrays form;
     refined_solid<Solid> flat;       ///< the other extruder's solid
     detail::edge_bisection working;  ///< the refiner's memory, which is not stored with the glyph
+    detail::bevel_bisection slopes;  ///< likewise
     buffer<double3> places;          ///< likewise, for the certificate
     contours rim;                    ///< likewise, the loops of a cap that is refined
     contours same_rim;               ///< the same loops, as the refiner writes them
@@ -93,6 +96,7 @@ struct bent_data {
         : form{source},
           flat{source},
           working{source},
+          slopes{source},
           places{source},
           rim{source},
           same_rim{source},
@@ -128,6 +132,30 @@ struct bent_data {
 };
 
 namespace detail {
+
+/// A cap_maker that divides the slopes of bevels as far as they bend: see bendable_caps.
+template <cap_maker Caps, class Solid, deformation Deformation>
+class bending_caps : public caps_of_region<Caps> {
+public:
+    bending_caps(Caps& caps, bent_data<Solid>& data, const bent_measure<Deformation>& measure,
+                 std::uint32_t max_points) noexcept
+        : caps_of_region<Caps>{caps, data.flat.triangles.view()},
+          working_{data.slopes},
+          measure_{measure},
+          max_points_{max_points}
+    {
+    }
+
+    error divide(swept_region& swept, const swept_heights& heights) noexcept
+    {
+        return working_.run(swept, heights, measure_, max_points_);
+    }
+
+private:
+    bevel_bisection& working_;
+    const bent_measure<Deformation>& measure_;
+    std::uint32_t max_points_;
+};
 
 /// Refines the caps of a solid that makes its own, and keeps their edges: see bendable_caps.
 template <class Solid, deformation Deformation>
@@ -190,29 +218,30 @@ private:
 ///
 ///     bent<on_cylinder>{.how = {.radius = 1.5}}
 ///     bent<displaced<wave>, extruded<>>{.solid = {.depth = 0.1f}, .how = {{.height = 0.2}}}
-///     bent<twist, bevelled>{.solid = {.width = 0.02f}}      the boundary gets its points before it is bevelled
+///     bent<twist, bevelled>{.solid = {.width = 0.02f}}      slopes are divided as well, along and across
 ///
-/// Caps and walls get as many points as they need, so that no point of the mesh is farther than `tolerance` from its
-/// place on the bent solid. The promise rests on bounds of the deformation's second derivatives (bend_error.hpp), not
-/// on samples. Three further differences from the ideal shape come in addition: the text's own tolerance for curves,
-/// times the greatest stretch; the rounding of points to the grid, likewise; and the rounding of positions to floats.
+/// Caps, walls and bevels get as many points as they need, so that no point of the mesh is farther than `tolerance`
+/// from its place on the bent solid. The promise rests on bounds of the deformation's second derivatives
+/// (bend_error.hpp), not on samples. Three further differences from the ideal shape come in addition: the text's own
+/// tolerance for curves, times the greatest stretch; the rounding of points to the grid, likewise; and the rounding of
+/// positions to floats.
 /// Normals and tangents are exact: they are the flat solid's, mapped by the deformation's derivatives. Texture
 /// coordinates are the flat text's.
 ///
 /// The deformation works in em, relative to the text's own origin: x along the text, y up, z towards the reader. The
 /// bent text is then scaled and placed like any other (text_options).
 ///
-/// The edges of a bevelled letter's caps are given by its bevels, so thin triangles of these caps may face the wrong
-/// way, by less than the tolerance.
+/// No triangle turns: its image does not face away from the bent surface at any of its corners. Triangles that would
+/// are divided, too. Triangles lower than four cells, or than 2^-20 of the text's farthest coordinate, do not count:
+/// their side is a rounding, on the grid or to floats.
 ///
 /// Every occurrence of a glyph is planned at its own place, without a cache. write_meshes() writes each letter where it
 /// stands, and write_instances() then moves nothing.
 ///
 /// Fails  error::bad_option: tolerance is not positive and finite, or so small that points would come within a few
-///        cells of each other, or that a bevel bends by more, which is not divided across ("tolerance"); or as the
-///        deformation and the other extruder do
-///        error::folds_over: the deformation turns letters inside out, the text is refused; error::goes_around: see the
-///        deformation
+///        cells of each other ("tolerance"); or as the deformation and the other extruder do
+///        error::folds_over: the deformation turns letters inside out, or the image of a triangle turns at every
+///        division; the text is refused; error::goes_around: see the deformation
 ///        error::too_many_points: a glyph needs more than max_points; error::out_of_memory
 /// Cost   O(1) for each point
 template <deformation Deformation, bendable Solid = extruded<>>
@@ -247,14 +276,7 @@ struct bent {
         if (!is_finite(place.origin.x) || !is_finite(place.origin.y)) return error::outline_not_finite;
         const double em = filled.grid().cells * filled.grid().units_per_em;
         if (!(em > 0.0)) return error::bad("units_per_em");
-        const height_range heights = solid.heights();
-        detail::bent_measure<Deformation> measure{
-            how, place.origin, 1.0 / em, heights.low * place.em_per_depth, heights.high * place.em_per_depth,
-            0.0, 0.0,          tolerance};
-        if constexpr (bendable_caps<Solid>) {
-            measure.across = solid.reach();
-            measure.rise = solid.rise() * place.em_per_depth;
-        }
+        detail::bent_measure<Deformation> measure = measure_of(filled, place);
         box of_region;
         for (const grid_point p : filled.points()) of_region.add(placement::exact(p));
         const box3 around = box_of(of_region, measure);
@@ -262,40 +284,29 @@ struct bent {
         if (!is_unfolded(how, around)) return error::folds_over;
         measure.compared = measure.extents_in(around);
         detail::bent_surface<Deformation> surface{how, data.places};
-        const placement at = flat_placement(measure, place);
-        // Bevels add to the error of their edges. Other solids need one round.
-        for (double share = 1.0; share > 0.05; share *= 0.7) {
-            data.flat.clear();
-            measure.tolerance = (1.0 - 0x1p-10) * share * tolerance;
-            bent_form form;
-            form.segments = segments_for(filled, measure, around);
-            measure.step = (measure.high - measure.low) / form.segments;
-            // What bends beside a point of the boundary becomes no less by a finer boundary. The certificate decides.
-            const grid_point first = filled.points().front();
-            while (measure.across > 0.0 && measure.edge(first, first) > 0.5)
-                measure.across = measure.across > 0x1p-20 ? 0.5 * measure.across : 0.0;
+        bent_form form;
+        form.segments = segments_for(filled, measure, around);
+        measure.step /= form.segments;
+        const Solid own = in_segments(form.segments);
+        for (;; measure.margin *= 4.0) {
             if (points_for(filled, measure, how.bend(around), measure.step) > max_points)
                 return error{error::too_many_points, max_points};
-            const Solid own = in_segments(form.segments);
+            data.flat.clear();
             auto made = plan_flat(own, filled, measure, data, caps);
             if (!made) return made;
             const box3 whole = box_of(made->around, measure);
             if (error e = typemesh::refused_text(how, whole)) return e;
             if (!is_unfolded(how, whole)) return error::folds_over;
-            if (error e = surface.read(own, data.flat.read(), *made, at)) return e;
-            if (!(surface.greatest_error() <= tolerance)) continue;
-            made->textured = made->around;
-            const box3 bounds = surface.bounds();
-            constexpr double margin = 0x1p-10;  // cells; more than the rounding of the sums below
-            const point low = em * (point{bounds.low.x, bounds.low.y} - place.origin),
-                        high = em * (point{bounds.high.x, bounds.high.y} - place.origin);
-            made->around = {{low.x - margin, low.y - margin}, {high.x + margin, high.y + margin}};
-            form.low = (bounds.low.z - margin * measure.em_per_cell) / place.em_per_depth;
-            form.high = (bounds.high.z + margin * measure.em_per_cell) / place.em_per_depth;
-            if (!data.form.template of<bent_form>().push_back(form)) return error::out_of_memory;
-            return made;
+            if (error e = surface.read(own, data.flat.read(), *made, flat_placement(measure, place))) return e;
+            const bool is_near = surface.greatest_error() <= tolerance;
+            if (is_near && !surface.turns()) {
+                take_bounds(surface.bounds(), measure, *made, form);
+                return data.form.template of<bent_form>().push_back(form) ? made : error{error::out_of_memory};
+            }
+            // Thin triangles on edges that stay get better with shorter edges.
+            if (!(measure.margin > 1.0) || measure.margin > 16.0)
+                return is_near ? error{error::folds_over} : error::bad("tolerance");
         }
-        return error::bad("tolerance");
     }
 
     /// The heights before the solid is bent.
@@ -349,6 +360,44 @@ private:
         return own;
     }
 
+    /// Keeps the bounds of a bent solid.
+    static void take_bounds(const box3& bounds, const detail::bent_measure<Deformation>& measure, solid_plan& made,
+                            bent_form& form) noexcept
+    {
+        constexpr double margin = 0x1p-10;  // cells; more than the rounding of the sums below
+        const double em = 1.0 / measure.em_per_cell, off = margin * measure.em_per_cell;
+        const point low = em * (point{bounds.low.x, bounds.low.y} - measure.origin),
+                    high = em * (point{bounds.high.x, bounds.high.y} - measure.origin);
+        made.textured = made.around;
+        made.around = {{low.x - margin, low.y - margin}, {high.x + margin, high.y + margin}};
+        form.low = (bounds.low.z - off) / measure.em_per_depth;
+        form.high = (bounds.high.z + off) / measure.em_per_depth;
+    }
+
+    /// The measure for walls that are not divided yet.
+    [[nodiscard]] detail::bent_measure<Deformation> measure_of(const region& filled,
+                                                               const solid_place& place) const noexcept
+    {
+        const double em = filled.grid().cells * filled.grid().units_per_em, per_depth = place.em_per_depth;
+        const height_range heights = solid.heights();
+        detail::bent_measure<Deformation> measure{.bends = how,
+                                                  .origin = place.origin,
+                                                  .em_per_cell = 1.0 / em,
+                                                  .low = heights.low * per_depth,
+                                                  .high = heights.high * per_depth,
+                                                  .tolerance = (1.0 - 0x1p-10) * tolerance,
+                                                  .em_per_depth = per_depth};
+        measure.step = measure.high - measure.low;
+        if constexpr (bendable_caps<Solid>) {
+            const upright_faces upright = solid.uprights(filled);
+            measure.step = upright.walls * per_depth;
+            measure.riser = upright.risers * per_depth;
+            measure.apart = upright.apart;
+            measure.margin = 2.0;
+        }
+        return measure;
+    }
+
     [[nodiscard]] static box3 box_of(const box& around, const detail::bent_measure<Deformation>& measure) noexcept
     {
         const point low = measure.em_per_cell * around.low + measure.origin,
@@ -364,13 +413,15 @@ private:
     {
         std::uint32_t kept = 0;
         if constexpr (bendable_caps<Solid>) {
-            // Only the boundary's points count, which other caps inherit. Each cap gets inner points of its own later.
-            if (error e = data.working.run(filled, caps.triangles(), measure, max_points)) return e;
+            // Only the boundary is divided now. Slopes and caps inherit its points, and get points of their own later.
+            const detail::boundary_measure boundary{measure};
+            if (error e = data.working.run(filled, caps.triangles(), boundary, max_points)) return e;
             if (error e = data.working.write(data.flat.out(kept))) return e;
             data.flat.inner.clear();
             data.flat.triangles.clear();
             if (error e = caps(data.flat.boundary_of(filled), data.flat.triangles)) return e;
-            auto made = data.flat.plan(own, data.flat.boundary_of(filled), caps);
+            detail::bending_caps<Caps, Solid, Deformation> dividing{caps, data, measure, max_points};
+            auto made = data.flat.plan_by(own, data.flat.boundary_of(filled), dividing);
             if (!made) return made;
             detail::bent_caps<Solid, Deformation> refine{data, measure, max_points};
             if (error e = own.refine_caps(refine, data.flat.data, *made)) return e;
@@ -378,8 +429,6 @@ private:
         } else {
             if (error e = data.working.run(filled, caps.triangles(), measure, max_points)) return e;
             if (error e = data.working.write(data.flat.out(kept))) return e;
-            if (measure.any_turns(data.flat.loops.points.view(), data.flat.inner.view(), data.flat.triangles.view()))
-                return error::folds_over;
             return data.flat.plan_refined(own, filled, caps);
         }
     }
@@ -392,19 +441,12 @@ private:
     {
         const std::uint32_t fewest = segments_of(solid);
         if constexpr (has_segments<Solid>) {
-            const double height = measure.high - measure.low;
+            const double height = measure.step;
             if (!(height > 0.0)) return fewest;
             const bend_bounds by = how.bend(around);
-            const auto at_a_point = [&](std::uint32_t n) noexcept {  // how much a wall bends beside its bevel
-                detail::bent_measure<Deformation> of_segment = measure;
-                of_segment.step = height / n;
-                return of_segment.edge(filled.points().front(), filled.points().front());
-            };
-            std::uint32_t first = fewest;
-            while (first < wall_rows::most && at_a_point(first) > 0.5) ++first;
-            std::uint32_t best = first;
+            std::uint32_t best = fewest;
             double least = -1.0;
-            for (std::uint32_t n = first; n <= wall_rows::most; n += 1 + n / 8) {
+            for (std::uint32_t n = fewest; n <= wall_rows::most; n += 1 + n / 8) {
                 const double points = points_for(filled, measure, by, height / n);
                 const double cost = points * (n + 3.0);  // the rows of the walls, and two caps
                 if (least >= 0.0 && points > 0.0 && cost >= least) break;

@@ -8,6 +8,7 @@
 #include <typemesh/extrude/curve_normals.hpp>
 #include <typemesh/extrude/extruder.hpp>
 #include <typemesh/extrude/impl/axes.hpp>
+#include <typemesh/extrude/impl/bevel_bisection.hpp>
 #include <typemesh/extrude/impl/bevel_carver.hpp>
 #include <typemesh/extrude/impl/bevel_data.hpp>
 #include <typemesh/extrude/impl/bevel_heights.hpp>
@@ -28,7 +29,6 @@
 #include <cstdint>
 #include <initializer_list>
 #include <span>
-#include <type_traits>
 #include <utility>
 
 namespace typemesh::inline TYPEMESH_ABI {
@@ -100,6 +100,7 @@ struct bevelled {
     bevel_profile profile = {};
     std::uint32_t segments = 1;  ///< the number of equal pieces into which walls are divided along the depth: 1 to 1024
     float wanted = 0.0f;         ///< the width before refit() reduced it; leave this at 0
+    bool standing = false;       ///< whether the back is at z = 0 and the front at z = depth, as of a relief
 
     static constexpr std::size_t part_count = 5;
     using plan_data = bevel_data;
@@ -137,8 +138,7 @@ struct bevelled {
         if (n > 0x3FFF'FFFFu) return error::too_large;
         const double em = filled.grid().cells * filled.grid().units_per_em;
         if (!(em > 0.0)) return error::bad("units_per_em");
-        profile_scale scale{as_double(width) * em, as_double(bevel_depth) * em, filled.tolerance(),
-                            filled.corners() != touching::keep};
+        profile_scale scale = scale_of(filled, em);
         if (!(scale.width < (outward ? 0x1p25 : grid::reach))) return error::bad("width");
         solid_plan made;
         const error e = outward && scale.width >= profile_levels::finest ? plan_outward(filled, scale, data, caps, made)
@@ -165,9 +165,16 @@ struct bevelled {
     }
 
     /// See bendable_caps in bent.hpp.
-    [[nodiscard]] double reach() const noexcept { return as_double(width); }
-    /// Likewise.
-    [[nodiscard]] double rise() const noexcept { return as_double(bevel_depth); }
+    [[nodiscard]] upright_faces uprights(const region& filled) const noexcept
+    {
+        if (refused()) return {};
+        const profile_scale scale = scale_of(filled, filled.grid().cells * filled.grid().units_per_em);
+        const profile_levels levels{profile.at(scale), scale};
+        const bool apart = outward && scale.width >= profile_levels::finest;
+        const profile_level &wall = levels.view().front(), &own = apart ? levels.view().back() : wall;
+        const double walls = own_heights().rim(true, wall.arrives) - own_heights().rim(false, wall.arrives);
+        return {side && walls > 0.0 ? walls : 0.0, as_double(bevel_depth) * own.riser(), apart};
+    }
     /// Likewise.
     template <class Refine>
     [[nodiscard]] error refine_caps(Refine& refine, plan_data& data, solid_plan& made) const noexcept
@@ -285,7 +292,7 @@ private:
         return reached < 0.5f * (wanted > width ? wanted : width);
     }
 
-    [[nodiscard]] bevel_heights own_heights() const noexcept { return {depth, bevel_depth, sides, centred}; }
+    [[nodiscard]] bevel_heights own_heights() const noexcept { return {depth, bevel_depth, sides, centred, standing}; }
 
     [[nodiscard]] error refused() const noexcept
     {
@@ -312,6 +319,21 @@ private:
         return {};
     }
 
+    [[nodiscard]] profile_scale scale_of(const region& filled, double em) const noexcept
+    {
+        return {as_double(width) * em, as_double(bevel_depth) * em, filled.tolerance(),
+                filled.corners() != touching::keep};
+    }
+
+    /// Lets a cap_maker that bends solids divide the slopes: see bendable_caps in bent.hpp.
+    template <cap_maker Caps>
+    error divide(plan_data& data, const profile_scale& scale, std::uint32_t frame, Caps& caps) const noexcept
+    {
+        if constexpr (requires(const detail::swept_heights& to) { caps.divide(data.swept, to); })
+            return caps.divide(data.swept, {{profile.at(scale), scale}, as_double(bevel_depth), frame});
+        return {};
+    }
+
     [[nodiscard]] bevel_carver carver_of(const region& filled, bool outwards) const noexcept
     {
         const double em = filled.grid().cells * filled.grid().units_per_em;
@@ -326,7 +348,10 @@ private:
     {
         const auto doubled = plan_sides(filled, curve_normals{crease_degrees}, texture, data.of<side_point>());
         if (!doubled) return doubled.error();
-        const auto make = [&](const swept_region&) noexcept { return make_cap(data, caps); };
+        const auto make = [&](const swept_region&) noexcept {
+            const error e = divide(data, scale, none, caps);
+            return e ? e : make_cap(data, caps);
+        };
         const auto profile_at = [this](const profile_scale& at) noexcept { return profile.at(at); };
         bevel_carver carve = carver_of(filled, false);
         if (error e = carve({filled, caps.triangles()}, profile_at, scale, caps.space(), data.swept, make)) return e;
@@ -351,7 +376,9 @@ private:
         if (!doubled) return doubled.error();
         const double way = reach / scale.width;
         bevel_carver carve = carver_of(filled, true);
+        const std::uint32_t frame = frame_of(*around);
         const auto make = [&](const swept_region&) noexcept {
+            if (error e = divide(data, scale, frame, caps)) return e;
             constexpr double slack = 4.0;  // a margin for rounding
             if (!is_in_reach(data.swept.cap, filled, way * scale.width + slack)) return error{error::crossing_contours};
             leave_frame(data.swept.cap);
@@ -379,7 +406,6 @@ private:
             data.clear();
             return plan_inward(filled, scale, data, caps, made);
         }
-        const std::uint32_t frame = frame_of(*around);
         if (error e = make_bevel({profile.at(scale), scale}, *around, frame, data, caps.space())) return e;
         for (std::uint32_t i = 0; i < 4; ++i) data.of<side_point>()[frame + i].doubled = false;
         made.sizes = sizes(filled, 0, data);

@@ -169,9 +169,7 @@ struct carved {
     /// The heights of a planned solid: its slopes may meet sooner.
     [[nodiscard]] height_range heights(const solid_with<plan_data>& s) const noexcept
     {
-        if (s.points.empty()) return heights();
-        const height_range own = slopes_of(s).heights(inner(s));
-        return range_to(own.high - own.low);
+        return s.points.empty() ? heights() : slopes_of(s).heights(inner(s));
     }
 
     /// The triangles of the slopes and of each cap.
@@ -196,19 +194,12 @@ struct carved {
         if (s.points.empty()) return;
         const bevelled slopes = slopes_of(s);
         const solid_with<bevel_data> form = inner(s);
-        if (as == carving::cutter) return slopes.template vertices<Wants>(p, form, at, put);
         if (as == carving::groove)
             return slopes.template vertices<Wants>(behind(p), form, at, [&put](surface_point<Wants> v) noexcept {
                 turn_round(v);
                 put(v);
             });
-        const float z = at.height(as_double(slopes.depth));
-        const vec3 lift = at.direction(0.0f, 0.0f, z);
-        slopes.template vertices<Wants>(p, form, at, [&put, lift](surface_point<Wants> v) noexcept {
-            if constexpr (has(Wants, attribute::position))
-                v.position = {v.position.x + lift.x, v.position.y + lift.y, v.position.z + lift.z};
-            put(v);
-        });
+        slopes.template vertices<Wants>(p, form, at, put);
     }
 
     template <class Put>
@@ -277,6 +268,7 @@ private:
         bevelled slopes{.depth = to.depth, .width = to.width, .bevel_depth = to.depth};
         slopes.sides = as == carving::relief ? bevel_sides::front : bevel_sides::back;
         slopes.front = as != carving::groove;
+        slopes.standing = as == carving::relief;
         slopes.mitre_limit = 1.0f;
         slopes.crease_degrees = crease_degrees;
         slopes.texture = texture;

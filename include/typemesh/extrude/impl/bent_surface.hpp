@@ -8,9 +8,11 @@
 #include <typemesh/core/error.hpp>
 #include <typemesh/core/finite.hpp>
 #include <typemesh/extrude/extruder.hpp>
+#include <typemesh/extrude/impl/bent_measure.hpp>
 #include <typemesh/extrude/placement.hpp>
 #include <typemesh/vertex/surface_point.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -101,6 +103,7 @@ public:
         places_.clear();
         is_empty_ = true;
         greatest_ = 0.0;
+        turns_ = false;
         bool fits = true;
         const auto keep = [&](const surface_point<attribute::position>& v) noexcept {
             fits = fits && places_.push_back(as_double3(v.position));
@@ -108,11 +111,17 @@ public:
         for (const part p : parts_of<E>) solid.template vertices<attribute::position>(p, s, at, keep);
         if (!fits) return error::out_of_memory;
         for (const double3& p : places_) add(how_(p).at);
+        // Floats move the corners by up to half a step in each direction.
+        double farthest = 0.0;
+        for (const double3& p : places_)
+            farthest = (std::max)({farthest, std::fabs(p.x), std::fabs(p.y), std::fabs(p.z)});
+        const double thin = (std::max)(thinnest * at.em_per_cell, 0x1p-20 * farthest);
         const part_counts first = plan.sizes.vertices.starts();
         for (const part p : parts_of<E>)
             solid.triangles(p, s, first, [&](std::uint32_t a, std::uint32_t b, std::uint32_t c) noexcept {
                 const double3 corners[] = {places_[a], places_[b], places_[c]};
                 const double error_of = error_over(corners);
+                turns_ = turns_ || is_turned(how_, corners, thin);
                 if (is_finite(greatest_) && !(error_of <= greatest_)) greatest_ = error_of;
             });
         return {};
@@ -121,6 +130,9 @@ public:
     /// No point of the bent triangles is farther than this from its place on the bent solid, in em. Not finite
     /// if the deformation's bounds of a triangle are not.
     [[nodiscard]] double greatest_error() const noexcept { return greatest_; }
+    /// Whether the image of a triangle turns: see is_turned(). Triangles so thin that their side is a rounding, on the
+    /// grid or to floats, do not count.
+    [[nodiscard]] bool turns() const noexcept { return turns_; }
     /// The box around all bent vertices, in em.
     [[nodiscard]] box3 bounds() const noexcept { return bounds_; }
 
@@ -148,6 +160,7 @@ private:
     box3 bounds_{};
     double greatest_ = 0.0;
     bool is_empty_ = true;
+    bool turns_ = false;
 };
 
 }  // namespace typemesh::inline TYPEMESH_ABI::detail

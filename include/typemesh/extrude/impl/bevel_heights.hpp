@@ -10,6 +10,13 @@ namespace typemesh::inline TYPEMESH_ABI {
 /// The edges that are bevelled.
 enum class bevel_sides : std::uint8_t { both, front, back };
 
+/// The upright faces of a solid: see bendable_caps in bent.hpp.
+struct upright_faces {
+    double walls = 0.0;   ///< the height of the walls, in the unit of depths
+    double risers = 0.0;  ///< the height of other upright faces on the region's own edges, likewise
+    bool apart = false;   ///< whether the walls stand elsewhere
+};
+
 /// The heights of a bevelled solid, in the unit of its depth. `in_front` selects one of its two sides.
 ///
 ///     high     front ____                  share 1 of the bevel's depth
@@ -21,8 +28,12 @@ struct bevel_heights {
     float bevel_depth = 0.0f;  ///< of one bevel
     bevel_sides sides = bevel_sides::both;
     bool centred = false;
+    bool standing = false;  ///< whether the back is at 0
 
-    [[nodiscard]] double high() const noexcept { return centred ? 0.5 * as_double(depth) : 0.0; }
+    [[nodiscard]] double high() const noexcept
+    {
+        return standing ? as_double(depth) : centred ? 0.5 * as_double(depth) : 0.0;
+    }
     [[nodiscard]] double low() const noexcept { return high() - as_double(depth); }
     [[nodiscard]] bool is_bevelled(bool in_front) const noexcept
     {

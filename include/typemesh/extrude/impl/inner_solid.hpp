@@ -65,6 +65,12 @@ struct inner_solid : inner_region {
     [[nodiscard]] result<solid_plan> plan(const E& how, const region& filled, Caps& caps) noexcept
     {
         detail::caps_of_region<Caps> own{caps, triangles.view()};
+        return plan_by(how, filled, own);
+    }
+    /// Likewise, by a cap_maker that knows the region's triangles.
+    template <cap_maker Caps>
+    [[nodiscard]] result<solid_plan> plan_by(const E& how, const region& filled, Caps& own) noexcept
+    {
         auto made = plan_solid(how, filled, data, own);
         if (made) {
             made->corners_moved += parting.corners;

@@ -20,6 +20,8 @@ struct profile_level {
 
     /// Whether the level has a riser.
     [[nodiscard]] bool has_riser() const noexcept { return !same(arrives, leaves); }
+    /// The height of its riser, as a share of the bevel's depth.
+    [[nodiscard]] double riser() const noexcept { return std::fabs(as_double(leaves) - as_double(arrives)); }
 };
 
 /// The levels of a profile on one glyph: distances rising from 0 to the width, at least four cells apart.
