@@ -64,7 +64,7 @@ struct basic_markup_look {
     /// Equal looks have equal hashes.
     friend std::uint64_t hash_of(const basic_markup_look& l) noexcept
     {
-        std::uint64_t hash = mixed_key(l.tags, static_cast<std::uint64_t>(l.position));
+        std::uint64_t hash = mixed_key(1, static_cast<std::uint64_t>(l.position) << 32 | l.tags);
         hash = mixed_key(hash, std::uint64_t{l.colour} << 32 | l.style);
         for (double number : {l.size, l.rise, l.spacing, l.depth, l.bevel}) {
             number += 0.0;  // turns -0 into +0
