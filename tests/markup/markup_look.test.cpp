@@ -10,19 +10,20 @@ using namespace typemesh;
 TEST_CASE("looks that differ in one member differ, also in their hashes", "[markup]")
 {
     using look = basic_markup_look<char>;
-    const std::vector<look> looks{{},
-                                  {.tags = 1},
-                                  {.position = script_position::superscript},
-                                  {.position = script_position::subscript},
-                                  {.size = 2.0},
-                                  {.rise = 2.0},
-                                  {.spacing = 2.0},
-                                  {.depth = 2.0},
-                                  {.bevel = 2.0},
-                                  {.colour = 2},
-                                  {.style = 2},
-                                  {.font = "a"},
-                                  {.language = "a"}};
+    const std::uint32_t all = (1u << markup_tag_count) - 1;
+    const std::vector<look> looks{{.tags = all},
+                                  {},
+                                  {.tags = all, .position = script_position::superscript},
+                                  {.tags = all, .position = script_position::subscript},
+                                  {.tags = all, .size = 2.0},
+                                  {.tags = all, .rise = 2.0},
+                                  {.tags = all, .spacing = 2.0},
+                                  {.tags = all, .depth = 2.0},
+                                  {.tags = all, .bevel = 2.0},
+                                  {.tags = all, .colour = 2},
+                                  {.tags = all, .style = 2},
+                                  {.tags = all, .font = "a"},
+                                  {.tags = all, .language = "a"}};
     for (std::size_t i = 0; i < looks.size(); ++i) {
         for (std::size_t k = 0; k < looks.size(); ++k) {
             CHECK((looks[i] == looks[k]) == (i == k));

@@ -13,10 +13,7 @@ using namespace typemesh;
 
 namespace {
 
-detail::read_markup_tag<char> read_tag(std::string_view source)
-{
-    return detail::markup_reader<char>{source, 0}.read();
-}
+detail::read_markup_tag<char> read_tag(std::string_view source) { return detail::markup_reader<char>{source}.read(0); }
 
 }  // namespace
 

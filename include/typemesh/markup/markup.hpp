@@ -11,6 +11,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 #include <string_view>
 
 namespace typemesh::inline TYPEMESH_ABI {
@@ -98,36 +99,46 @@ private:
 
     /// A tag that is open, or that was closed within one that is open.
     struct opened {
-        tag_read tag;
+        double value;
+        view words;
+        std::uint32_t integer;   // these three: see read_markup_tag
+        std::uint32_t previous;  // one more than the index of the tag of this kind around it; 0: none
+        std::uint32_t crossed;   // how many tags had crossed before
+        std::uint32_t number;    // of the look around this tag, if `known`; of a ruby: its own, 0 until it has text
         markup_tag kind;
         bool is_open;
-        bool known;              // whether `number` is the number of the look around this tag
-        std::uint32_t number;    // of a ruby: its own, 0 until it has text
-        std::uint32_t crossed;   // how many tags had crossed before
-        std::uint32_t previous;  // one more than the index of the tag of this kind around it; 0: none
+        bool known;
     };
 
     error read_all(view source) noexcept
     {
+        if (!text_.reserve(source.size())) return error::out_of_memory;
+        detail::markup_reader<Char> reader{source};
         for (std::size_t at = 0;;) {
-            std::size_t bracket = source.find(static_cast<Char>('['), at);
+            const std::size_t bracket = source.find(static_cast<Char>('['), at);
             if (bracket == view::npos) return put(source.substr(at)) ? error{} : error{error::out_of_memory};
             const bool doubled = bracket + 1 < source.size() && source[bracket + 1] == static_cast<Char>('[');
             if (!put(source.substr(at, bracket - at + (doubled ? 1 : 0)))) return error::out_of_memory;
             at = bracket + 2;
             if (doubled) continue;
-            tag_read tag = detail::markup_reader<Char>{source, bracket}.read();
+            const tag_read& tag = reader.read(bracket);
             at = tag.end;
-            if (tag.mistake == nullptr) {
-                if (!tag.closes && !open(tag)) return error::out_of_memory;
-                if (tag.closes && !close(tag)) tag.mistake = "a closing tag without its opening tag";
-                if (tag.mistake != nullptr) at = bracket;
+            if (tag.mistake != nullptr) return mistake(tag.mistake, tag.end);
+            if (tag.closes) {
+                if (!close(tag)) return mistake("a closing tag without its opening tag", bracket);
+            } else if (tag.form->tag == markup_tag::ruby && top_of(markup_tag::ruby) != 0) {
+                return mistake("a ruby within a ruby", bracket);
+            } else if (!open(tag)) {
+                return error::out_of_memory;
             }
-            if (tag.mistake == nullptr) continue;
-            error e = error::bad_markup;
-            e.option = tag.mistake;
-            return e.at(no_glyph, static_cast<cluster_id>(at));
         }
+    }
+
+    static error mistake(const char* what, std::size_t place) noexcept
+    {
+        error e = error::bad_markup;
+        e.option = what;
+        return e.at(no_glyph, static_cast<cluster_id>(place));
     }
 
     /// Appends text that is as the open tags say. Returns false when out of memory.
@@ -135,24 +146,32 @@ private:
     {
         if (some.empty()) return true;
         const auto first = static_cast<std::uint32_t>(text_.size());
-        if (!text_.append(array_view<const Char>{some.data(), some.size()}) || !find_number()) return false;
-        const auto last = static_cast<std::uint32_t>(text_.size());
+        Char* const copy = text_.append(some.size());
+        if (copy == nullptr || !find_number()) return false;
+        std::memcpy(copy, some.data(), some.size() * sizeof(Char));
         std::uint32_t ruby = 0;
-        if (const std::uint32_t top = top_of(markup_tag::ruby); top != 0) {
-            opened& o = open_[top - 1];
-            if (o.number == 0) {
-                if (!rubies_.push_back(o.tag.words)) return false;
-                o.number = static_cast<std::uint32_t>(rubies_.size());
-            }
-            ruby = o.number;
-        }
+        if (!number_ruby(ruby)) return false;
         if (number_ == 0 && ruby == 0) return true;
-        if (!spans_.empty() && spans_.back().last == first && spans_.back().look == number_ &&
-            spans_.back().ruby == ruby) {
-            spans_.back().last = last;
-            return true;
+        const auto last = static_cast<std::uint32_t>(text_.size());
+        if (!spans_.empty()) {
+            markup_span& s = spans_.back();
+            if (s.last == first && s.look == number_ && s.ruby == ruby) return s.last = last, true;
         }
         return spans_.push_back({first, last, number_, ruby});
+    }
+
+    /// The number of the ruby that is open.
+    [[nodiscard]] bool number_ruby(std::uint32_t& number) noexcept
+    {
+        const std::uint32_t top = top_of(markup_tag::ruby);
+        if (top == 0) return true;
+        opened& o = open_[top - 1];
+        if (o.number == 0) {
+            if (!rubies_.push_back(o.words)) return false;
+            o.number = static_cast<std::uint32_t>(rubies_.size());
+        }
+        number = o.number;
+        return true;
     }
 
     /// Makes number_ the number of the look.
@@ -170,41 +189,44 @@ private:
 
     [[nodiscard]] std::uint32_t& top_of(markup_tag t) noexcept { return last_[static_cast<std::size_t>(t)]; }
 
-    [[nodiscard]] bool open(tag_read& tag) noexcept
+    [[nodiscard]] bool open(const tag_read& tag) noexcept
     {
         const markup_tag kind = tag.form->tag;
         std::uint32_t& top = top_of(kind);
         const bool is_ruby = kind == markup_tag::ruby;
-        if (is_ruby && top != 0) return tag.mistake = "a ruby within a ruby", true;
-        if (!open_.push_back({tag, kind, true, known_, is_ruby ? 0 : number_, crossed_, top})) return false;
+        opened* const o = open_.append(1);
+        if (o == nullptr) return false;
+        *o = {tag.number, tag.words, tag.integer, top, crossed_, is_ruby ? 0 : number_, kind, true, known_};
         top = static_cast<std::uint32_t>(open_.size());
-        if (!is_ruby) apply(kind, &tag);
+        if (!is_ruby) apply(kind, o);
         return true;
     }
 
     /// Returns false if no such tag is open.
     [[nodiscard]] bool close(const tag_read& tag) noexcept
     {
-        const std::size_t number = tag.form != nullptr ? top_of(tag.form->tag) : open_.size();
-        if (number == 0) return false;
-        opened& o = open_[number - 1];
-        const opened before = o;
-        top_of(before.kind) = before.previous;
+        const std::size_t closed = tag.form != nullptr ? top_of(tag.form->tag) : open_.size();
+        if (closed == 0) return false;
+        opened& o = open_[closed - 1];
+        const markup_tag kind = o.kind;
+        const std::uint32_t around = o.previous;
+        top_of(kind) = around;
         o.is_open = false;
-        const bool nested = number == open_.size();
-        while (!open_.empty() && !open_.back().is_open) open_.truncate(open_.size() - 1);
-        if (before.kind == markup_tag::ruby) return true;
-        apply(before.kind, before.previous != 0 ? &open_[before.previous - 1].tag : nullptr);
-        if (!nested) ++crossed_;
-        if (nested && before.crossed == crossed_) {  // else a tag around this one was closed within it
-            number_ = before.number;
-            known_ = before.known;
+        if (kind != markup_tag::ruby) {
+            apply(kind, around != 0 ? &open_[around - 1] : nullptr);
+            if (closed != open_.size())
+                ++crossed_;
+            else if (o.crossed == crossed_) {  // else a tag around this one was closed within it
+                number_ = o.number;
+                known_ = o.known;
+            }
         }
+        while (!open_.empty() && !open_.back().is_open) open_.truncate(open_.size() - 1);
         return true;
     }
 
     /// The look changes: the tag of this kind that applies is another, or none.
-    void apply(markup_tag kind, const tag_read* tag) noexcept
+    void apply(markup_tag kind, const opened* tag) noexcept
     {
         known_ = false;
         if (kind == markup_tag::superscript || kind == markup_tag::subscript) {
@@ -218,11 +240,11 @@ private:
         now_.tags = tag != nullptr ? now_.tags | bit : now_.tags & ~bit;
         constexpr look_type plain{};
         switch (kind) {
-        case markup_tag::size: now_.size = tag != nullptr ? tag->number : plain.size; break;
-        case markup_tag::rise: now_.rise = tag != nullptr ? tag->number : plain.rise; break;
-        case markup_tag::spacing: now_.spacing = tag != nullptr ? tag->number : plain.spacing; break;
-        case markup_tag::depth: now_.depth = tag != nullptr ? tag->number : plain.depth; break;
-        case markup_tag::bevel: now_.bevel = tag != nullptr ? tag->number : plain.bevel; break;
+        case markup_tag::size: now_.size = tag != nullptr ? tag->value : plain.size; break;
+        case markup_tag::rise: now_.rise = tag != nullptr ? tag->value : plain.rise; break;
+        case markup_tag::spacing: now_.spacing = tag != nullptr ? tag->value : plain.spacing; break;
+        case markup_tag::depth: now_.depth = tag != nullptr ? tag->value : plain.depth; break;
+        case markup_tag::bevel: now_.bevel = tag != nullptr ? tag->value : plain.bevel; break;
         case markup_tag::colour: now_.colour = tag != nullptr ? tag->integer : plain.colour; break;
         case markup_tag::style: now_.style = tag != nullptr ? tag->integer : plain.style; break;
         case markup_tag::font: now_.font = tag != nullptr ? tag->words : plain.font; break;

@@ -61,17 +61,26 @@ struct basic_markup_look {
                a.style == b.style && a.font == b.font && a.language == b.language;
     }
 
-    /// Equal looks have equal hashes.
+    /// Equal looks have equal hashes. Members without their tag do not matter for the hash.
     friend std::uint64_t hash_of(const basic_markup_look& l) noexcept
     {
         std::uint64_t hash = mixed_key(1, static_cast<std::uint64_t>(l.position) << 32 | l.tags);
-        hash = mixed_key(hash, std::uint64_t{l.colour} << 32 | l.style);
-        for (double number : {l.size, l.rise, l.spacing, l.depth, l.bevel}) {
+        const auto add = [&](markup_tag t, std::uint64_t number) noexcept {
+            if (l.has(t)) hash = mixed_key(hash, number);
+        };
+        const auto add_number = [&](markup_tag t, double number) noexcept {
             number += 0.0;  // turns -0 into +0
             std::uint64_t bits = 0;
             std::memcpy(&bits, &number, sizeof bits);
-            hash = mixed_key(hash, bits);
-        }
+            add(t, bits);
+        };
+        add_number(markup_tag::size, l.size);
+        add_number(markup_tag::rise, l.rise);
+        add_number(markup_tag::spacing, l.spacing);
+        add_number(markup_tag::depth, l.depth);
+        add_number(markup_tag::bevel, l.bevel);
+        add(markup_tag::colour, l.colour);
+        add(markup_tag::style, l.style);
         for (const std::basic_string_view<Char> word : {l.font, l.language})
             for (const Char c : word) hash = mixed_key(hash, static_cast<std::uint64_t>(c));
         return hash;

@@ -6,7 +6,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <iterator>
 #include <limits>
 #include <string_view>
 
@@ -55,11 +54,30 @@ template <class Char>
     return all;
 }
 
-inline constexpr struct packed_markup_names {
-    std::uint64_t of[std::size(markup_tag_forms)] = {};
-    constexpr packed_markup_names() noexcept
+/// Finds a tag by its name. Most names have a slot that no other name takes.
+inline constexpr struct markup_name_slots {
+    std::uint64_t names[64] = {};
+    const markup_tag_form* forms[64] = {};
+
+    constexpr markup_name_slots() noexcept
     {
-        for (std::size_t i = 0; i < std::size(of); ++i) of[i] = packed_name(markup_tag_forms[i].name);
+        for (const markup_tag_form& form : markup_tag_forms) {
+            std::size_t at = slot_of(packed_name(form.name));
+            while (names[at] != 0) at = (at + 1) % 64;
+            names[at] = packed_name(form.name);
+            forms[at] = &form;
+        }
+    }
+    [[nodiscard]] static constexpr std::size_t slot_of(std::uint64_t name) noexcept
+    {
+        return static_cast<std::size_t>(name * 0x9E37'79B9'7F4A'7C15u >> 58);
+    }
+    /// Null if there is no such tag.
+    [[nodiscard]] constexpr const markup_tag_form* find(std::uint64_t name) const noexcept
+    {
+        std::size_t at = slot_of(name);
+        while (names[at] != name && names[at] != 0) at = (at + 1) % 64;
+        return forms[at];
     }
 } markup_names;
 
@@ -87,17 +105,23 @@ struct read_markup_tag {
     const char* mistake = nullptr;
 };
 
-/// Reads one tag. It reads each unit once, and no unit behind the tag.
+/// Reads the tags of a source. It reads each unit once, and no unit behind the tag.
 template <class Char>
 class markup_reader {
 public:
     using view = std::basic_string_view<Char>;
 
-    /// `at` is the place of the tag's bracket.
-    markup_reader(view source, std::size_t at) noexcept : source_{source}, first_{at}, at_{at + 1} {}
+    explicit markup_reader(view source) noexcept : source_{source} {}
 
-    [[nodiscard]] read_markup_tag<Char> read() noexcept
+    /// The tag whose bracket is there. It belongs to the reader, until the next call.
+    [[nodiscard]] const read_markup_tag<Char>& read(std::size_t bracket) noexcept
     {
+        first_ = bracket;
+        at_ = bracket + 1;
+        out_.form = nullptr;
+        out_.closes = false;
+        out_.integer = 0;
+        out_.mistake = nullptr;
         if (is('/')) {
             out_.closes = true;
             ++at_;
@@ -122,12 +146,12 @@ private:
         return at_ < source_.size() && source_[at_] == static_cast<Char>(c);
     }
 
-    read_markup_tag<Char> ended() noexcept
+    const read_markup_tag<Char>& ended() noexcept
     {
         out_.end = at_ + 1;
         return out_;
     }
-    read_markup_tag<Char> wrong(const char* mistake, std::size_t place) noexcept
+    const read_markup_tag<Char>& wrong(const char* mistake, std::size_t place) noexcept
     {
         out_.mistake = mistake;
         out_.end = place;
@@ -139,16 +163,18 @@ private:
     {
         std::uint64_t name = 0;
         const std::size_t begin = at_;
-        while (at_ < source_.size() && !is(']') && !is('=')) {
-            const auto c = static_cast<std::uint32_t>(source_[at_]);
-            if (c < 'a' || c > 'z' || at_ - begin == longest_name) return wrong("an unknown tag", first_), false;
+        const Char *first = source_.data() + begin, *const last = source_.data() + source_.size();
+        for (; first != last; ++first) {
+            const auto c = static_cast<std::uint32_t>(*first);
+            if (c - 'a' > 'z' - 'a') break;
             name = name << 8 | c;
-            ++at_;
         }
+        at_ = static_cast<std::size_t>(first - source_.data());
+        if (at_ - begin > longest_name) return wrong("an unknown tag", first_), false;
         if (at_ == source_.size()) return wrong("a tag without its ]", first_), false;
-        for (std::size_t i = 0; i < std::size(markup_names.of); ++i)
-            if (markup_names.of[i] == name) return out_.form = &markup_tag_forms[i], true;
-        return wrong("an unknown tag", first_), false;
+        if (!is(']') && !is('=')) return wrong("an unknown tag", first_), false;
+        out_.form = markup_names.find(name);
+        return out_.form != nullptr || (wrong("an unknown tag", first_), false);
     }
 
     /// The value up to ], or between quotation marks of one kind. Afterwards at_ is the bracket.
@@ -217,11 +243,8 @@ private:
         const std::size_t size = out_.words.size();
         if ((size != 4 && size != 7) || out_.words[0] != static_cast<Char>('#')) return refused;
         for (const Char c : out_.words.substr(1)) {
-            const auto u = static_cast<std::uint32_t>(c);
-            std::uint32_t digit = 16;
-            if (u >= '0' && u <= '9') digit = u - '0';
-            if (u >= 'a' && u <= 'f') digit = u - 'a' + 10;
-            if (u >= 'A' && u <= 'F') digit = u - 'A' + 10;
+            const auto u = static_cast<std::uint32_t>(c), letter = (u | 0x20u) - 'a';
+            const std::uint32_t digit = u - '0' < 10 ? u - '0' : letter < 6 ? letter + 10 : 16;
             if (digit == 16) return refused;
             out_.integer = out_.integer << 4 | digit;
             if (size == 4) out_.integer = out_.integer << 4 | digit;
@@ -248,7 +271,7 @@ private:
     }
 
     view source_;
-    std::size_t first_, at_;
+    std::size_t first_ = 0, at_ = 0;
     read_markup_tag<Char> out_;
 };
 
