@@ -130,6 +130,7 @@ std::string lay_out_lines(const options& o, const Breaker& breaker, font_set& fo
     const std::vector<typemesh::style_span> spans = spans_of(o.styles, o.text);
     typemesh::shape_options how = shape_options_of(o);
     how.styles = spans;
+    if (o.marked) how.styles = o.marked->styles.spans();
     auto set = words.set(o.text, how);
     if (set && o.fit_width > 0.0) {
         if (std::string trouble = box_filling{o, font, words, lines}.fill(page, size); !trouble.empty()) return trouble;
@@ -139,9 +140,8 @@ std::string lay_out_lines(const options& o, const Breaker& breaker, font_set& fo
     if (!set) return in_words(set.error());
     bool warned = !o.ellipsis.empty() && name_ellipsis_losses(o, font);
     if (const std::uint32_t moved = words.shaped().styles.moved(); moved != 0) {
-        std::fprintf(stderr,
-                     "%s--style: %u %s inside a character or a combined number, so the whole of it is styled.\n",
-                     o.who.c_str(), moved, moved == 1 ? "end lies" : "ends lie");
+        std::fprintf(stderr, "%s%s: %u %s inside a character or a combined number, so the whole of it is styled.\n",
+                     o.who.c_str(), o.markup ? "--markup" : "--style", moved, moved == 1 ? "end lies" : "ends lie");
         warned = true;
     }
     return warned && o.strict ? "--strict: nothing is written." : std::string{};

@@ -103,6 +103,9 @@ TEST_CASE("rubies do not divide styles", "[markup]")
     REQUIRE(styles.spans().size() == 1);
     CHECK(styles.spans()[0].first == 1);
     CHECK(styles.spans()[0].last == 4);
+    REQUIRE(read.read("[b]a[/b]b[b]c"));
+    REQUIRE(styles.set(read));
+    CHECK(styles.spans().size() == 2);
 }
 
 TEST_CASE("a font that the map does not have is told at its first text", "[markup]")
