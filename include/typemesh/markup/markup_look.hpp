@@ -25,7 +25,7 @@ enum class markup_tag : std::uint8_t {
     spacing,      ///< [spacing=0.05]
     depth,        ///< [depth=0.1]
     bevel,        ///< [bevel=0.02]
-    colour,       ///< [colour=#c33], [color=#cc3333]
+    colour,       ///< [colour=...], [color=...]
     style,        ///< [style=7]
     font,         ///< [font=Liberation Serif]
     language,     ///< [lang=ja]

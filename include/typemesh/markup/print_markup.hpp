@@ -13,10 +13,10 @@ namespace typemesh::inline TYPEMESH_ABI {
 /// A text with its spans, as basic_markup gives them.
 template <class Char>
 struct basic_marked_text {
-    std::basic_string_view<Char> text;
-    array_view<const markup_span> spans;              ///< in the order of the text, without overlaps
-    array_view<const basic_markup_look<Char>> looks;  ///< number 0 is the plain look
-    array_view<const std::basic_string_view<Char>> rubies;
+    std::basic_string_view<Char> text;                      ///< without tags
+    array_view<const markup_span> spans;                    ///< in the order of the text, without overlaps
+    array_view<const basic_markup_look<Char>> looks;        ///< number 0 is the plain look
+    array_view<const std::basic_string_view<Char>> rubies;  ///< for markup_span::ruby
 };
 
 namespace detail {
