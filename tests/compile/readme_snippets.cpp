@@ -195,7 +195,7 @@ if (!letter.where.empty()) draw(letter.where);                                  
 use(column, here, there);
 auto coloured = mesher.plan("Hello world!", {.shape = {.styles = spans}});
     use(coloured);
-    const auto colour_of_range = [](std::uint32_t, const typemesh::mesh_range&) noexcept {};
+    const auto draw_range = [](std::uint32_t, const typemesh::mesh_range&) noexcept {};
 typemesh::markup marked;                                                        // markup_utf16 for UTF-16
 typemesh::markup_styles tagged;
 if (auto read = marked.read("[b]Bold[/b] and [colour=#c33][size=1.5]red[/][/], [depth=0.5]deep[/]"); !read)
@@ -207,7 +207,7 @@ auto painted = mesher.plan(page);
 if (!painted) return std::puts(painted.error().message()), 1;
 for (typemesh::style_id style : painted->styles()) {
     const typemesh::markup_paint& paint = tagged.paints()[std::size_t(style)];
-    if (paint.has(typemesh::markup_tag::colour)) colour_of_range(paint.colour, painted->range(style));     // 0xcc3333
+    if (paint.has(typemesh::markup_tag::colour)) draw_range(paint.colour, painted->range(style, typemesh::part::front));
 }
 for (std::uint32_t solid = 0; solid < tagged.solids().size(); ++solid) {
     typemesh::glyph_run letters;
