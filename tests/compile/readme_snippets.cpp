@@ -215,7 +215,7 @@ for (std::uint32_t solid = 0; solid < tagged.solids().size(); ++solid) {
     if (auto done = select_glyphs(page, is_its, letters); !done) return std::puts(done.error().message()), 1;
     const typemesh::markup_solid& wanted = tagged.solids()[solid];
     mesher.solid().depth = wanted.has(typemesh::markup_tag::depth) ? float(wanted.depth) : 0.2f;
-    if (auto built = mesher.build(letters, into(vertices, indices)); !built) return std::puts(built.error().message()), 1;
+    if (auto built = mesher.build(letters, typemesh::into(vertices, indices)); !built) return std::puts(built.error().message()), 1;
 }
     }
     {
