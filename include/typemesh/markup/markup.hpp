@@ -80,7 +80,7 @@ public:
         index_.clear();
         now_ = {};
         for (std::uint32_t& number : last_) number = 0;
-        number_ = crossed_ = 0;
+        number_ = last_number_ = crossed_ = 0;
         known_ = true;
     }
 
@@ -178,11 +178,14 @@ private:
     [[nodiscard]] bool find_number() noexcept
     {
         if (known_) return true;
-        if (looks_.empty() && !looks_.push_back({})) return false;
-        if (!index_.read(looks_.view())) return false;
-        const std::size_t found = index_.find(looks_.view(), now_);
-        if (found == looks_.size() && !looks_.push_back(now_)) return false;
-        number_ = static_cast<std::uint32_t>(found);
+        std::size_t found = last_number_;  // often the same look again
+        if (found >= looks_.size() || !(looks_[found] == now_)) {
+            if (looks_.empty() && !looks_.push_back({})) return false;
+            if (!index_.read(looks_.view())) return false;
+            found = index_.find(looks_.view(), now_);
+            if (found == looks_.size() && !looks_.push_back(now_)) return false;
+        }
+        number_ = last_number_ = static_cast<std::uint32_t>(found);
         known_ = true;
         return true;
     }
@@ -263,7 +266,8 @@ private:
     std::uint32_t last_[markup_tag_count] = {};  // of each kind, one more than the index of the last open tag
     std::uint32_t number_ = 0;                   // of the look of the next text, if known_
     bool known_ = true;
-    std::uint32_t crossed_ = 0;  // tags that were closed while a later one was open
+    std::uint32_t last_number_ = 0;  // the last one that was looked for
+    std::uint32_t crossed_ = 0;      // tags that were closed while a later one was open
 };
 
 using markup = basic_markup<char>;            ///< of UTF-8
