@@ -125,6 +125,17 @@ TEST_CASE("what cannot be seen leaves no span: tags around nothing, and tags at 
     CHECK(read.spans()[0] == markup_span{1, 2, 1, 0});
 }
 
+TEST_CASE("each ruby has the whole range of its text", "[markup]")
+{
+    markup read;
+    REQUIRE(read.read("a[ruby=x]b[b]c[/b]d[/ruby][b]e[ruby=y]f[/][ruby=z]g"));
+    std::string seen;
+    read.each_ruby([&](std::uint32_t first, std::uint32_t last, std::string_view ruby, std::uint32_t look) {
+        seen += std::to_string(first) + ".." + std::to_string(last) + std::string{ruby} + std::to_string(look) + " ";
+    });
+    CHECK(seen == "1..4x0 5..6y1 6..7z1 ");
+}
+
 TEST_CASE("words of tags are views of the source", "[markup]")
 {
     const std::string source = "[font=\"Noto ]\"]x[/font][ruby=abc]y";

@@ -94,6 +94,18 @@ public:
     /// The texts of [ruby=...], in the order of the text.
     [[nodiscard]] array_view<const view> rubies() const noexcept { return rubies_.view(); }
 
+    /// Calls put(first, last, ruby, look) for each ruby: the range of its text, its own text, and the index of the look
+    /// at its beginning.
+    template <class Put>
+    void each_ruby(const Put& put) const noexcept
+    {
+        for (std::size_t i = 0, k = 0; i < spans_.size(); i = k) {
+            for (k = i + 1; k < spans_.size() && spans_[k].ruby == spans_[i].ruby;) ++k;
+            if (spans_[i].ruby != 0)
+                put(spans_[i].first, spans_[k - 1].last, rubies_[spans_[i].ruby - 1], spans_[i].look);
+        }
+    }
+
 private:
     using tag_read = detail::read_markup_tag<Char>;
 

@@ -123,6 +123,11 @@ public:
     [[nodiscard]] array_view<const markup_paint> paints() const noexcept { return paints_.view(); }
     /// Each different solid once; solid 0 says nothing. Empty before set().
     [[nodiscard]] array_view<const markup_solid> solids() const noexcept { return solids_.view(); }
+    /// The style's number of a look of the mark-up. Precondition: set() has read this look.
+    [[nodiscard]] style_id style_of(std::uint32_t look) const noexcept
+    {
+        return look == 0 ? style_id{} : of_looks_[look].style;
+    }
     /// The index of the solid of a style; 0 for numbers that are none of its styles.
     [[nodiscard]] std::uint32_t solid_of(style_id style) const noexcept
     {
@@ -139,7 +144,7 @@ private:
         for (const basic_markup_look<Char>& look : read.looks()) letters += look.language.size();
         if (!languages_.reserve(letters)) return error::out_of_memory;
         for (const basic_markup_look<Char>& look : read.looks()) {
-            text_style style = style_of(look);
+            text_style style = text_style_of(look);
             error e = map(look, style);
             if (!e) e = number(look, style);
             if (!e && !of_looks_.push_back(style)) e = error::out_of_memory;
@@ -158,7 +163,7 @@ private:
     }
 
     template <class Char>
-    text_style style_of(const basic_markup_look<Char>& look) noexcept
+    text_style text_style_of(const basic_markup_look<Char>& look) noexcept
     {
         text_style style;
         style.size = look.size;
