@@ -26,6 +26,7 @@
 #include <typemesh/markup/markup_styles.hpp>
 #include <typemesh/paragraph/fit_size.hpp>
 #include <typemesh/paragraph/paragraph.hpp>
+#include <typemesh/paragraph/ruby_writer.hpp>
 #include <typemesh/paragraph/total_fit.hpp>
 #include <typemesh/text/font_cascade.hpp>
 #include <typemesh/text/font_list.hpp>
@@ -203,6 +204,12 @@ if (auto read = marked.read("[b]Bold[/b] and [colour=#c33][size=1.5]red[/][/], [
 if (auto set = tagged.set(marked); !set) return std::puts(set.error().message()), 1;
 if (auto set = words.set(marked.text(), {.styles = tagged.spans()}); !set) return std::puts(set.error().message()), 1;
 if (auto laid = words.lay_out({.width = 9.0}, page); !laid) return std::puts(laid.error().message()), 1;
+std::vector<typemesh::ruby_span> small_texts;
+marked.each_ruby([&](std::uint32_t first, std::uint32_t last, std::string_view ruby, std::uint32_t look) {
+    small_texts.push_back({first, last, ruby, tagged.style_of(look)});
+});
+typemesh::ruby_writer rubies;
+if (auto set = rubies.write(*font, words.laid(), small_texts, {}, page); !set) return std::puts(set.error().message()), 1;
 auto painted = mesher.plan(page);
 if (!painted) return std::puts(painted.error().message()), 1;
 for (typemesh::style_id style : painted->styles()) {

@@ -88,6 +88,12 @@ TEST_CASE("a ruby that cannot be set leaves the run as it was", "[paragraph][rub
     ruby_writer rubies;
     for (const double size : {0.0, -1.0, 1.5})
         CHECK(rubies.write(page.font, page.laid(), bad, {.size = size}, page.run) == error::bad_option);
+    test::counting_memory counted;
+    ruby_writer warm{counted.source()};
+    REQUIRE(warm.write(page.font, page.laid(), {bad, 1}, {}, page.run));
+    const std::size_t before = counted.requests;
+    REQUIRE(warm.write(page.font, page.laid(), {bad, 1}, {}, page.run));
+    CHECK(counted.requests == before);
     ruby_page column{u"abc", {}, {.direction = direction::top_to_bottom}};
     CHECK(std::string{rubies.write(column.font, column.laid(), bad, {}, column.run).error().option} == "direction");
 }
