@@ -120,6 +120,8 @@ TEST_CASE("what cannot be seen leaves no span: tags around nothing, and tags at 
     CHECK(read.spans().empty());
     CHECK(read.looks().empty());
     CHECK(read.rubies().empty());
+    REQUIRE(read.read("[b][i][/b][/i]a"));  // tags that cross around nothing
+    CHECK(read.looks().empty());
     REQUIRE(read.read("a[b]b"));
     CHECK(read.spans().size() == 1);
     CHECK(read.spans()[0] == markup_span{1, 2, 1, 0});

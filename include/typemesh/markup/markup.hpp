@@ -190,6 +190,11 @@ private:
     [[nodiscard]] bool find_number() noexcept
     {
         if (known_) return true;
+        if (now_.tags == 0 && now_.position == script_position::normal) {  // it is listed only before others
+            number_ = 0;
+            known_ = true;
+            return true;
+        }
         std::size_t found = last_number_;  // often the same look again
         if (found >= looks_.size() || !(looks_[found] == now_)) {
             if (looks_.empty() && !looks_.push_back({})) return false;
