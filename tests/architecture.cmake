@@ -10,6 +10,7 @@ foreach(room IN ITEMS outline unicode discretise sweep refine bend vertex inspec
 endforeach()
 set(sees_layout outline unicode core)
 set(sees_paragraph outline layout unicode core)
+set(sees_markup outline layout unicode core)
 set(sees_fill sweep core)
 set(sees_triangulate sweep core)
 set(sees_offset fill sweep core)

@@ -162,9 +162,15 @@ montage "$scratch"/{ring,bow}.png -tile 2x1 -geometry 700x560+2+2 -background '#
 "$program" "one שתיים three" --font /usr/share/fonts/truetype/dejavu/DejaVuSans.ttf --style 1..7:colour=blue,underline --picture "$scratch/range.png"
 convert "$scratch"/{headline,range}.png -resize 900x -append styles.png
 
+# What tags do to a text.
+"$program" 'plain, [b]bold[/b], [i]slanted[/i], [u]underlined[/u],\n[s]struck[/s], E = mc[sup]2[/sup], [colour=#c33]red[/], [colour=#36c][size=1.5]large[/][/],\n[colour=#484][depth=0.6]deep[/][/] and [bevel=0.03][colour=#c83]bevelled[/][/]' \
+    --markup --font /usr/share/fonts/truetype/dejavu/DejaVuSerif.ttf --align centre --turn -14 --picture "$scratch/markup.png"
+"$program" '[ruby=とうきょう]東京[/]は[ruby=くも]曇[/]り、[colour=#c33][ruby=あめ]雨[/][/]です。' --markup --font $japanese --turn 0 --picture "$scratch/ruby.png"
+convert "$scratch"/{markup,ruby}.png -resize 900x -append markup.png
+
 g++ -std=c++20 -I../../include selection.cpp -o "$scratch/selection" $(pkg-config --cflags --libs harfbuzz)
 convert -size 910x160 xc:white -draw "$("$scratch/selection" /usr/share/fonts/truetype/dejavu/DejaVuSans.ttf)" selection.png
 g++ -std=c++20 -O2 -I../../include curved.cpp -o "$scratch/curved" $(pkg-config --cflags --libs harfbuzz)
 "$scratch/curved" /usr/share/fonts/truetype/dejavu/DejaVuSerif.ttf 'g&' | convert ppm:- curved.png
 
-pngquant --quality 90-100 --speed 1 --force --ext .png paragraph.png normals.png bevels.png bevelled_scripts.png bent.png carved.png inflated.png meshing.png path.png warped.png bold_and_hollow.png refined.png styles.png textures.png
+pngquant --quality 90-100 --speed 1 --force --ext .png paragraph.png normals.png bevels.png bevelled_scripts.png bent.png carved.png inflated.png markup.png meshing.png path.png warped.png bold_and_hollow.png refined.png styles.png textures.png

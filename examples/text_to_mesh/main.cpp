@@ -2,6 +2,7 @@
 #include "annotations.hpp"
 #include "atomic_file.hpp"
 #include "colour_names.hpp"
+#include "marked_text.hpp"
 #include "model.hpp"
 #include "options.hpp"
 #include "page.hpp"
@@ -21,6 +22,7 @@
 #include "write_stl.hpp"
 
 #include <typemesh/adapt/harfbuzz.hpp>
+#include <typemesh/layout/select_glyphs.hpp>
 #include <typemesh/typemesh.hpp>
 
 #include <algorithm>
@@ -64,9 +66,13 @@ void add_part(const options& o, model& out, typemesh::part p, const typemesh::me
     const auto number = static_cast<std::size_t>(p);
     constexpr std::size_t of_the_letter = typemesh::part_count_of<letter_solid>;  // within a ring: behind the ring's
     out.parts.push_back({part_names[number], r.first_index, r.index_count, number < of_the_letter ? 0u : 1u});
-    const auto styled = static_cast<std::size_t>(style);
-    out.parts.back().colour = styled != 0 ? o.styles[styled - 1].colour : o.colour;
-    if (out.parts.back().colour) out.parts.back().name += "_" + name_of(*out.parts.back().colour);
+    model::part& added = out.parts.back();
+    added.colour = colour_of_style(o, style);
+    if (added.colour) added.name += "_" + name_of(*added.colour);
+    const auto tag = tag_of_style(o, style);
+    if (!tag) return;
+    added.name += (added.colour ? "-style" : "_style") + std::to_string(*tag);
+    added.is_named = true;
 }
 
 /// The whole mesh of a plan, part by part.
@@ -162,21 +168,54 @@ std::vector<std::uint32_t> solid_by_solid(const chosen_plan& plan, const std::ve
     return ordered;
 }
 
+/// Adds a mesh whose z is moved to another one.
+void append(model& all, const model& some, float up)
+{
+    const auto first = static_cast<std::uint32_t>(all.vertices.size());
+    const std::size_t first_index = all.indices.size();
+    for (model_vertex v : some.vertices) {
+        v.position[2] += up;
+        all.vertices.push_back(v);
+    }
+    for (const std::uint32_t i : some.indices) all.indices.push_back(first + i);
+    for (model::part p : some.parts) {
+        p.first_index += first_index;
+        all.parts.push_back(std::move(p));
+    }
+}
+
 /// Adds a coarser level of detail behind the finer ones.
 void add_level(model& all, const model& level)
 {
     const std::string name = all.name.empty() ? "text" : all.name;
     if (all.letters.empty()) all.letters.push_back({name, 0, all.vertices.size(), 0, all.parts.size()});
-    const std::size_t vertices = all.vertices.size(), indices = all.indices.size();
-    all.letters.push_back({name + "_lod" + std::to_string(all.letters.size()), vertices, level.vertices.size(),
-                           all.parts.size(), level.parts.size()});
-    all.vertices.insert(all.vertices.end(), level.vertices.begin(), level.vertices.end());
-    for (const std::uint32_t i : level.indices) all.indices.push_back(static_cast<std::uint32_t>(vertices + i));
-    for (model::part p : level.parts) {
-        p.first_index += indices;
-        all.parts.push_back(std::move(p));
-    }
+    all.letters.push_back({name + "_lod" + std::to_string(all.letters.size()), all.vertices.size(),
+                           level.vertices.size(), all.parts.size(), level.parts.size()});
+    append(all, level, 0.0f);
     all.has_levels = true;
+}
+
+/// The whole mesh, in which the letters of each solid that tags ask for are planned apart. Their backs lie in one plane.
+typemesh::result<void> write_solids(const options& o, font_set& font, const typemesh::glyph_run& page,
+                                    typemesh::text_options how, model& out)
+{
+    chosen_mesher mesher{font};
+    for (std::uint32_t solid = 0; solid < solids_of(o); ++solid) {
+        typemesh::glyph_run run;
+        const auto is_its = [&](typemesh::style_id s) noexcept { return o.marked->styles.solid_of(s) == solid; };
+        if (const auto done = typemesh::select_glyphs(page, is_its, run); !done) return done.error();
+        if (run.glyphs.empty()) continue;
+        const options own = options_of_solid(o, solid);
+        choose_policies(own, font.units_per_em(), mesher);
+        how.merge = own.merge;
+        const auto plan = mesher.plan(run, how);
+        if (!plan) return plan.error();
+        model some;
+        if (const auto done = write_model(own, *plan, some); !done) return done.error();
+        if (o.kind == file_kind::stl) some.indices = solid_by_solid(*plan, some.indices);
+        append(out, some, static_cast<float>((double{own.depth} - double{o.depth}) * how.size));
+    }
+    return {};
 }
 
 /// Gives an empty string, or one sentence.
@@ -189,7 +228,7 @@ std::string write_output(const options& o, const chosen_plan& plan, model& mesh,
     case file_kind::three_mf:
         return write_3mf(o.bevel.width > 0.0f || o.carve.tool_angle > 0.0f ? sewn(mesh) : mesh, o.output, files);
     case file_kind::stl: {
-        mesh.indices = solid_by_solid(plan, mesh.indices);
+        if (solids_of(o) == 1) mesh.indices = solid_by_solid(plan, mesh.indices);
         mesh.parts.clear();
         return write_stl(mesh, o.output, files);
     }
@@ -240,7 +279,8 @@ std::string draw_picture(const options& o, font_set& font, const typemesh::glyph
     auto plan = mesher.plan(page, how);
     if (!plan) return in_words(plan.error());
     model mesh;
-    if (const auto done = write_model(o, *plan, mesh); !done) return in_words(done.error());
+    const auto done = solids_of(o) == 1 ? write_model(o, *plan, mesh) : write_solids(o, font, page, how, mesh);
+    if (!done) return in_words(done.error());
     int width = 0, height = 0;
     const overlay over = annotate(o, font, plan->run(), plan->glyphs(), mesh);
     const auto pixels = draw(mesh, over, look, width, height);
@@ -349,12 +389,12 @@ public:
         clock(typemesh::stage::idle);
         const std::vector<typemesh::glyph_style> glyph_styles(page_.glyph_styles.begin(), page_.glyph_styles.end());
         if (!holds_colours(o_.kind))  // else letters of different colours would not merge
-            for (typemesh::glyph_style& l : page_.glyph_styles) l.style = {};
+            keep_only_solids(o_, page_);
         chosen_mesher mesher{font_, typemesh::observer_ref{clock}};
         options of_file = o_;
         if (o_.kind == file_kind::three_mf) of_file.normals = normals_name::shared;  // see write_3mf()
         choose_policies(of_file, font_.units_per_em(), mesher);
-        if (std::string trouble = make_mesh(mesher, how, clock); !trouble.empty()) return trouble;
+        if (std::string trouble = make_mesh(of_file, mesher, how, clock); !trouble.empty()) return trouble;
         if (!o_.picture.empty()) {
             tell_.begin("drawing " + o_.picture);
             std::copy(glyph_styles.begin(), glyph_styles.end(), page_.glyph_styles.begin());
@@ -370,7 +410,8 @@ public:
     }
 
 private:
-    std::string make_mesh(chosen_mesher& mesher, typemesh::text_options& how, stage_clock& clock)
+    std::string make_mesh(const options& of_file, chosen_mesher& mesher, typemesh::text_options& how,
+                          stage_clock& clock)
     {
         moved_run moved{page_};
         double up = 0.0;
@@ -383,7 +424,9 @@ private:
         mesh.name = o_.text;
         tell_.begin("making " + std::to_string(plan->size().triangles) + " triangles");
         clock(typemesh::stage::extrude);
-        const auto written = o_.instances ? write_letters(o_, *plan, font_, mesh) : write_model(o_, *plan, mesh);
+        const auto written = o_.instances         ? write_letters(o_, *plan, font_, mesh)
+                             : solids_of(o_) == 1 ? write_model(o_, *plan, mesh)
+                                                  : write_solids(of_file, font_, page_, how, mesh);
         clock(typemesh::stage::idle);
         if (!written) return in_words(written.error());
         if (!lift(mesh, up)) return heights_lost(o_);
@@ -425,8 +468,9 @@ private:
 /// One text. Gives an empty string, or one sentence.
 std::string run(const options& o, progress& tell, font_set& fonts)
 {
-    if (const std::string trouble = refused_ranges(o.styles, o.text); !trouble.empty())
-        return "--style: " + trouble + ".";
+    if (!o.markup)
+        if (const std::string trouble = refused_ranges(o.styles, o.text); !trouble.empty())
+            return "--style: " + trouble + ".";
     return one_text{o, tell, fonts}.make();
 }
 
@@ -455,7 +499,8 @@ int run_all(options& o)
         if (job.line != 0) o.who = "text_to_mesh: line " + std::to_string(job.line) + ": ";
         {
             progress tell;
-            trouble = run(o, tell, fonts.set());
+            trouble = o.markup ? read_markup(o) : std::string{};
+            if (trouble.empty()) trouble = run(o, tell, fonts.set());
         }
         if (!trouble.empty()) status = complain(trouble);
     }

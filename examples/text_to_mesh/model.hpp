@@ -33,11 +33,12 @@ struct model {
         std::size_t index_count;
         unsigned solid = 0;                     ///< 1: the letter within a ring
         std::optional<rgb_colour> colour = {};  ///< of its own; else the usual one
+        bool is_named = false;  ///< the name ends in one of its own, "front_style7", also without a colour
 
         /// The name without a colour's: "front".
         [[nodiscard]] std::string_view kind() const
         {
-            return std::string_view{name}.substr(0, colour ? name.rfind('_') : name.size());
+            return std::string_view{name}.substr(0, colour || is_named ? name.rfind('_') : name.size());
         }
     };
 

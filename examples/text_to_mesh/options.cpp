@@ -248,6 +248,8 @@ void add_line_options(CLI::App& app, options& out, raw_values& raw)
         ->check(CLI::Validator{complaint, ""})
         ->take_all()
         ->expected(1);
+    app.add_flag("--markup", out.markup,
+                 "read tags such as [b], [size=1.5] and [colour=#c33] in the text; see below for all of them");
     raw.of_lines = {"--width", "--fit", "--wrap", "--breaker", "--justify", "--max-lines", "--ellipsis", "--elide"};
 }
 
@@ -747,6 +749,7 @@ std::string settle_source(options& out, const raw_values& raw)
                " for this text";
     if (out.text.starts_with("\\@") || out.text == "\\-") out.text.erase(0, 1);
     out.text = with_line_breaks(out.text);
+    if (out.markup) return {};  // read later, as the texts of files are
     const std::string trouble = refused_ranges(out.styles, out.text);
     return trouble.empty() ? trouble : "--style: " + trouble;
 }
@@ -780,6 +783,7 @@ std::string settle(options& out, const raw_values& raw)
     out.show_normals = shown("normals");
     out.checker = shown("checker");
 
+    if (out.markup && !out.styles.empty()) return "--style does not work with --markup: give its settings as tags";
     if (std::string trouble = settle_font(out, raw); !trouble.empty()) return trouble;
     if (std::string trouble = settle_lines(out, raw); !trouble.empty()) return trouble;
     if (std::string trouble = refused_columns(out, raw); !trouble.empty()) return trouble;
@@ -806,6 +810,7 @@ std::string settle(options& out, const raw_values& raw)
     if (out.instances && out.kind != file_kind::glb) return "--instances needs --output FILE.glb";
     out.size = raw.size.value_or(is_printed(out.kind) ? 10.0 : 1.0);
     using typemesh::touching;
+    out.keeps_apart = raw.no_merge;
     out.corners = raw.corners.value_or(wants_two_faces(out.kind) ? touching::part : touching::keep);
     const bool edges_move =
         out.bevel.width > 0.0f || out.carve.tool_angle > 0.0f || out.outline.width > 0.0f || out.embolden != 0.0f;
@@ -826,6 +831,8 @@ std::optional<int> parse(int argc, char** argv, options& out)
         "Settings of --style: colour=red or #2060c0, underline, strike-through, overline, superscript, subscript,\n"
         "size=TIMES, rise=EM, slant=EM, letter-spacing=EM, word-spacing=EM, feature=TAG[=N], language=L,\n"
         "font=N (1: --font, 2: the first --fallback); in columns upright, sideways, combined.\n"
+        "Tags of --markup: [b] [i] [u] [s] [o] [sup] [sub] [size=TIMES] [rise=EM] [spacing=EM] [colour=#c33] [font=N]\n"
+        "[lang=L] [style=N] [depth=EM] [bevel=EM] [ruby=TEXT]; [/b] closes [b], [/] the last tag; [[ is a bracket.\n"
         "Places of --anchor: left, centre, right (default: where --align has it); baseline (default), bottom, middle, "
         "top;\n"
         "front (default), halfway, base (default in .stl and .3mf, which puts it on z = 0).\n"

@@ -4,6 +4,7 @@
 #include "chosen_bend.hpp"
 #include "chosen_path.hpp"
 #include "file_kind.hpp"
+#include "marked_text.hpp"
 #include "picture/picture_options.hpp"
 #include "placing.hpp"
 #include "styled_range.hpp"
@@ -16,6 +17,7 @@
 #include <typemesh/typemesh.hpp>
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -95,6 +97,8 @@ struct options {
     typemesh::layout_options lines;
     std::string ellipsis;
     std::vector<styled_range> styles;
+    bool markup = false;                       ///< the text has tags
+    std::shared_ptr<marked_text> marked;       ///< they have been read
     std::optional<rgb_colour> colour;          ///< of what no style has a colour for
     bool even_lines = false;                   ///< by total_fit, else by first_fit
     double fit_width = 0.0, fit_height = 0.0;  ///< of the box that gives the size; 0: none
@@ -123,6 +127,7 @@ struct options {
     typemesh::texture_mapping uv = typemesh::texture_mapping::em;
     bool strict = false;
     bool merge = false;
+    bool keeps_apart = false;  ///< by --no-merge
     bool instances = false;
     typemesh::touching corners = typemesh::touching::keep;
 

@@ -5,6 +5,7 @@
 #include "report.hpp"
 
 #include <typemesh/paragraph/paragraph.hpp>
+#include <typemesh/paragraph/ruby_writer.hpp>
 #include <typemesh/paragraph/total_fit.hpp>
 
 #ifdef TEXT_TO_MESH_ICU
@@ -13,7 +14,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <cstdio>
+#include <string_view>
 #include <vector>
 
 namespace text_to_mesh {
@@ -120,6 +123,22 @@ bool name_ellipsis_losses(const options& o, font_set& font)
     return run.invalid_units > 0 || run.missing > 0;
 }
 
+/// Sets the rubies of tags above the lines of the page. Gives an empty string, or one sentence.
+template <class Paragraph>
+std::string add_rubies(const options& o, font_set& font, const Paragraph& words, typemesh::glyph_run& page)
+{
+    if (!o.marked || o.marked->read.rubies().empty()) return {};
+    if (o.direction == typemesh::direction::top_to_bottom)
+        return "--markup: [ruby=...] does not work with --direction ttb.";
+    std::vector<typemesh::ruby_span> spans;
+    o.marked->read.each_ruby([&](std::uint32_t first, std::uint32_t last, std::string_view ruby, std::uint32_t look) {
+        spans.push_back({first, last, ruby, o.marked->styles.style_of(look)});
+    });
+    typemesh::ruby_writer rubies;
+    const auto done = rubies.write(font, words.laid(), spans, {.shape = {.language = o.language}}, page);
+    return done ? std::string{} : in_words(done.error());
+}
+
 template <class Breaker>
 std::string lay_out_lines(const options& o, const Breaker& breaker, font_set& font, typemesh::glyph_run& page,
                           double& size)
@@ -130,6 +149,7 @@ std::string lay_out_lines(const options& o, const Breaker& breaker, font_set& fo
     const std::vector<typemesh::style_span> spans = spans_of(o.styles, o.text);
     typemesh::shape_options how = shape_options_of(o);
     how.styles = spans;
+    if (o.marked) how.styles = o.marked->styles.spans();
     auto set = words.set(o.text, how);
     if (set && o.fit_width > 0.0) {
         if (std::string trouble = box_filling{o, font, words, lines}.fill(page, size); !trouble.empty()) return trouble;
@@ -137,11 +157,11 @@ std::string lay_out_lines(const options& o, const Breaker& breaker, font_set& fo
         set = words.lay_out(lines, page);
     }
     if (!set) return in_words(set.error());
+    if (std::string trouble = add_rubies(o, font, words, page); !trouble.empty()) return trouble;
     bool warned = !o.ellipsis.empty() && name_ellipsis_losses(o, font);
     if (const std::uint32_t moved = words.shaped().styles.moved(); moved != 0) {
-        std::fprintf(stderr,
-                     "%s--style: %u %s inside a character or a combined number, so the whole of it is styled.\n",
-                     o.who.c_str(), moved, moved == 1 ? "end lies" : "ends lie");
+        std::fprintf(stderr, "%s%s: %u %s inside a character or a combined number, so the whole of it is styled.\n",
+                     o.who.c_str(), o.markup ? "--markup" : "--style", moved, moved == 1 ? "end lies" : "ends lie");
         warned = true;
     }
     return warned && o.strict ? "--strict: nothing is written." : std::string{};

@@ -26,7 +26,7 @@ inline constexpr unsigned char letter_face_rgb[3] = {250, 232, 208}, letter_side
 [[nodiscard]] inline rgb_colour colour_of(const model::part& part)
 {
     if (!part.colour) {
-        const auto& usual = colour_of(std::string_view{part.name});
+        const auto& usual = colour_of(part.kind());
         return {{usual[0], usual[1], usual[2]}};
     }
     rgb_colour made = *part.colour;

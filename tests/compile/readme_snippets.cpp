@@ -23,8 +23,11 @@
 #include <typemesh/glyph/coarsened.hpp>
 #include <typemesh/inspect/closedness.hpp>
 #include <typemesh/inspect/normal_check.hpp>
+#include <typemesh/layout/select_glyphs.hpp>
+#include <typemesh/markup/markup_styles.hpp>
 #include <typemesh/paragraph/fit_size.hpp>
 #include <typemesh/paragraph/paragraph.hpp>
+#include <typemesh/paragraph/ruby_writer.hpp>
 #include <typemesh/paragraph/total_fit.hpp>
 #include <typemesh/text/font_cascade.hpp>
 #include <typemesh/text/font_list.hpp>
@@ -229,6 +232,34 @@ if (!letter.where.empty()) draw(letter.where);                                  
 use(column, here, there);
 auto coloured = mesher.plan("Hello world!", {.shape = {.styles = spans}});
     use(coloured);
+    const auto draw_range = [](std::uint32_t, const typemesh::mesh_range&) noexcept {};
+typemesh::markup marked;                                                        // markup_utf16 for UTF-16
+typemesh::markup_styles tagged;
+if (auto read = marked.read("[b]Bold[/b] and [colour=#c33][size=1.5]red[/][/], [depth=0.5]deep[/]"); !read)
+    return std::printf("%u: %s\n", read.error().cluster, read.error().option), 1;   // its place in the source, and what is wrong
+if (auto set = tagged.set(marked); !set) return std::puts(set.error().message()), 1;
+if (auto set = words.set(marked.text(), {.styles = tagged.spans()}); !set) return std::puts(set.error().message()), 1;
+if (auto laid = words.lay_out({.width = 9.0}, page); !laid) return std::puts(laid.error().message()), 1;
+std::vector<typemesh::ruby_span> small_texts;
+marked.each_ruby([&](std::uint32_t first, std::uint32_t last, std::string_view ruby, std::uint32_t look) {
+    small_texts.push_back({first, last, ruby, tagged.style_of(look)});
+});
+typemesh::ruby_writer rubies;
+if (auto set = rubies.write(*font, words.laid(), small_texts, {}, page); !set) return std::puts(set.error().message()), 1;
+auto painted = mesher.plan(page);
+if (!painted) return std::puts(painted.error().message()), 1;
+for (typemesh::style_id style : painted->styles()) {
+    const typemesh::markup_paint& paint = tagged.paints()[std::size_t(style)];
+    if (paint.has(typemesh::markup_tag::colour)) draw_range(paint.colour, painted->range(style, typemesh::part::front));
+}
+for (std::uint32_t solid = 0; solid < tagged.solids().size(); ++solid) {
+    typemesh::glyph_run letters;
+    const auto is_its = [&](typemesh::style_id s) noexcept { return tagged.solid_of(s) == solid; };
+    if (auto done = select_glyphs(page, is_its, letters); !done) return std::puts(done.error().message()), 1;
+    const typemesh::markup_solid& wanted = tagged.solids()[solid];
+    mesher.solid().depth = wanted.has(typemesh::markup_tag::depth) ? float(wanted.depth) : 0.2f;
+    if (auto built = mesher.build(letters, typemesh::into(vertices, indices)); !built) return std::puts(built.error().message()), 1;
+}
     }
     {
 auto plan = mesher.plan("Hello", {.merge = true, .corners = typemesh::touching::part});

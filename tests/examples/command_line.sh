@@ -218,6 +218,37 @@ that "the picture is coloured" differ plain.png red.png
 expect 2 "--style: font=2 needs another --fallback, because there is only 1 font" abcd --font $sans --stats --style 1..2:font=2
 expect 0 "" abcd --font $sans --fallback $arabic --stats --style 1..2:font=2
 expect 2 "--style: font must be a whole number" abcd --font $sans --stats --style 1..2:font=0
+# Mark-up: the same as --style, and solids of their own.
+alike "tags say what --style says" obj "Hello [u][colour=#2060c0]world[/][/]!" --markup --font $sans / "Hello world!" --font $sans --style 6..11:colour=#2060c0,underline
+alike "a text without tags stays as it is" glb "a [[b] c" --markup --font $sans / "a [b] c" --font $sans
+alike "a font has a number or a name" stl "a[font=2]b[/]" --markup --font $sans --fallback $arabic / "a[font=$arabic]b" --markup --font $sans --fallback $arabic
+alike "what holds no colours is merged without them" stl "سل[colour=#f00]ا[/]م" --markup --font $arabic / "سلام" --font $arabic
+expect 1 "--markup: line 2, character 3: there is an unknown tag; write \\[\\[ for a bracket of the text" 'é\né [x]' --markup --font $sans --stats
+expect 1 "--markup: line 1, character 8: there is a number out of range" "a[size=0]b" --markup --font $sans --stats
+expect 1 "--markup: \\[font=...\\] must be 1 for --font" "[font=2]b" --markup --font $sans --stats
+expect 1 "--markup: a bevel is deeper than half of its letters" "[bevel=0.2]b" --markup --font $sans --stats
+expect 1 "--markup: \\[depth=...\\] must be more than 0" "[depth=0]b" --markup --font $sans --stats
+expect 1 "--markup: .* do not work with --instances" "[depth=1]b" --markup --font $sans --instances --output x.glb
+expect 2 "--style does not work with --markup" "b" --markup --style 0..1:underline --font $sans --stats
+expect 0 "" "ab[depth=0.5][colour=#f00]c[/]d[/][bevel=0.01]e[/][b]f" --markup --font $sans --output solids.obj --picture solids.png
+depth_of() { awk -v name="$1" '$1 == "v" { z[++n] = $4 } $1 == "usemtl" { on = $2 == name } $1 == "f" && on {
+    for (i = 2; i < 5; ++i) { split($i, v, "/"); if (!k++ || z[v[1]] < low) low = z[v[1]]; if (k == 1 || z[v[1]] > high) high = z[v[1]] } }
+    END { printf "%.3f", high - low }' solids.obj; }
+that "a depth is its letters' own" [ "$(depth_of side_ff0000)" = 0.500 ]
+that "bevels are their letters' own" grep -q "usemtl front_bevel" solids.obj
+that "backs lie in one plane" [ "$(awk '$1 == "v" && $4 < low { low = $4 } END { printf "%.3f", low }' solids.obj)" = -0.200 ]
+expect 0 "" "[style=7]a[/][colour=#f00][style=7]b" --markup --font $sans --output named.obj
+that "a style's number is in the names of parts" grep -q "usemtl front_style7" named.obj
+that "beside a colour's" grep -q "usemtl front_ff0000-style7" named.obj
+printf '[b]one[/b]\nt[i]w[/]o\n[c]three\n' >marked.txt
+expect 1 "line 3: --markup: line 1, character 1: there is an unknown tag" --batch marked.txt --markup --font $sans --output "marked{n}.stl"
+that "the other lines of a batch are made" test -s marked1.stl -a -s marked2.stl
+expect 0 "" "a[ruby=xy]bc[/]d" --markup --font $sans --output ruby.obj
+expect 0 "" "abcd" --font $sans --output base.obj
+highest() { awk '$1 == "v" && $3 > high { high = $3 } END { print high }' "$1"; }
+that "a ruby stands above its text" awk -v a="$(highest base.obj)" -v b="$(highest ruby.obj)" 'BEGIN { exit !(b > a + 0.2) }'
+expect 1 "--markup: \\[ruby=...\\] does not work with --direction ttb" "[ruby=x]b" --markup --font $sans --direction ttb --stats
+alike "both solids and one solid with the same numbers are alike in STL" stl "[depth=0.2]ab" --markup --font $sans / ab --font $sans
 for width in 0 -1 nan x 1e7; do expect 2 "--width must be a positive number" x --font $sans --stats --width $width; done
 expect 2 "--max-lines must be a whole number" x --font $sans --stats --max-lines 0
 expect 0 "" "one two three" --font $sans --fit 30x10 --stats
@@ -289,6 +320,7 @@ that "the help names the things to do" grep -qF "(--output FILE | --picture FILE
 that "the help names every option" grep -q -- --triangulator out
 that "the help speaks no word of the library's own" sh -c '! grep -E "TEXT TEXT|REQUIRED|Excludes|TEXT:|OPTIONS\]" out'
 that "the help lists what --style takes" grep -q "strike-through.*superscript" out
+that "the help lists the tags of --markup" grep -q "bevel=EM" out
 that "the help's lines fit" sh -c '! grep -E ".{121}" out'
 expect 0 "" --version
 that "the version is one line" grep -qE '^text_to_mesh [0-9]+\.[0-9]+\.[0-9]+$' out

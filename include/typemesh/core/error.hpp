@@ -52,6 +52,7 @@ struct [[nodiscard]] error {
         bad_tolerance,        ///< a tolerance is not a positive finite number
         bad_option,           ///< an option is outside its range; `option` names it
         overlapping_spans,    ///< two spans of a text's styles contain the same character
+        bad_markup,           ///< a tag of a text's mark-up is wrong; `option` says what, cluster is its place
         needs_paragraph,      ///< plain text has no such option; `option` names it
         needs_shaping,        ///< the plain shaper cannot set this script correctly
         font_library_failed,  ///< FreeType, HarfBuzz or DirectWrite refused; count = its own error number, if any
@@ -144,6 +145,7 @@ struct [[nodiscard]] error {
         case bad_tolerance: return "The tolerance is not a positive finite number: give for example quality::high.";
         case bad_option: return "An option is outside its range: give a value within the documented range.";
         case overlapping_spans: return "Two spans of styles overlap: end one where the other begins.";
+        case bad_markup: return "The mark-up has a mistake: correct the tag, or write [[ for a bracket of the text.";
         case needs_paragraph: return "Plain text ends lines only at line breaks: give this option to a paragraph.";
         case needs_shaping:
             return "A character map and kerning cannot set this script: shape the text with HarfBuzz or DirectWrite.";
