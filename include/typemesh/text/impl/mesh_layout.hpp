@@ -3,6 +3,7 @@
 
 #include <typemesh/core/impl/first_where.hpp>
 #include <typemesh/extrude/extrude.hpp>
+#include <typemesh/text/impl/lettered_sink.hpp>
 #include <typemesh/text/impl/text_glyphs.hpp>
 #include <typemesh/vertex/ranged_sink.hpp>
 
@@ -47,7 +48,9 @@ public:
         if (range(p, first, last).vertex_count == 0) return;
         for (std::size_t g = first; g < last; ++g) {
             const drawn_glyph& s = all_->records[g];
-            write_vertices(p, s.built->planned<Extruder>(), how, all_->place(s), sink);
+            detail::letter_written(*all_, g, sink, [&](auto&& to) noexcept {
+                write_vertices(p, s.built->template planned<Extruder>(), how, all_->place(s), to);
+            });
         }
     }
 
@@ -59,6 +62,7 @@ public:
         const bool turned = all_->placed.frame.turns_triangles();
         for (std::size_t g = first; g < last; ++g) {
             const drawn_glyph& s = all_->records[g];
+            detail::start_glyph(sink, g);
             const first_vertices at = starts_.vertices + (s.before.vertices - before_.vertices);
             write_triangles(p, s.built->planned<Extruder>(), how, at, turned, sink);
         }
