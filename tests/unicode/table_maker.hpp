@@ -252,7 +252,8 @@ inline std::string word_table()
                    "ALetterPicto Single_Quote Double_Quote MidNumLet MidLetter MidNum Numeric ExtendNumLet WSegSpace "
                    "Pictographic"),
                joining_names = words("U R L D C T");
-    const auto word = property("auxiliary/WordBreakProperty.txt"), joining = property("extracted/DerivedJoiningType.txt");
+    const auto word = property("auxiliary/WordBreakProperty.txt"),
+               joining = property("extracted/DerivedJoiningType.txt");
     const auto picture = property("emoji/emoji-data.txt", "Extended_Pictographic");
     numbers ranges;
     std::uint64_t before = ~std::uint64_t{0};

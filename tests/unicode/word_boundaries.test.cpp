@@ -40,9 +40,8 @@ std::string words_of(const std::u32string& text)
 
 TEST_CASE("words pass every case of WordBreakTest.txt", "[breaks]")
 {
-    ucd::check_break_cases("auxiliary/WordBreakTest.txt", 1944, [](const std::vector<char32_t>& text) {
-        return word_starts({text.data(), text.size()});
-    });
+    ucd::check_break_cases("auxiliary/WordBreakTest.txt", 1944,
+                           [](const std::vector<char32_t>& text) { return word_starts({text.data(), text.size()}); });
 }
 
 TEST_CASE("a word keeps its apostrophes, points within numbers, marks and numbers", "[breaks]")
@@ -59,10 +58,10 @@ TEST_CASE("joining types are Unicode's", "[tables]")
 {
     using enum joining_type;
     CHECK(word_character_of(U'a').joining == none);
-    CHECK(word_character_of(U'\u0628').joining == dual);    // beh
-    CHECK(word_character_of(U'\u0627').joining == right);   // alef
-    CHECK(word_character_of(U'\u0640').joining == causing); // tatweel
+    CHECK(word_character_of(U'\u0628').joining == dual);     // beh
+    CHECK(word_character_of(U'\u0627').joining == right);    // alef
+    CHECK(word_character_of(U'\u0640').joining == causing);  // tatweel
     CHECK(word_character_of(U'\u064E').joining == transparent);
-    CHECK(word_character_of(U'\uA872').joining == left);    // Phags-pa
+    CHECK(word_character_of(U'\uA872').joining == left);  // Phags-pa
     CHECK(word_character_of(char32_t{0x110000}).joining == none);
 }

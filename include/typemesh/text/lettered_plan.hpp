@@ -50,8 +50,9 @@ public:
     {
         const text_letters& found = known();
         const auto rows = found.rows.view();
-        return {rows.first(found.letters), rows.subspan(found.letters), found.words.view(), found.lines.view(),
-                found.paragraphs.view(),   found.whole,                 found.grapheme_count};
+        return {rows.first(found.letters), rows.subspan(found.letters), found.words.view(),
+                found.lines.view(),        found.paragraphs.view(),     found.whole,
+                found.grapheme_count};
     }
 
     /// The letter of a glyph of the plan: its number, or no_letter for a bar. Needs find_letters().

@@ -243,9 +243,8 @@ private:
             return;
         }
         const drawn_glyph& s = all.records[c.first_glyph];
-        detail::letter_written(all, c.first_glyph, sink, [&](auto&& to) noexcept {
-            pieces_.write(c.piece, *s.built, how, all.place(s), to);
-        });
+        detail::letter_written(all, c.first_glyph, sink,
+                               [&](auto&& to) noexcept { pieces_.write(c.piece, *s.built, how, all.place(s), to); });
     }
 
     buffer<text_chunk> chunks_;

@@ -55,10 +55,10 @@ struct letter_options {
 /// The box of a letter, word or line. Directions are those of the frame: width along `right`, height along `up`, depth
 /// along `toward`.
 struct letter_box {
-    vec3 pivot = {};   ///< see letter_pivot; in the output's unit and frame, like the next two
-    vec3 centre = {};  ///< the centre of the box in space
-    vec3 extent = {};  ///< its width, height and depth
-    box ink = {};      ///< the box in font units of the run, x along the text, y up
+    vec3 pivot = {};    ///< see letter_pivot; in the output's unit and frame, like the next two
+    vec3 centre = {};   ///< the centre of the box in space
+    vec3 extent = {};   ///< its width, height and depth
+    box ink = {};       ///< the box in font units of the run, x along the text, y up
     float back = 0.0f;  ///< the heights between which it lies, along `toward`, in the output's unit
     float front = 0.0f;
 };
@@ -70,9 +70,9 @@ struct letter_box {
 ///     letters             012  3 45 6     in reading order; spaces have no outline, so they are no letters
 ///     graphemes           012  578 A      in the text, spaces included
 struct text_letter : letter_box {
-    text_range text = {};  ///< in units of the text; for a bar, the letters that it goes with
-    std::uint32_t grapheme = 0;   ///< the number of its first grapheme, counted in the whole text
-    std::uint32_t graphemes = 0;  ///< the number of its graphemes
+    text_range text = {};            ///< in units of the text; for a bar, the letters that it goes with
+    std::uint32_t grapheme = 0;      ///< the number of its first grapheme, counted in the whole text
+    std::uint32_t graphemes = 0;     ///< the number of its graphemes
     std::uint32_t word = no_letter;  ///< the number of its word: only words with letters count
     std::uint32_t line = 0;          ///< the number of its line in the run
     std::uint32_t paragraph = 0;     ///< the number of its paragraph in the text
@@ -106,7 +106,7 @@ struct letter_rows {
 ///     l.letter.word, l.words                      the number of its word, and of how many
 struct letter_place {
     const text_letter& letter;
-    const letter_group& word;       ///< empty for a bar
+    const letter_group& word;  ///< empty for a bar
     const letter_group& line;
     const letter_group& paragraph;  ///< empty for a bar
     const letter_group& whole;

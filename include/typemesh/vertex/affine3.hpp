@@ -32,8 +32,9 @@ struct affine3 {
     [[nodiscard]] constexpr affine3 about(vec3 pivot) const noexcept
     {
         affine3 map = *this;
-        const vec3 image = direction({-pivot.x, -pivot.y, -pivot.z}, as_double(pivot.x) + as_double(origin.x),
-                                     as_double(pivot.y) + as_double(origin.y), as_double(pivot.z) + as_double(origin.z));
+        const vec3 image =
+            direction({-pivot.x, -pivot.y, -pivot.z}, as_double(pivot.x) + as_double(origin.x),
+                      as_double(pivot.y) + as_double(origin.y), as_double(pivot.z) + as_double(origin.z));
         map.origin = image;
         return map;
     }

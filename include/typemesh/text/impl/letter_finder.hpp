@@ -55,11 +55,27 @@ private:
         if (spaces.holds(c.bidi)) return side::space;
         const bool starts = before_ == side::space || before_ == side::opening;
         switch (c.line) {
-        case op: case op_wide: case qu_pi: case pr: case bb: return side::opening;
-        case cl: case cp: case ex: case in: case is: case sy: case ns: case hy: case hh: case ba: case b2: case po:
+        case op:
+        case op_wide:
+        case qu_pi:
+        case pr:
+        case bb: return side::opening;
+        case cl:
+        case cp:
+        case ex:
+        case in:
+        case is:
+        case sy:
+        case ns:
+        case hy:
+        case hh:
+        case ba:
+        case b2:
+        case po:
         case qu_pf: return side::closing;
         case qu: return starts ? side::opening : side::closing;
-        case sa: case sa_mark: return side::dictionary;
+        case sa:
+        case sa_mark: return side::dictionary;
         default: return side::plain;
         }
     }

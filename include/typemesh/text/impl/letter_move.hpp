@@ -22,8 +22,8 @@ public:
     letter_move() noexcept = default;
     explicit letter_move(const affine3& map) noexcept : map_{map}
     {
-        const bool straight = map.x == vec3{1.0f, 0.0f, 0.0f} && map.y == vec3{0.0f, 1.0f, 0.0f} &&
-                              map.z == vec3{0.0f, 0.0f, 1.0f};
+        const bool straight =
+            map.x == vec3{1.0f, 0.0f, 0.0f} && map.y == vec3{0.0f, 1.0f, 0.0f} && map.z == vec3{0.0f, 0.0f, 1.0f};
         if (straight) {
             how_ = map.origin == vec3{} ? kind::as_it_is : kind::shift;
             return;
@@ -43,15 +43,14 @@ public:
     {
         if (how_ == kind::shift) {
             if constexpr (has(Wants, attribute::position))
-                s.position = {s.position.x + map_.origin.x, s.position.y + map_.origin.y,
-                              s.position.z + map_.origin.z};
+                s.position = {s.position.x + map_.origin.x, s.position.y + map_.origin.y, s.position.z + map_.origin.z};
             return;
         }
         if constexpr (has(Wants, attribute::position)) s.position = map_(s.position);
         if constexpr (has(Wants, attribute::normal)) s.normal = normal(s.normal);
         if constexpr (has(Wants, attribute::tangent)) {
-            const vec3 t = unit(map_.direction({s.tangent.x, s.tangent.y, s.tangent.z}),
-                                {s.tangent.x, s.tangent.y, s.tangent.z});
+            const vec3 t =
+                unit(map_.direction({s.tangent.x, s.tangent.y, s.tangent.z}), {s.tangent.x, s.tangent.y, s.tangent.z});
             s.tangent = {t.x, t.y, t.z, mirrors_ ? -s.tangent.w : s.tangent.w};
         }
     }
@@ -117,8 +116,10 @@ private:
         const double determinant = dot(x, c[0]);
         mirrors_ = determinant < 0.0;
 
-        const double xx = dot(x, x), near = 0x1p-20 * xx;
-        const auto is = [near](double value, double wanted) noexcept { return std::fabs(value - wanted) <= near; };
+        const double xx = dot(x, x), allowed = 0x1p-20 * xx;
+        const auto is = [allowed](double value, double wanted) noexcept {
+            return std::fabs(value - wanted) <= allowed;
+        };
         const bool turns = xx > 0.0 && is(dot(y, y), xx) && is(dot(z, z), xx) && is(dot(x, y), 0.0) &&
                            is(dot(y, z), 0.0) && is(dot(z, x), 0.0);
         how_ = turns ? kind::similar : kind::any;

@@ -18,9 +18,9 @@ struct text_letters {
         std::uint32_t first = 0;  ///< in units of the text
         std::uint32_t word = 0;
         std::uint32_t paragraph = 0;
-        std::uint32_t line = 0;           ///< of its glyphs, if it has any
-        std::uint32_t same = 0;           ///< an earlier grapheme of the same letter, or itself
-        std::uint32_t letter = no_letter; ///< of a letter's first grapheme: its number
+        std::uint32_t line = 0;            ///< of its glyphs, if it has any
+        std::uint32_t same = 0;            ///< an earlier grapheme of the same letter, or itself
+        std::uint32_t letter = no_letter;  ///< of a letter's first grapheme: its number
         joining_type joins_before = joining_type::none;
         joining_type joins_after = joining_type::none;
         bool joins = false;  ///< whether the two are set
@@ -31,14 +31,14 @@ struct text_letters {
     };
 
     buffer<grapheme> graphemes;
-    buffer<text_letter> rows;          ///< [ letters | bars ]
-    buffer<std::uint32_t> row_of;      ///< for each drawn glyph
+    buffer<text_letter> rows;      ///< [ letters | bars ]
+    buffer<std::uint32_t> row_of;  ///< for each drawn glyph
     buffer<letter_group> words;
     buffer<letter_group> lines;
     buffer<letter_group> paragraphs;
-    buffer<letter_move> moves;         ///< for each row; room for them
+    buffer<letter_move> moves;  ///< for each row; room for them
     letter_group whole;
-    std::uint32_t letters = 0;         ///< the number of rows that are letters
+    std::uint32_t letters = 0;  ///< the number of rows that are letters
     std::uint32_t grapheme_count = 0;
     std::uint64_t found_for = ~std::uint64_t{0};  ///< the plan's generation
 

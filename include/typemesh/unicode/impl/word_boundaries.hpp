@@ -139,7 +139,8 @@ private:
     [[nodiscard]] bool joins(word_class c, const Next& next) const noexcept
     {
         using enum word_class;
-        constexpr classes in_words{mid_letter, mid_num_let, single_quote}, in_numbers{mid_num, mid_num_let, single_quote};
+        constexpr classes in_words{mid_letter, mid_num_let, single_quote},
+            in_numbers{mid_num, mid_num_let, single_quote};
         if (is_letter(base_)) {
             if (is_letter(c) || c == numeric || c == extend_num_let) return true;
             if (base_ == hebrew_letter && c == single_quote) return true;
@@ -154,8 +155,7 @@ private:
         if (c == hebrew_letter && before_ == hebrew_letter && base_ == double_quote) return true;
         if (c == numeric && before_ == numeric && in_numbers.holds(base_)) return true;
         if (base_ == katakana) return c == katakana || c == extend_num_let;
-        if (base_ == extend_num_let)
-            return is_letter(c) || classes{numeric, katakana, extend_num_let}.holds(c);
+        if (base_ == extend_num_let) return is_letter(c) || classes{numeric, katakana, extend_num_let}.holds(c);
         return base_ == regional_indicator && c == regional_indicator && half_a_flag_;
     }
 
