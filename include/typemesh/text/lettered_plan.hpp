@@ -25,8 +25,8 @@ namespace typemesh::inline TYPEMESH_ABI {
 ///         return turned({0, 0, 1}, t * l.index).about(l.letter.pivot);
 ///     });
 ///
-/// letter_motions.hpp has ready motions. Finding letters, and writing with a motion, use the mesher's memory: one thread
-/// at a time may do so. Writing allocates nothing.
+/// letter_motions.hpp has ready motions. Finding letters and writing with a motion use the mesher's memory, so only one
+/// thread at a time may do it. Writing allocates nothing.
 template <class Plan>
 class lettered_plan {
 public:

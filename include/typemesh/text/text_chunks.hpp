@@ -243,8 +243,9 @@ private:
             return;
         }
         const drawn_glyph& s = all.records[c.first_glyph];
-        detail::letter_written(all, c.first_glyph, sink,
-                               [&](auto&& to) noexcept { pieces_.write(c.piece, *s.built, how, all.place(s), to); });
+        detail::write_letter(all, c.first_glyph, sink, [&](auto& to, const placement& at) noexcept {
+            pieces_.write(c.piece, *s.built, how, at, to);
+        });
     }
 
     buffer<text_chunk> chunks_;

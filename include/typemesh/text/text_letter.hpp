@@ -66,9 +66,9 @@ struct letter_box {
 /// A letter of a planned text: the smallest part of it that can move alone. Usually this is one grapheme that has an
 /// outline. `bonds` says why it is more.
 ///
-///     text                The  ﬁsh é      the ligature ﬁ is one letter of two graphemes, é one of two glyphs
-///     letters             012  3 45 6     in reading order; spaces have no outline, so they are no letters
-///     graphemes           012  578 A      in the text, spaces included
+///     text         The  [fi]sh e'     the ligature [fi] is one letter of two graphemes; e' is one, of two glyphs
+///     letters      012    3 45 6      in reading order; spaces have no outline, so they are no letters
+///     graphemes    012    5 78 10     in the text, spaces included
 struct text_letter : letter_box {
     text_range text = {};            ///< in units of the text; for a bar, the letters that it goes with
     std::uint32_t grapheme = 0;      ///< the number of its first grapheme, counted in the whole text

@@ -53,9 +53,9 @@ private:
     [[nodiscard]] constexpr vec3 direction(vec3 d, double dx, double dy, double dz) const noexcept
     {
         const double u = as_double(d.x), v = as_double(d.y), w = as_double(d.z);
-        return {static_cast<float>(as_double(x.x) * u + as_double(y.x) * v + as_double(z.x) * w + dx),
-                static_cast<float>(as_double(x.y) * u + as_double(y.y) * v + as_double(z.y) * w + dy),
-                static_cast<float>(as_double(x.z) * u + as_double(y.z) * v + as_double(z.z) * w + dz)};
+        return {static_cast<float>(as_double(x.x) * u + as_double(y.x) * v + (as_double(z.x) * w + dx)),
+                static_cast<float>(as_double(x.y) * u + as_double(y.y) * v + (as_double(z.y) * w + dy)),
+                static_cast<float>(as_double(x.z) * u + as_double(y.z) * v + (as_double(z.z) * w + dz))};
     }
 };
 

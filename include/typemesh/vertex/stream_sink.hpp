@@ -27,8 +27,9 @@ namespace typemesh::inline TYPEMESH_ABI {
 ///
 /// T is constructed from the attribute: T{x, y, z} for positions, normals, curves, pivots and extents, T{u, v} for
 /// texture coordinates, T{x, y, z, sign} for tangents, T(number) for glyph, cluster, style, letter, word, line and part
-/// (0 front, 1 back, 2 side, 3 and more: further parts). Packed formats are also possible: snorm10, octahedral32, or structures of half, snorm16 and so on.
-/// Each element is written whole, once, in ascending order, and never read, so the memory may be mapped.
+/// (0 front, 1 back, 2 side, 3 and more: further parts). Packed formats are also possible: snorm10, octahedral32, or
+/// structures of half, snorm16 and so on. Each element is written whole, once, in ascending order, and never read, so
+/// the memory may be mapped.
 template <attribute A, class T>
 struct stream {
     static constexpr attribute wants = A;

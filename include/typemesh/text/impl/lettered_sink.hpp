@@ -14,16 +14,9 @@ namespace typemesh::inline TYPEMESH_ABI {
 
 namespace detail {
 
-/// A sink that must know which glyph comes next.
+/// A sink that moves letters: a moved_sink.
 template <class Sink>
-concept follows_glyphs = requires(Sink& sink, std::size_t glyph) { sink.start_glyph(glyph); };
-
-/// Announces a glyph to a sink that must know it.
-template <class Sink>
-void start_glyph(Sink& sink, std::size_t glyph) noexcept
-{
-    if constexpr (follows_glyphs<Sink>) sink.start_glyph(glyph);
-}
+concept moves_letters = requires(Sink& sink) { sink.inner(); };
 
 /// Adds the letter data that a sink wants to the vertices of one glyph.
 template <class Sink>
@@ -49,24 +42,57 @@ struct letter_namer {
     void end() noexcept {}
 };
 
-/// Calls write(sink) with a sink that adds the letter data of a glyph, if the sink wants any.
+/// Calls write(sink, placement), with a sink that adds the letter data of a glyph if the sink wants any.
 template <class Sink, class Write>
-void letter_written(const text_glyphs& all, std::size_t glyph, Sink& sink, const Write& write) noexcept
+void write_named(const text_glyphs& all, std::size_t glyph, Sink& sink, const placement& at,
+                 const Write& write) noexcept
 {
-    start_glyph(sink, glyph);
     if constexpr (has(Sink::wants, letter_attributes)) {
         TYPEMESH_ASSERT(all.letters_are_found(),
                         "a vertex wants letter data: call find_letters(text) of the plan before it is written");
         static constexpr text_letter unknown{};
-        if (!all.letters_are_found()) {
-            write(letter_namer<Sink>{sink, unknown, no_letter});
+        const bool known = all.letters_are_found();
+        letter_namer<Sink> named{sink, known ? all.letters.rows[all.letters.row_of[glyph]] : unknown,
+                                 all.letter_of(glyph)};
+        write(named, at);
+    } else {
+        write(sink, at);
+    }
+}
+
+/// Calls write(sink, placement) for a glyph: if the sink moves letters, with what is left of it for this letter.
+template <class Sink, class Write>
+void write_letter(const text_glyphs& all, std::size_t glyph, Sink& sink, const Write& write) noexcept
+{
+    placement at = all.place(all.records[glyph]);
+    if constexpr (moves_letters<Sink>) {
+        if (!sink.start_glyph(all, glyph, at)) {
+            write_named(all, glyph, sink.inner(), at, write);
             return;
         }
-        const std::uint32_t row = all.letters.row_of[glyph];
-        write(letter_namer<Sink>{sink, all.letters.rows[row], row < all.letters.letters ? row : no_letter});
-    } else {
-        write(sink);
     }
+    write_named(all, glyph, sink, at, write);
+    if constexpr (moves_letters<Sink>) sink.end_glyph();
+}
+
+/// Whether the triangles of a glyph are mirrored on their way into a sink.
+template <class Sink>
+[[nodiscard]] bool mirrors_letter(const text_glyphs& all, std::size_t glyph, const Sink&) noexcept
+{
+    if constexpr (moves_letters<Sink>)
+        return all.letters.moves[all.letters.row_of[glyph]].mirrors();
+    else
+        return false;
+}
+
+/// The sink to which a sink that moves letters writes, or the sink itself.
+template <class Sink>
+[[nodiscard]] auto& unmoved(Sink& sink) noexcept
+{
+    if constexpr (moves_letters<Sink>)
+        return sink.inner();
+    else
+        return sink;
 }
 
 }  // namespace detail
@@ -94,24 +120,36 @@ public:
         return moved_sink<decltype(part)>{std::move(part), *letters_};
     }
 
-    /// The next vertices or triangles are those of this glyph.
-    void start_glyph(std::size_t glyph) noexcept { move_ = letters_->moves[letters_->row_of[glyph]]; }
+    [[nodiscard]] std::remove_reference_t<To>& inner() noexcept { return to_; }
+
+    /// The next vertices and triangles are those of this glyph. Moves its placement. Returns false if nothing is left
+    /// to do: its vertices then go to inner().
+    [[nodiscard]] bool start_glyph(const text_glyphs& all, std::size_t glyph, placement& at) noexcept
+    {
+        const letter_move& move = letters_->moves[letters_->row_of[glyph]];
+        mirrors_ = move.mirrors();
+        if (move.is_identity() || (!all.in_place && move.move_pen(at))) return false;
+        if (all.in_place) {
+            points_.start(move, move.map());
+        } else {
+            at.pen = {};
+            points_.start(move, move.map_from(all.translation_of(all.records[glyph])));
+        }
+        return true;
+    }
 
     void vertex(const surface_point<wants>& s) noexcept
     {
-        if constexpr (has(wants, attribute::position | attribute::normal | attribute::tangent)) {
-            if (!move_.is_identity()) {
-                surface_point<wants> moved = s;
-                move_(moved);
-                to_.vertex(moved);
-                return;
-            }
-        }
-        to_.vertex(s);
+        if (points_.take(s)) end_glyph();
+    }
+    /// Writes the vertices that are left.
+    void end_glyph() noexcept
+    {
+        points_.give([this](const surface_point<wants>& s) noexcept { to_.vertex(s); });
     }
     void triangle(std::uint32_t a, std::uint32_t b, std::uint32_t c) noexcept
     {
-        if (move_.mirrors())
+        if (mirrors_)
             to_.triangle(a, c, b);
         else
             to_.triangle(a, b, c);
@@ -121,7 +159,8 @@ public:
 private:
     To to_;
     const text_letters* letters_;
-    letter_move move_;
+    point_mover<wants> points_;
+    bool mirrors_ = false;
 };
 
 }  // namespace typemesh::inline TYPEMESH_ABI

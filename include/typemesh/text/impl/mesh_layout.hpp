@@ -48,8 +48,8 @@ public:
         if (range(p, first, last).vertex_count == 0) return;
         for (std::size_t g = first; g < last; ++g) {
             const drawn_glyph& s = all_->records[g];
-            detail::letter_written(*all_, g, sink, [&](auto&& to) noexcept {
-                write_vertices(p, s.built->template planned<Extruder>(), how, all_->place(s), to);
+            detail::write_letter(*all_, g, sink, [&](auto& to, const placement& at) noexcept {
+                write_vertices(p, s.built->template planned<Extruder>(), how, at, to);
             });
         }
     }
@@ -62,9 +62,9 @@ public:
         const bool turned = all_->placed.frame.turns_triangles();
         for (std::size_t g = first; g < last; ++g) {
             const drawn_glyph& s = all_->records[g];
-            detail::start_glyph(sink, g);
             const first_vertices at = starts_.vertices + (s.before.vertices - before_.vertices);
-            write_triangles(p, s.built->planned<Extruder>(), how, at, turned, sink);
+            const bool mirrored = turned != detail::mirrors_letter(*all_, g, sink);
+            write_triangles(p, s.built->planned<Extruder>(), how, at, mirrored, detail::unmoved(sink));
         }
     }
 
