@@ -64,7 +64,7 @@ public:
 
     /// Writes the mesh with moved letters: positions by the motion's map, normals by its inverse transpose, and the
     /// corners of triangles in the order that keeps them outside. Texture coordinates and letter data stay. Sizes and
-    /// ranges are those of the plan. Letters with the identity are written bit for bit as without a motion. A map that
+    /// ranges stay as the plan says. Letters with the identity are written bit for bit as without a motion. A map that
     /// flattens a letter flattens its triangles, too: this hides a letter. Needs find_letters().
     template <class Sink, letter_motion Motion>
         requires mesh_sink<std::remove_reference_t<Sink>>

@@ -52,7 +52,7 @@ struct letter_options {
     bool down = false;               ///< whether the text was set in columns
 };
 
-/// The box of a letter, word or line. Directions are those of the frame: width along `right`, height along `up`, depth
+/// The box of a letter, word or line. Directions follow the frame: width along `right`, height along `up`, depth
 /// along `toward`.
 struct letter_box {
     vec3 pivot = {};    ///< see letter_pivot; in the output's unit and frame, like the next two
@@ -117,6 +117,7 @@ struct letter_place {
     std::uint32_t graphemes = 0;
     typemesh::frame frame = {};  ///< the output's: frame.up is the direction of the text's height
 
+    /// Whether it is an underline or another bar.
     [[nodiscard]] constexpr bool is_bar() const noexcept { return index == no_letter; }
 };
 

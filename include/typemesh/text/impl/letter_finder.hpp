@@ -377,7 +377,7 @@ private:
         all.ink.merge(by.ink);
     }
 
-    /// Finds the letters that a bar goes with: those of its line that lie beside it.
+    /// Finds the letters that a bar goes with: the letters of its line that lie beside it.
     void cover(text_letter& bar) noexcept
     {
         const auto apart = [down = how_.down](const box& a, const box& b) noexcept {

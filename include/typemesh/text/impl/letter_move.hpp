@@ -173,7 +173,7 @@ struct point_block {
 template <attribute Wants>
 class point_mover {
 public:
-    /// The next points are those of a letter.
+    /// The next points belong to another letter.
     ///
     ///     map    of positions: the move's own, or another from letter_move::map_from()
     void start(const letter_move& move, const affine3& map) noexcept

@@ -122,7 +122,7 @@ public:
 
     [[nodiscard]] std::remove_reference_t<To>& inner() noexcept { return to_; }
 
-    /// The next vertices and triangles are those of this glyph. Moves its placement. Returns false if nothing is left
+    /// The next vertices and triangles belong to this glyph. Moves its placement. Returns false if nothing is left
     /// to do: its vertices then go to inner().
     [[nodiscard]] bool start_glyph(const text_glyphs& all, std::size_t glyph, placement& at) noexcept
     {
