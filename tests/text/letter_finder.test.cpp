@@ -92,6 +92,8 @@ TEST_CASE("punctuation belongs to the word that it touches, or is a word of its 
 TEST_CASE("lines are the run's, paragraphs the text's, with or without letters", "[letters]")
 {
     const found_letters all = letters_in("ah\n\nge t\n", {}, {.layout = {.align = alignment::right}});
+    CHECK(all.letters == "[a][h][g][e][t]");  // what has no glyph at a line's end belongs to no letter
+    for (const text_letter& l : all.rows) CHECK(l.bonds == letter_bond::none);
     REQUIRE(all.lines.size() == 4);
     CHECK(all.lines[0].count == 2);
     CHECK(all.lines[1].count == 0);
