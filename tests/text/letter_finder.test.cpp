@@ -159,7 +159,7 @@ TEST_CASE("merged letters are one letter, and a bar goes with the letters beside
     CHECK(plan->letters().bars[0].text.last == 1);
     CHECK(plan->letters().bars[0].graphemes == 1);
     CHECK(plan->letter_of(1) == 1);
-    CHECK(plan->letter_of(2) == no_letter);
+    CHECK(plan->letter_of(2) == not_a_letter);
 }
 
 TEST_CASE("letters are not found in another text, with a pivot that does not exist, or without memory", "[letters]")

@@ -109,6 +109,6 @@ TEST_CASE("streams hold letter data, and shared meshes have none", "[letters]")
         }
     std::vector<named_vertex> once;
     REQUIRE(plan->write_meshes(into(once, indices)));
-    CHECK(std::all_of(once.begin(), once.end(), [](const named_vertex& v) { return v.letter == no_letter; }));
+    CHECK(std::all_of(once.begin(), once.end(), [](const named_vertex& v) { return v.letter == not_a_letter; }));
     plan->write_instances([&](const glyph_instance& drawn) noexcept { CHECK(drawn.letter == drawn.glyph); });
 }

@@ -33,7 +33,7 @@ TEST_CASE("another plan of the mesher has no letters yet", "[letters]")
     REQUIRE(plan->find_letters("oE"));
     plan->write_instances([](const glyph_instance& drawn) noexcept { CHECK(drawn.letter == drawn.glyph); });
     plan = test::required(mesher.plan("oEx"));
-    plan->write_instances([](const glyph_instance& drawn) noexcept { CHECK(drawn.letter == no_letter); });
+    plan->write_instances([](const glyph_instance& drawn) noexcept { CHECK(drawn.letter == not_a_letter); });
     REQUIRE(plan->find_letters("oEx"));
     CHECK(plan->letters().letters.size() == 3);
 }

@@ -30,7 +30,7 @@ struct glyph_instance {
     glyph_id id = no_glyph;
     cluster_id cluster = no_cluster;
     style_id style = {};
-    std::uint32_t letter = no_letter;  ///< the index in letters().letters, if the plan's letters were found
+    std::uint32_t letter = not_a_letter;  ///< the index in letters().letters, if the plan's letters were found
 };
 
 /// Consecutive instances in the output of write_instances().

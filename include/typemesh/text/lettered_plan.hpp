@@ -55,7 +55,7 @@ public:
                 found.grapheme_count};
     }
 
-    /// The letter of a glyph of the plan: its number, or no_letter for a bar. Needs find_letters().
+    /// The letter of a glyph of the plan: its number, or not_a_letter for a bar. Needs find_letters().
     [[nodiscard]] std::uint32_t letter_of(std::size_t glyph) const noexcept
     {
         (void)known();

@@ -70,13 +70,13 @@ struct letter_box {
 ///     letters      012    3 45 6      in reading order; spaces have no outline, so they are no letters
 ///     graphemes    012    5 78 10     in the text, spaces included
 struct text_letter : letter_box {
-    text_range text = {};            ///< in units of the text; for a bar, the letters that it goes with
-    std::uint32_t grapheme = 0;      ///< the number of its first grapheme, counted in the whole text
-    std::uint32_t graphemes = 0;     ///< the number of its graphemes
-    std::uint32_t word = no_letter;  ///< the number of its word: only words with letters count
-    std::uint32_t line = 0;          ///< the number of its line in the run
-    std::uint32_t paragraph = 0;     ///< the number of its paragraph in the text
-    style_id style = {};             ///< of its first glyph
+    text_range text = {};               ///< in units of the text; for a bar, the letters that it goes with
+    std::uint32_t grapheme = 0;         ///< the number of its first grapheme, counted in the whole text
+    std::uint32_t graphemes = 0;        ///< the number of its graphemes
+    std::uint32_t word = not_a_letter;  ///< the number of its word: only words with letters count
+    std::uint32_t line = 0;             ///< the number of its line in the run
+    std::uint32_t paragraph = 0;        ///< the number of its paragraph in the text
+    style_id style = {};                ///< of its first glyph
     letter_bond bonds = letter_bond::none;
     bounds3 bounds = {};  ///< of its vertices, like text_plan::bounds()
 };
@@ -91,7 +91,7 @@ struct letter_group : letter_box {
 /// The letters of a planned text: views of what its mesher keeps, valid as long as the plan is.
 struct letter_rows {
     array_view<const text_letter> letters;  ///< in reading order
-    array_view<const text_letter> bars;     ///< underlines and the like, whose `letter` is no_letter
+    array_view<const text_letter> bars;     ///< underlines and the like, whose `letter` is not_a_letter
     array_view<const letter_group> words;
     array_view<const letter_group> lines;       ///< as many as the run has
     array_view<const letter_group> paragraphs;  ///< as many as the text has
@@ -110,7 +110,7 @@ struct letter_place {
     const letter_group& line;
     const letter_group& paragraph;  ///< empty for a bar
     const letter_group& whole;
-    std::uint32_t index = no_letter;  ///< no_letter for a bar
+    std::uint32_t index = not_a_letter;  ///< not_a_letter for a bar
     std::uint32_t words = 0;
     std::uint32_t lines = 0;
     std::uint32_t paragraphs = 0;
@@ -118,7 +118,7 @@ struct letter_place {
     typemesh::frame frame = {};  ///< the output's: frame.up is the direction of the text's height
 
     /// Whether it is an underline or another bar.
-    [[nodiscard]] constexpr bool is_bar() const noexcept { return index == no_letter; }
+    [[nodiscard]] constexpr bool is_bar() const noexcept { return index == not_a_letter; }
 };
 
 /// Moves letters: gives each letter_place an affine3. It is called once for each letter in reading order, then once for

@@ -102,7 +102,7 @@ struct with_style<Wants, false> : with_cluster<Wants> {
 
 template <attribute Wants, bool = has(Wants, attribute::letter)>
 struct with_letter : with_style<Wants> {
-    std::uint32_t letter = no_letter;
+    std::uint32_t letter = not_a_letter;
 };
 template <attribute Wants>
 struct with_letter<Wants, false> : with_style<Wants> {
@@ -111,7 +111,7 @@ struct with_letter<Wants, false> : with_style<Wants> {
 
 template <attribute Wants, bool = has(Wants, attribute::word)>
 struct with_word : with_letter<Wants> {
-    std::uint32_t word = no_letter;
+    std::uint32_t word = not_a_letter;
 };
 template <attribute Wants>
 struct with_word<Wants, false> : with_letter<Wants> {
@@ -120,7 +120,7 @@ struct with_word<Wants, false> : with_letter<Wants> {
 
 template <attribute Wants, bool = has(Wants, attribute::line)>
 struct with_line : with_word<Wants> {
-    std::uint32_t line = no_letter;
+    std::uint32_t line = not_a_letter;
 };
 template <attribute Wants>
 struct with_line<Wants, false> : with_word<Wants> {
@@ -180,8 +180,8 @@ struct with_part<Wants, false> : with_letter_data<Wants> {
 ///     cluster    cluster_id   the glyph's position in the caller's text; no_cluster if unknown
 ///     part       part         front, back, side, or a further part of the extruder
 ///     style      style_id     the glyph's style (layout/glyph_style.hpp); no_style if unknown
-///     letter     uint32_t     the number of its letter in reading order; no_letter for underlines, and if unknown
-///     word, line uint32_t     the numbers of the letter's word and of its line; no_letter likewise
+///     letter     uint32_t     the number of its letter in reading order; not_a_letter for underlines, and if unknown
+///     word, line uint32_t     the numbers of the letter's word and of its line; not_a_letter likewise
 ///     pivot      vec3         the place about which its letter turns, in the output's unit and frame
 ///     extent     vec3         the width, height and depth of its letter, in the output's unit (text/text_letter.hpp)
 ///

@@ -207,13 +207,13 @@ private:
             found_.graphemes[grapheme_at(glyph.cluster)].shown = true;
         }
         for (const drawn_glyph& s : all_.records) {
-            std::uint32_t first = no_letter;
+            std::uint32_t first = not_a_letter;
             each_member(s, [&](std::uint32_t k) noexcept {
                 grapheme& g = found_.graphemes[k];
                 if (g.drawn) g.bonds = g.bonds | letter_bond::several_glyphs;
                 if (!g.drawn) g.line = s.line;
                 g.drawn = true;
-                if (first == no_letter) first = k;
+                if (first == not_a_letter) first = k;
                 join(first, k, letter_bond::merged);
             });
         }
@@ -260,7 +260,7 @@ private:
         found_.words.clear();
         if (error e = clear_groups(found_.lines, run_.lines.empty() ? 1 : run_.lines.size())) return e;
         if (error e = clear_groups(found_.paragraphs, g.empty() ? 0 : g.back().paragraph + std::size_t{1})) return e;
-        std::uint32_t word = no_letter;
+        std::uint32_t word = not_a_letter;
         for (std::uint32_t k = 0; k < g.size(); ++k) {
             if (!g[k].drawn) continue;
             const std::uint32_t first = first_of(k);
@@ -318,10 +318,10 @@ private:
     {
         found_.row_of.clear();
         for (const drawn_glyph& s : all_.records) {
-            std::uint32_t head = no_letter;
+            std::uint32_t head = not_a_letter;
             each_member(s, [&head](std::uint32_t k) noexcept { head = k < head ? k : head; });
             std::uint32_t number = static_cast<std::uint32_t>(found_.rows.size());
-            if (head != no_letter) {
+            if (head != not_a_letter) {
                 number = found_.graphemes[first_of(head)].letter;
                 text_letter& row = found_.rows[number];
                 if (row.style == no_style || row.grapheme == head) row.style = s.style;

@@ -114,12 +114,12 @@ struct text_glyphs {
     /// Whether `letters` belongs to these glyphs.
     [[nodiscard]] bool letters_are_found() const noexcept { return letters.found_for == generation.number; }
 
-    /// The letter of a record; no_letter for bars, and if letters were not found.
+    /// The letter of a record; not_a_letter for bars, and if letters were not found.
     [[nodiscard]] std::uint32_t letter_of(std::size_t record) const noexcept
     {
-        if (!letters_are_found()) return no_letter;
+        if (!letters_are_found()) return not_a_letter;
         const std::uint32_t row = letters.row_of[record];
-        return row < letters.letters ? row : no_letter;
+        return row < letters.letters ? row : not_a_letter;
     }
 
     void clear() noexcept

@@ -18,9 +18,9 @@ struct text_letters {
         std::uint32_t first = 0;  ///< in units of the text
         std::uint32_t word = 0;
         std::uint32_t paragraph = 0;
-        std::uint32_t line = 0;            ///< of its glyphs, if it has any
-        std::uint32_t same = 0;            ///< an earlier grapheme of the same letter, or itself
-        std::uint32_t letter = no_letter;  ///< of a letter's first grapheme: its number
+        std::uint32_t line = 0;               ///< of its glyphs, if it has any
+        std::uint32_t same = 0;               ///< an earlier grapheme of the same letter, or itself
+        std::uint32_t letter = not_a_letter;  ///< of a letter's first grapheme: its number
         joining_type joins_before = joining_type::none;
         joining_type joins_after = joining_type::none;
         bool joins = false;  ///< whether the two are set
@@ -63,7 +63,7 @@ struct text_letters {
                 l.line < lines.size() ? lines[l.line] : nothing,
                 bar ? nothing : paragraphs[l.paragraph],
                 whole,
-                bar ? no_letter : static_cast<std::uint32_t>(row),
+                bar ? not_a_letter : static_cast<std::uint32_t>(row),
                 static_cast<std::uint32_t>(words.size()),
                 static_cast<std::uint32_t>(lines.size()),
                 static_cast<std::uint32_t>(paragraphs.size()),
