@@ -9,6 +9,9 @@
 //                            position and base index
 //     cold_us_per_glyph      the first of these without the floor, by the letters that are drawn, in microseconds
 //     memcpy_of_hand         a memcpy of the finished mesh, by that loop
+//     moved_of_plain         10,000 letters written anew with a motion, by the plain write: letters/still, shifted, turned
+//                            (with normals), sheared
+//     instances_of_plain     only one map for each letter, by the plain write
 //     mallocs_of_font        allocations a text, of any kind, of shaping and outline extraction alone
 //     mallocs_of_typemesh    what a text adds to them after warm-up, nothing cached: 0
 //
@@ -296,6 +299,45 @@ void register_sample(const sample& s)
     });
 }
 
+/// 10,000 letters that are planned once and written again with a motion.
+template <class Motion>
+void register_motion(const char* name, Motion motion)
+{
+    benchmark::RegisterBenchmark((std::string{"letters/"} + name).c_str(), [motion](benchmark::State& state) {
+        auto font = harfbuzz_font::open(path_of("truetype/liberation/LiberationSans-Regular.ttf").c_str());
+        if (!font) return state.SkipWithError("fonts-liberation is not installed");
+        std::string text;
+        while (text.size() < 12'000) text += line_of("long-latin.txt", 0).substr(0, 400) + '\n';
+        text_mesher mesher{*font};
+        auto plan = mesher.plan(text);
+        if (!plan || !plan->find_letters(text)) std::abort();
+        std::vector<vertex> vertices(plan->size().vertices);
+        std::vector<std::uint32_t> indices(plan->size().indices());
+        const auto sink = [&] { return into(std::span{vertices}, std::span{indices}); };
+        const auto best_of = [&](const auto& write) {
+            double best = 1e30;
+            for (int round = 0; round < 40; ++round) {
+                const auto start = std::chrono::steady_clock::now();
+                write();
+                best = std::min(best, std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
+            }
+            return best;
+        };
+        const auto write = [&] { return plan->write(sink(), motion).error() ? std::abort() : void(); };
+        for (auto _ : state) write();
+        state.counters["letters"] = static_cast<double>(plan->letters().letters.size());
+        const double plain = best_of([&] { return plan->write(sink()).error() ? std::abort() : void(); });
+        state.counters["moved_of_plain"] = best_of(write) / plain;
+        affine3 last;
+        state.counters["instances_of_plain"] =
+            best_of([&] {
+                plan->write_instances(motion, [&](const glyph_instance&, const affine3& map) noexcept { last = map; });
+                benchmark::DoNotOptimize(last);
+            }) /
+            plain;
+    });
+}
+
 }  // namespace
 
 int main(int argc, char** argv)
@@ -318,6 +360,14 @@ int main(int argc, char** argv)
         {"chinese", "truetype/wqy/wqy-microhei.ttc", "fonts-wqy-microhei", line_of("phrases-chinese.txt", 0)},
     };
     for (const sample& s : samples) register_sample(s);
+    register_motion("still", [](const letter_place&) noexcept { return affine3{}; });
+    register_motion("shifted", letter_wave{});
+    register_motion("turned", [](const letter_place& l) noexcept {
+        return turned({0.0f, 0.6f, 0.8f}, 0.01 * l.index).about(l.letter.pivot);
+    });
+    register_motion("sheared", [](const letter_place& l) noexcept {
+        return affine3{{1.0f, 0.0f, 0.0f}, {0.3f, 1.0f, 0.0f}, {0.0f, 0.0f, 1.0f}, {}}.about(l.letter.pivot);
+    });
     benchmark::Initialize(&argc, argv);
     benchmark::RunSpecifiedBenchmarks();
 }

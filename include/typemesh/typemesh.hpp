@@ -53,6 +53,7 @@
 
 #include <typemesh/glyph/glyph_cache.hpp>
 #include <typemesh/text/flipped_triangles.hpp>
+#include <typemesh/text/letter_motions.hpp>
 #include <typemesh/text/shaped_by.hpp>
 #include <typemesh/text/text_chunks.hpp>
 #include <typemesh/text/text_mesher.hpp>

@@ -382,4 +382,20 @@ o.frame = {.right = {1, 0, 0}, .up = {0, -1, 0}, .toward = {0, 0, -1}, .winding 
     use(o);
 }
 
+void moving_letters(typemesh::harfbuzz_font& font, std::vector<vertex>& vertices, std::vector<std::uint32_t>& indices)
+{
+    using namespace typemesh;
+    text_mesher mesher{font};
+    const std::string_view text = "moving";
+    auto plan = mesher.plan(text);
+    if (!plan) return;
+    const double t = 0.5;
+    auto sink = into(vertices, indices);
+auto found = plan->find_letters(text);
+auto spin = [t](const letter_place& l) noexcept { return turned({0, 0, 1}, t * l.index).about(l.letter.pivot); };
+auto written = plan->write(sink, spin);
+auto typed = plan->write(sink, reveal{.share = t});           // or letter_wave, letter_scatter: text/letter_motions.hpp
+    use(found, written, typed);
+}
+
 }  // namespace readme

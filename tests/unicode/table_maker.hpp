@@ -244,6 +244,35 @@ inline std::string script_table()
                       array_of("std::uint32_t", "script_ranges", ranges, 8));
 }
 
+/// The table of word_boundaries.hpp: Word_Break with Extended_Pictographic, and Joining_Type, by ranges.
+inline std::string word_table()
+{
+    const auto names = words(
+                   "Other CR LF Newline Extend Format ZWJ Regional_Indicator Katakana Hebrew_Letter ALetter "
+                   "ALetterPicto Single_Quote Double_Quote MidNumLet MidLetter MidNum Numeric ExtendNumLet WSegSpace "
+                   "Pictographic"),
+               joining_names = words("U R L D C T");
+    const auto word = property("auxiliary/WordBreakProperty.txt"),
+               joining = property("extracted/DerivedJoiningType.txt");
+    const auto picture = property("emoji/emoji-data.txt", "Extended_Pictographic");
+    numbers ranges;
+    std::uint64_t before = ~std::uint64_t{0};
+    for (char32_t c = 0; c < 0x110000; ++c) {
+        std::string name = word[c];
+        if (!picture[c].empty()) {
+            if (name != "Other" && name != "ALetter") FAIL("a pictographic character of another word class");
+            name = name == "Other" ? "Pictographic" : "ALetterPicto";
+        }
+        const std::string join = joining[c] == "Non_Joining" ? "U" : joining[c];
+        const std::uint64_t value = number_of(names, name) | number_of(joining_names, join) << 5;
+        if (value != before) ranges.push_back(static_cast<std::uint64_t>(c) << 8 | value);
+        before = value;
+    }
+    return header("#include <typemesh/core/version.hpp>\n\n#include <cstdint>\n",
+                  "// The first code point of a range << 8 | its Joining_Type << 5 | its Word_Break.\n\n",
+                  array_of("std::uint32_t", "word_ranges", ranges, 8));
+}
+
 /// Compares a header with the wanted text, or writes it.
 inline void check_or_make(const std::string& name, const std::string& wanted)
 {

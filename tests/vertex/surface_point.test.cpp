@@ -45,6 +45,11 @@ constexpr bool takes_no_more_from = []<std::uint32_t... Sets>(std::integer_seque
     return (takes_no_more_room_than_wanted<First + Sets>() && ...);
 }(std::make_integer_sequence<std::uint32_t, 128>{});
 static_assert(takes_no_more_from<0> && takes_no_more_from<128> && takes_no_more_from<256> && takes_no_more_from<384>);
+// Letter data come in addition: 4 + 4 + 4 + 12 + 12 bytes.
+constexpr attribute few = attribute::position | attribute::part;
+static_assert(sizeof(surface_point<attribute::letter>) == 4 && sizeof(surface_point<attribute::extent>) == 12);
+static_assert(sizeof(surface_point < few | attribute::word | attribute::pivot >) == 16 + 4 + 12);
+static_assert(sizeof(surface_point < few | letter_attributes >) == 16 + 36);
 
 TEST_CASE("a set of attributes contains the attributes that were added", "[vertex]")
 {

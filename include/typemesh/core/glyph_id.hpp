@@ -17,8 +17,9 @@ using cluster_id = std::uint32_t;
 /// on; the number has no other meaning.
 enum class style_id : std::uint32_t {};
 
-inline constexpr glyph_id no_glyph = 0xFFFF'FFFFu;      ///< no glyph has this number
-inline constexpr cluster_id no_cluster = 0xFFFF'FFFFu;  ///< no place in the text has this number
-inline constexpr style_id no_style{0xFFFF'FFFFu};       ///< no style has this number
+inline constexpr glyph_id no_glyph = 0xFFFF'FFFFu;           ///< no glyph has this number
+inline constexpr cluster_id no_cluster = 0xFFFF'FFFFu;       ///< no place in the text has this number
+inline constexpr style_id no_style{0xFFFF'FFFFu};            ///< no style has this number
+inline constexpr std::uint32_t not_a_letter = 0xFFFF'FFFFu;  ///< no letter, word or line has this number
 
 }  // namespace typemesh::inline TYPEMESH_ABI

@@ -33,7 +33,8 @@ struct glyph_instance {
     glyph_id id = no_glyph;
     cluster_id cluster = no_cluster;
     style_id style = {};
-    vec3 x{1.0f, 0.0f, 0.0f};  ///< the images of the output's axes: the columns of a rotation
+    std::uint32_t letter = not_a_letter;  ///< the index in letters().letters, if the plan's letters were found
+    vec3 x{1.0f, 0.0f, 0.0f};             ///< the images of the output's axes: the columns of a rotation
     vec3 y{0.0f, 1.0f, 0.0f};
     vec3 z{0.0f, 0.0f, 1.0f};
 };

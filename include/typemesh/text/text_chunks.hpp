@@ -144,6 +144,14 @@ public:
         return end_of(sink);
     }
 
+    /// Writes all chunks of a text whose letters move: see text_plan::write() with a motion.
+    template <extruder Extruder, class Sink, letter_motion Motion>
+        requires chunked_sink<std::remove_reference_t<Sink>>
+    result<void> write(const text_plan<Extruder>& plan, Sink&& sink, Motion&& motion) const noexcept
+    {
+        return write(plan, plan.moved(sink, motion));
+    }
+
     /// Writes only chunk k, as a whole mesh.
     template <extruder Extruder, class Sink>
         requires mesh_sink<std::remove_reference_t<Sink>>
@@ -235,7 +243,9 @@ private:
             return;
         }
         const drawn_glyph& s = all.records[c.first_glyph];
-        pieces_.write(c.piece, *s.built, how, all.place(s), sink);
+        detail::write_letter(all, c.first_glyph, sink, [&](auto& to, const placement& at) noexcept {
+            pieces_.write(c.piece, *s.built, how, at, to);
+        });
     }
 
     buffer<text_chunk> chunks_;

@@ -213,13 +213,14 @@ public:
     }
 
     /// plan() and write() in one: returns the report of the built text, or the error. If the plan fails, nothing
-    /// reaches the sink.
+    /// reaches the sink. Finds letters if the sink wants letter data.
     template <class Text, class Sink>
         requires mesh_sink<std::remove_reference_t<Sink>>
     result<text_report> build(const Text& text, Sink&& sink, const text_options& options = {}) noexcept
     {
         auto made = plan(text, options);
         if (!made) return made.error();
+        if (error e = letters_for<std::remove_reference_t<Sink>::wants>(*made, text, options)) return e;
         return finish(*made, made->write(observed(sink)));
     }
 
@@ -232,6 +233,7 @@ public:
     {
         auto made = plan(text, options, workers);
         if (!made) return made.error();
+        if (error e = letters_for<std::remove_reference_t<Sink>::wants>(*made, text, options)) return e;
         if constexpr (ranged_sink<std::remove_reference_t<Sink>>)
             return finish(*made, made->write(observed(sink), workers.pool()));
         else
@@ -289,6 +291,21 @@ private:
     [[nodiscard]] policies all_policies() noexcept
     {
         return {discretiser_.ref(), triangulator_.ref(), solid_, observer_.ref(), step_.ref(), warp_.ref()};
+    }
+
+    /// Finds the letters if the vertices want to know them.
+    template <attribute Wants, class Text>
+    [[nodiscard]] static error letters_for(const plan_type& made, const Text& text,
+                                           const text_options& options) noexcept
+    {
+        if constexpr (has(Wants, letter_attributes)) {
+            static_assert(std::is_convertible_v<const Text&, text_view>,
+                          "typemesh: a vertex wants letter data, and a run does not have its text: make a plan, call "
+                          "find_letters(text), then write().");
+            return made.find_letters(text, {.down = options.shape.direction == direction::top_to_bottom}).error();
+        } else {
+            return {};
+        }
     }
 
     template <class Sink>

@@ -10,6 +10,7 @@
 #include <typemesh/layout/glyph_run.hpp>
 #include <typemesh/text/impl/mesh_layout.hpp>
 #include <typemesh/text/impl/text_glyphs.hpp>
+#include <typemesh/text/lettered_plan.hpp>
 #include <typemesh/vertex/ranged_sink.hpp>
 
 #include <cmath>
@@ -50,10 +51,14 @@ struct glyph_span {
 /// from a glyph_cache stay in place, even if others evict them. Glyphs that glyph_workers built are stored in these
 /// workers.
 template <extruder Extruder>
-class text_plan {
+class text_plan : public lettered_plan<text_plan<Extruder>> {
     friend class text_chunks;
+    friend class lettered_plan<text_plan>;
 
 public:
+    using lettered_plan<text_plan>::write;
+    using lettered_plan<text_plan>::write_instances;
+
     text_plan(text_glyphs& glyphs, const glyph_run& run, const Extruder& extruder) noexcept
         : glyphs_{&glyphs}, run_{&run}, extruder_{extruder}, generation_{glyphs.generation.number}
     {
@@ -410,7 +415,7 @@ public:
             for (std::uint32_t i = all.meshes[mesh].first_glyph; i != drawn_glyph::none;
                  i = all.records[i].next_alike) {
                 const drawn_glyph& s = all.records[i];
-                glyph_instance instance{all.translation_of(s), mesh, i, s.id, s.cluster, s.style};
+                glyph_instance instance{all.translation_of(s), mesh, i, s.id, s.cluster, s.style, all.letter_of(i)};
                 turn(instance, s.right, all.placed.frame);
                 put(instance);
             }

@@ -19,6 +19,11 @@ enum class attribute : std::uint32_t {
     part = 1u << 6,
     style = 1u << 7,
     curve = 1u << 8,
+    letter = 1u << 9,
+    word = 1u << 10,
+    line = 1u << 11,
+    pivot = 1u << 12,
+    extent = 1u << 13,
 };
 
 [[nodiscard]] constexpr attribute operator|(attribute a, attribute b) noexcept
@@ -31,5 +36,9 @@ enum class attribute : std::uint32_t {
 {
     return (static_cast<std::uint32_t>(set) & static_cast<std::uint32_t>(one)) != 0;
 }
+
+/// What a vertex can know of its letter: text_plan::find_letters() finds it.
+inline constexpr attribute letter_attributes =
+    attribute::letter | attribute::word | attribute::line | attribute::pivot | attribute::extent;
 
 }  // namespace typemesh::inline TYPEMESH_ABI

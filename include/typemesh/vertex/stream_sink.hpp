@@ -25,16 +25,18 @@ namespace typemesh::inline TYPEMESH_ABI {
 
 /// One attribute in an array of its own: element i of type T is `stride` bytes after element i - 1.
 ///
-/// T is constructed from the attribute: T{x, y, z} for positions, normals and curves, T{u, v} for texture coordinates,
-/// T{x, y, z, sign} for tangents, T(number) for glyph, cluster, style and part (0 front, 1 back, 2 side, 3 and more:
-/// further parts). Packed formats are also possible: snorm10, octahedral32, or structures of half, snorm16 and so on.
-/// Each element is written whole, once, in ascending order, and never read, so the memory may be mapped.
+/// T is constructed from the attribute: T{x, y, z} for positions, normals, curves, pivots and extents, T{u, v} for
+/// texture coordinates, T{x, y, z, sign} for tangents, T(number) for glyph, cluster, style, letter, word, line and part
+/// (0 front, 1 back, 2 side, 3 and more: further parts). Packed formats are also possible: snorm10, octahedral32, or
+/// structures of half, snorm16 and so on. Each element is written whole, once, in ascending order, and never read, so
+/// the memory may be mapped.
 template <attribute A, class T>
 struct stream {
     static constexpr attribute wants = A;
     static_assert(A == attribute::position || A == attribute::normal || A == attribute::uv || A == attribute::tangent ||
                       A == attribute::glyph || A == attribute::cluster || A == attribute::part ||
-                      A == attribute::style || A == attribute::curve,
+                      A == attribute::style || A == attribute::curve || A == attribute::letter ||
+                      A == attribute::word || A == attribute::line || A == attribute::pivot || A == attribute::extent,
                   "typemesh: a stream holds one attribute; computed_stream takes several");
 
     void* data = nullptr;      ///< the first element, aligned for T
@@ -76,8 +78,18 @@ struct stream {
             ::new (place) T(static_cast<T>(s.cluster));
         else if constexpr (A == attribute::part)
             ::new (place) T(static_cast<T>(s.part));
-        else
+        else if constexpr (A == attribute::style)
             ::new (place) T(static_cast<T>(s.style));
+        else if constexpr (A == attribute::letter)
+            ::new (place) T(static_cast<T>(s.letter));
+        else if constexpr (A == attribute::word)
+            ::new (place) T(static_cast<T>(s.word));
+        else if constexpr (A == attribute::line)
+            ::new (place) T(static_cast<T>(s.line));
+        else if constexpr (A == attribute::pivot)
+            ::new (place) T{s.pivot.x, s.pivot.y, s.pivot.z};
+        else
+            ::new (place) T{s.extent.x, s.extent.y, s.extent.z};
     }
 };
 

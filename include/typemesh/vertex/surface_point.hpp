@@ -6,6 +6,8 @@
 #include <typemesh/vertex/attribute.hpp>
 #include <typemesh/vertex/part.hpp>
 
+#include <cstdint>
+
 namespace typemesh::inline TYPEMESH_ABI {
 
 /// Replaces an attribute that was not requested: using it is a compile error that names this type.
@@ -98,12 +100,68 @@ struct with_style<Wants, false> : with_cluster<Wants> {
     static constexpr not_in_wants<attribute::style> style{};
 };
 
+template <attribute Wants, bool = has(Wants, attribute::letter)>
+struct with_letter : with_style<Wants> {
+    std::uint32_t letter = not_a_letter;
+};
+template <attribute Wants>
+struct with_letter<Wants, false> : with_style<Wants> {
+    static constexpr not_in_wants<attribute::letter> letter{};
+};
+
+template <attribute Wants, bool = has(Wants, attribute::word)>
+struct with_word : with_letter<Wants> {
+    std::uint32_t word = not_a_letter;
+};
+template <attribute Wants>
+struct with_word<Wants, false> : with_letter<Wants> {
+    static constexpr not_in_wants<attribute::word> word{};
+};
+
+template <attribute Wants, bool = has(Wants, attribute::line)>
+struct with_line : with_word<Wants> {
+    std::uint32_t line = not_a_letter;
+};
+template <attribute Wants>
+struct with_line<Wants, false> : with_word<Wants> {
+    static constexpr not_in_wants<attribute::line> line{};
+};
+
+template <attribute Wants, bool = has(Wants, attribute::pivot)>
+struct with_pivot : with_line<Wants> {
+    vec3 pivot{};
+};
+template <attribute Wants>
+struct with_pivot<Wants, false> : with_line<Wants> {
+    static constexpr not_in_wants<attribute::pivot> pivot{};
+};
+
+template <attribute Wants, bool = has(Wants, attribute::extent)>
+struct with_extent : with_pivot<Wants> {
+    vec3 extent{};
+};
+template <attribute Wants>
+struct with_extent<Wants, false> : with_pivot<Wants> {
+    static constexpr not_in_wants<attribute::extent> extent{};
+};
+
+template <attribute Wants, bool = has(Wants, letter_attributes)>
+struct with_letter_data : with_extent<Wants> {};
+template <attribute Wants>
+struct with_letter_data<Wants, false> : with_style<Wants> {
+    static constexpr not_in_wants<attribute::letter> letter{};
+    static constexpr not_in_wants<attribute::word> word{};
+    static constexpr not_in_wants<attribute::line> line{};
+    static constexpr not_in_wants<attribute::pivot> pivot{};
+    static constexpr not_in_wants<attribute::extent> extent{};
+};
+
 template <attribute Wants, bool = has(Wants, attribute::part)>
-struct with_part : with_style<Wants> {
+struct with_part : with_letter_data<Wants> {
     typemesh::part part{};
 };
 template <attribute Wants>
-struct with_part<Wants, false> : with_style<Wants> {
+struct with_part<Wants, false> : with_letter_data<Wants> {
     static constexpr not_in_wants<attribute::part> part{};
 };
 
@@ -122,6 +180,10 @@ struct with_part<Wants, false> : with_style<Wants> {
 ///     cluster    cluster_id   the glyph's position in the caller's text; no_cluster if unknown
 ///     part       part         front, back, side, or a further part of the extruder
 ///     style      style_id     the glyph's style (layout/glyph_style.hpp); no_style if unknown
+///     letter     uint32_t     the number of its letter in reading order; not_a_letter for underlines, and if unknown
+///     word, line uint32_t     the numbers of the letter's word and of its line; not_a_letter likewise
+///     pivot      vec3         the place about which its letter turns, in the output's unit and frame
+///     extent     vec3         the width, height and depth of its letter, in the output's unit (text/text_letter.hpp)
 ///
 /// Other attributes take no space and are never computed.
 template <attribute Wants>
@@ -142,6 +204,11 @@ template <attribute Fewer, attribute Wants>
     if constexpr (has(Fewer, attribute::cluster)) fewer.cluster = s.cluster;
     if constexpr (has(Fewer, attribute::part)) fewer.part = s.part;
     if constexpr (has(Fewer, attribute::style)) fewer.style = s.style;
+    if constexpr (has(Fewer, attribute::letter)) fewer.letter = s.letter;
+    if constexpr (has(Fewer, attribute::word)) fewer.word = s.word;
+    if constexpr (has(Fewer, attribute::line)) fewer.line = s.line;
+    if constexpr (has(Fewer, attribute::pivot)) fewer.pivot = s.pivot;
+    if constexpr (has(Fewer, attribute::extent)) fewer.extent = s.extent;
     return fewer;
 }
 

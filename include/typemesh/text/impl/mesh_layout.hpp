@@ -3,6 +3,7 @@
 
 #include <typemesh/core/impl/first_where.hpp>
 #include <typemesh/extrude/extrude.hpp>
+#include <typemesh/text/impl/lettered_sink.hpp>
 #include <typemesh/text/impl/text_glyphs.hpp>
 #include <typemesh/vertex/ranged_sink.hpp>
 
@@ -47,7 +48,9 @@ public:
         if (range(p, first, last).vertex_count == 0) return;
         for (std::size_t g = first; g < last; ++g) {
             const drawn_glyph& s = all_->records[g];
-            write_vertices(p, s.built->planned<Extruder>(), how, all_->place(s), sink);
+            detail::write_letter(*all_, g, sink, [&](auto& to, const placement& at) noexcept {
+                write_vertices(p, s.built->template planned<Extruder>(), how, at, to);
+            });
         }
     }
 
@@ -60,7 +63,8 @@ public:
         for (std::size_t g = first; g < last; ++g) {
             const drawn_glyph& s = all_->records[g];
             const first_vertices at = starts_.vertices + (s.before.vertices - before_.vertices);
-            write_triangles(p, s.built->planned<Extruder>(), how, at, turned, sink);
+            const bool mirrored = turned != detail::mirrors_letter(*all_, g, sink);
+            write_triangles(p, s.built->planned<Extruder>(), how, at, mirrored, detail::unmoved(sink));
         }
     }
 

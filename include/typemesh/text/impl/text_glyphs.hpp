@@ -13,6 +13,7 @@
 #include <typemesh/text/impl/glyph_set.hpp>
 #include <typemesh/text/impl/merged_glyphs.hpp>
 #include <typemesh/text/impl/run_glyph_styles.hpp>
+#include <typemesh/text/impl/text_letters.hpp>
 #include <typemesh/text/impl/turned.hpp>
 #include <typemesh/text/instances.hpp>
 #include <typemesh/text/text_options.hpp>
@@ -95,6 +96,7 @@ struct text_glyphs {
     text_report report;
     bounds3 bounds;
     plan_generation generation;
+    text_letters letters;  ///< found on request; see letters_are_found()
 
     explicit text_glyphs(memory source) noexcept
         : different{source},
@@ -109,8 +111,20 @@ struct text_glyphs {
           glyph_styles{source},
           records{source},
           several_styles{source},
-          line_boxes{source}
+          line_boxes{source},
+          letters{source}
     {
+    }
+
+    /// Whether `letters` belongs to these glyphs.
+    [[nodiscard]] bool letters_are_found() const noexcept { return letters.found_for == generation.number; }
+
+    /// The letter of a record; not_a_letter for bars, and if letters were not found.
+    [[nodiscard]] std::uint32_t letter_of(std::size_t record) const noexcept
+    {
+        if (!letters_are_found()) return not_a_letter;
+        const std::uint32_t row = letters.row_of[record];
+        return row < letters.letters ? row : not_a_letter;
     }
 
     void clear() noexcept

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <typemesh/core/buffer.hpp>
+#include <typemesh/text/impl/letter_move.hpp>
+#include <typemesh/text/text_letter.hpp>
+#include <typemesh/unicode/impl/word_boundaries.hpp>
+
+#include <cstddef>
+#include <cstdint>
+
+namespace typemesh::inline TYPEMESH_ABI {
+
+/// The letters of a planned text, as letter_finder finds them, and the room for one move of each.
+struct text_letters {
+    /// A grapheme of the text while letters are being found.
+    struct grapheme {
+        std::uint32_t first = 0;  ///< in units of the text
+        std::uint32_t word = 0;
+        std::uint32_t paragraph = 0;
+        std::uint32_t line = 0;               ///< of its glyphs, if it has any
+        std::uint32_t same = 0;               ///< an earlier grapheme of the same letter, or itself
+        std::uint32_t letter = not_a_letter;  ///< of a letter's first grapheme: its number
+        joining_type joins_before = joining_type::none;
+        joining_type joins_after = joining_type::none;
+        bool joins = false;  ///< whether the two are set
+        letter_bond bonds = letter_bond::none;
+        bool shown = false;  ///< whether it is the first grapheme of a cluster
+        bool drawn = false;  ///< whether a drawn glyph shows it
+        bool blank = true;   ///< white space or invisible
+    };
+
+    buffer<grapheme> graphemes;
+    buffer<text_letter> rows;      ///< [ letters | bars ]
+    buffer<std::uint32_t> row_of;  ///< for each drawn glyph
+    buffer<letter_group> words;
+    buffer<letter_group> lines;
+    buffer<letter_group> paragraphs;
+    buffer<letter_move> moves;  ///< for each row; room for them
+    letter_group whole;
+    std::uint32_t letters = 0;  ///< the number of rows that are letters
+    std::uint32_t grapheme_count = 0;
+    std::uint64_t found_for = ~std::uint64_t{0};  ///< the plan's generation
+
+    explicit text_letters(memory source) noexcept
+        : graphemes{source},
+          rows{source},
+          row_of{source},
+          words{source},
+          lines{source},
+          paragraphs{source},
+          moves{source}
+    {
+    }
+
+    /// The place of a row in the text.
+    [[nodiscard]] letter_place place(std::size_t row, const typemesh::frame& frame) const noexcept
+    {
+        const text_letter& l = rows[row];
+        const bool bar = row >= letters;
+        return {l,
+                bar ? nothing : words[l.word],
+                l.line < lines.size() ? lines[l.line] : nothing,
+                bar ? nothing : paragraphs[l.paragraph],
+                whole,
+                bar ? not_a_letter : static_cast<std::uint32_t>(row),
+                static_cast<std::uint32_t>(words.size()),
+                static_cast<std::uint32_t>(lines.size()),
+                static_cast<std::uint32_t>(paragraphs.size()),
+                grapheme_count,
+                frame};
+    }
+
+    static constexpr letter_group nothing{};
+};
+
+}  // namespace typemesh::inline TYPEMESH_ABI

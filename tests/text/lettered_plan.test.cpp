@@ -1,0 +1,199 @@
+// SPDX-License-Identifier: MIT
+#include "support/catch.hpp"
+#include "support/counting_memory.hpp"
+#include "support/executors.hpp"
+#include "support/lit_mesh.hpp"
+#include "support/required.hpp"
+#include "support/toy_font.hpp"
+
+#include <typemesh/extrude/bevelled.hpp>
+#include <typemesh/typemesh.hpp>
+
+#include <cmath>
+#include <vector>
+
+using namespace typemesh;
+
+namespace {
+
+constexpr const char* moving_text = "oEi x\nEoo ixE";
+
+/// A turn, a shift, a mirror image, a shear and nothing, letter by letter.
+struct mixed_motion {
+    affine3 operator()(const letter_place& l) const noexcept
+    {
+        switch (l.index % 5) {
+        case 0: return turned({0.6f, 0.0f, 0.8f}, 0.3 * l.index).about(l.letter.pivot);
+        case 1: return shifted({0.5f, -2.0f, 1.0f});
+        case 2: return affine3{{-1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {}}.about(l.letter.centre);
+        case 3: return affine3{{1, 0, 0.25f}, {0.5f, 1, 0}, {0, 0, 2}, {}}.about(l.word.pivot);
+        default: return {};
+        }
+    }
+};
+
+struct no_motion {
+    affine3 operator()(const letter_place&) const noexcept { return {}; }
+};
+
+template <class Plan>
+test::lit_mesh moved_mesh(const Plan& plan, auto motion)
+{
+    test::lit_mesh m;
+    REQUIRE(plan.write(into(m.vertices, m.indices), motion));
+    return m;
+}
+
+double distance(vec3 a, vec3 b)
+{
+    return std::fmax(std::fabs(double(a.x) - b.x),
+                     std::fmax(std::fabs(double(a.y) - b.y), std::fabs(double(a.z) - b.z)));
+}
+
+}  // namespace
+
+TEMPLATE_TEST_CASE("the identity writes the plan's mesh bit for bit", "[letters]", flat, extruded<>, bevelled)
+{
+    test::toy_font font;
+    text_mesher mesher{font, TestType{}};
+    const auto plan = test::required(mesher.plan(moving_text, {.merge = GENERATE(false, true)}));
+    REQUIRE(plan->find_letters(moving_text));
+    CHECK(moved_mesh(*plan, no_motion{}) == test::written(*plan));
+    CHECK(plan->moved_bounds(no_motion{}).low == plan->bounds().low);
+    CHECK(plan->moved_bounds(no_motion{}).high == plan->bounds().high);
+}
+
+TEMPLATE_TEST_CASE("moved letters are closed, lit from outside, within their bounds, and the same from several workers",
+                   "[letters]", extruded<>, bevelled)
+{
+    const auto axes = GENERATE(right_handed_y_up, left_handed_z_up);
+    test::toy_font font;
+    text_mesher mesher{font, TestType{}};
+    const auto plan = test::required(mesher.plan(moving_text, {.frame = axes}));
+    REQUIRE(plan->find_letters(moving_text));
+    const test::lit_mesh m = moved_mesh(*plan, mixed_motion{});
+    CHECK(inspect::check_closedness(m.view()).is_closed());
+    CHECK(inspect::check_normals(m.view(), &test::lit_vertex::normal, axes.winding).is_right());
+    CHECK(inspect::measure(m.view()).volume * axes.winding > 0.0);
+    const bounds3 box = plan->moved_bounds(mixed_motion{});
+    for (const test::lit_vertex& v : m.vertices) REQUIRE(box.holds(v.place));
+
+    test::scrambled_workers several{3};
+    test::lit_mesh other;
+    REQUIRE(plan->write(into(other.vertices, other.indices), mixed_motion{}, several));
+    CHECK(other == m);
+
+    // Each letter that a chunk splits or keeps is moved in the same way: its vertices are among the whole's.
+    text_chunks chunks;
+    for (const std::uint32_t most : {60u, 1000u}) {
+        REQUIRE(chunks.cut(*plan, most));
+        test::lit_mesh pieces;
+        REQUIRE(chunks.write(*plan, into(pieces.vertices, pieces.indices), mixed_motion{}));
+        test::lit_mesh all{pieces.vertices, {}};
+        for (const text_chunk& c : chunks.view())
+            for (std::uint32_t i = 0; i < c.range().index_count; ++i)
+                all.indices.push_back(c.first_vertex + pieces.indices[c.range().first_index + i]);
+        CHECK(inspect::check_closedness(all.view()).is_closed());
+        CHECK(inspect::measure(all.view()).volume == Catch::Approx(inspect::measure(m.view()).volume));
+    }
+}
+
+TEST_CASE("a rigid motion and its inverse return the mesh within a float's step", "[letters]")
+{
+    test::toy_font font;
+    text_mesher mesher{font};
+    const auto plan = test::required(mesher.plan(moving_text));
+    REQUIRE(plan->find_letters(moving_text, {.pivot = letter_pivot::centre}));
+    const test::lit_mesh still = test::written(*plan);
+    // An inverse of a turn about a pivot is the opposite turn about it.
+    const auto motion = [](double sign) {
+        return [sign](const letter_place& l) noexcept {
+            return turned({0.0f, 0.6f, 0.8f}, sign * (1.0 + 0.7 * l.index)).about(l.letter.pivot);
+        };
+    };
+    std::vector<affine3> back;
+    (void)plan->moved_bounds([&](const letter_place& l) noexcept {
+        back.push_back(motion(-1.0)(l));
+        return affine3{};
+    });
+    const test::lit_mesh moved = moved_mesh(*plan, motion(1.0));
+    const double step = std::fmax(plan->position_step(), 0x1p-22);  // the farthest coordinate is below 4
+    std::size_t far_off = 0, tilted = 0;
+    for (std::size_t g = 0; g < plan->glyphs().size(); ++g)
+        for (const part p : plan->parts()) {
+            const mesh_range r = plan->range(g, p);
+            const affine3& inverse = back[plan->letter_of(g)];
+            for (std::size_t i = r.first_vertex; i < r.first_vertex + r.vertex_count; ++i) {
+                const test::lit_vertex &was = still.vertices[i], &is = moved.vertices[i];
+                far_off += distance(inverse(is.place), was.place) > step + 0x1p-22 ? 1u : 0u;
+                tilted += distance(inverse.direction(is.normal), was.normal) > 1e-6 ? 1u : 0u;
+            }
+        }
+    CHECK(far_off == 0);
+    CHECK(tilted == 0);
+}
+
+TEST_CASE("a moved instance is the moved glyph", "[letters]")
+{
+    test::toy_font font;
+    text_mesher mesher{font};
+    const auto plan = test::required(mesher.plan(moving_text));
+    REQUIRE(plan->find_letters(moving_text));
+    const test::lit_mesh whole = moved_mesh(*plan, mixed_motion{});
+    test::lit_mesh once;
+    REQUIRE(plan->write_meshes(into(once.vertices, once.indices)));
+    std::size_t instances = 0, wrong = 0;
+    plan->write_instances(mixed_motion{}, [&](const glyph_instance& drawn, const affine3& map) noexcept {
+        ++instances;
+        for (const part p : plan->parts()) {
+            const mesh_range from = plan->mesh_part(drawn.mesh, p), to = plan->range(drawn.glyph, p);
+            for (std::uint32_t i = 0; i < to.vertex_count; ++i) {
+                const vec3 is = map(once.vertices[from.first_vertex + i].place);
+                wrong += distance(is, whole.vertices[to.first_vertex + i].place) > 2e-6 ? 1u : 0u;
+            }
+        }
+    });
+    CHECK(instances == plan->glyphs().size());
+    CHECK(wrong == 0);
+}
+
+TEST_CASE("a motion is asked once for each letter in reading order, and is told where the letter stands", "[letters]")
+{
+    test::toy_font font;
+    text_mesher mesher{font};
+    const auto plan = test::required(mesher.plan(moving_text));
+    REQUIRE(plan->find_letters(moving_text));
+    std::uint32_t asked = 0;
+    const auto motion = [&](const letter_place& l) noexcept {
+        CHECK(l.index == asked);
+        CHECK(&l.letter == &plan->letters().letters[asked]);
+        CHECK(l.index - l.word.first < l.word.count);
+        CHECK(l.index - l.line.first < l.line.count);
+        CHECK(l.whole.count == 10);
+        CHECK(l.words == 4);
+        CHECK(l.lines == 2);
+        CHECK(l.paragraphs == 2);
+        CHECK(l.graphemes == 13);
+        ++asked;
+        return affine3{};
+    };
+    (void)moved_mesh(*plan, motion);
+    CHECK(asked == 10);
+}
+
+TEST_CASE("moving letters allocates nothing", "[letters]")
+{
+    test::counting_memory counted;
+    test::toy_font font;
+    text_mesher mesher{font, counted.source()};
+    for (int round = 0; round < 3; ++round) {
+        const std::size_t before = counted.requests;
+        const auto plan = test::required(mesher.plan(moving_text));
+        REQUIRE(plan->find_letters(moving_text));
+        const std::size_t planned = counted.requests;
+        (void)moved_mesh(*plan, mixed_motion{});
+        (void)plan->moved_bounds(mixed_motion{});
+        CHECK(counted.requests == planned);
+        if (round != 0) CHECK(planned == before);
+    }
+}
