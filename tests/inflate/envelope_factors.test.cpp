@@ -30,7 +30,7 @@ TEST_CASE("the work on a strip grows with its length, however its unknowns are n
         REQUIRE(direct.order(a.view()));
         return direct.work();
     };
-    for (const std::uint64_t seed : {1, 2, 3}) {
+    for (const std::uint64_t seed : {1u, 2u, 3u}) {
         const double one = work_on(100, seed);
         CHECK(one < 100 * 5 * 0.5 * 11 * 11);  // rows of at most two levels of 5
         CHECK(work_on(400, seed) < 4.4 * one);

@@ -36,7 +36,7 @@ enum class letter_bond : std::uint8_t {
 }
 
 /// The place about which a letter, word or line turns: its middle along the line, and across the line one of these. In
-/// a text whose letters are bent or warped, it is always the centre.
+/// a text whose letters are bent, warped or turned by a path, it is always the centre.
 enum class letter_pivot : std::uint8_t {
     baseline,  ///< on the baseline, or on the axis of a column, at the height of the front; see text_line::origin
     centre,    ///< the centre of its box in space
