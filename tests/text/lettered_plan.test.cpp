@@ -6,7 +6,9 @@
 #include "support/required.hpp"
 #include "support/toy_font.hpp"
 
+#include <typemesh/bend/plane_path.hpp>
 #include <typemesh/extrude/bevelled.hpp>
+#include <typemesh/text/on_path.hpp>
 #include <typemesh/typemesh.hpp>
 
 #include <cmath>
@@ -196,4 +198,41 @@ TEST_CASE("moving letters allocates nothing", "[letters]")
         CHECK(counted.requests == planned);
         if (round != 0) CHECK(planned == before);
     }
+}
+
+TEST_CASE("letters that a path turns move from where they stand", "[letters][path]")
+{
+    test::toy_font font;
+    plane_path ring;
+    ring.circle({0.3, 0.2}, 1.5);
+    text_mesher mesher{font, extruded<>{}, on_path{&ring, {.anchor = path_anchor::middle}}};
+    const auto plan = test::required(mesher.plan("oEi xE", {.merge = false}));
+    REQUIRE(plan->find_letters("oEi xE"));
+    const test::lit_mesh still = test::written(*plan);
+    CHECK(moved_mesh(*plan, no_motion{}) == still);
+
+    const affine3 rigid = shifted({0.5f, -1.0f, 2.0f}) * turned({0.6f, 0.0f, 0.8f}, 0.9);
+    const auto motion = [&](const letter_place&) noexcept { return rigid; };
+    const test::lit_mesh moved = moved_mesh(*plan, motion);
+    REQUIRE(moved.vertices.size() == still.vertices.size());
+    const bounds3 around = plan->moved_bounds(motion);
+    for (std::size_t i = 0; i < still.vertices.size(); ++i) {
+        const vec3 at = moved.vertices[i].place;
+        CHECK(distance(at, rigid(still.vertices[i].place)) < 4e-6);
+        CHECK(distance(moved.vertices[i].normal, rigid.direction(still.vertices[i].normal)) < 4e-6);
+        CHECK(around.holds(at));
+    }
+    // Each letter stands in its own box, and turns about the middle of that box.
+    for (const text_letter& l : plan->letters().letters) {
+        CHECK(l.pivot == l.centre);
+        CHECK(l.bounds.holds(l.centre));
+    }
+    std::size_t instances = 0;
+    plan->write_instances(motion, [&](const glyph_instance& drawn, const affine3& map) noexcept {
+        ++instances;
+        CHECK(distance(map.origin, rigid(drawn.translation)) < 4e-6);
+        CHECK(distance(map.x, rigid.direction(drawn.x)) < 4e-6);
+        CHECK(std::fabs(drawn.x.y) > 1e-3f);
+    });
+    CHECK(instances == 5);
 }
