@@ -28,6 +28,7 @@
 #include <typemesh/extrude/flat_curved.hpp>
 #include <typemesh/extrude/refined.hpp>
 #include <typemesh/glyph/coarsened.hpp>
+#include <typemesh/refine/non_obtuse.hpp>
 #include <typemesh/refine/quadtree_refined.hpp>
 #include <typemesh/typemesh.hpp>
 
@@ -224,6 +225,7 @@ void add_ways(font_to_mesh& f)
     add_way(f, "delaunay_refined", refined<flat>{}, delaunay);
     add_way(f, "delaunay_refined, 0.05 em", refined<flat>{.how = {.max_edge = longest}}, delaunay);
     add_way(f, "quadtree_refined, 0.05 em", refined<flat, quadtree_refined>{.how = {.max_edge = longest}}, delaunay);
+    add_way(f, "non_obtuse", refined<flat, non_obtuse>{}, delaunay);
     add_way(f, "flat_curved", flat_curved{}, delaunay);
     add_way(f, "bent", bent<on_cylinder, flat>{.how = {.radius = 2.0}}, delaunay);
     for (std::uint32_t level = 0; level <= 3; ++level)
