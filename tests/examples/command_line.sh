@@ -516,6 +516,7 @@ if "$program" x --font $sans --output probe.3mf >out 2>err; then
         that "a 3MF is painted by its parts" [ "$(grep -cE '<base name="[a-z]+" displaycolor="#[0-9A-F]{6}(FF)?" />' joined.xml)" = 3 ]
     fi
     expect 0 "" "Rag" --font $sans --output framed.3mf "${framed[@]}"
+    expect 0 "" "Rag" --font $sans --output cutter.3mf --carve 60 --carve-as cutter
     expect 0 "" "مرحبا" --font $arabic --output bevelled.3mf "${bevels[@]}" --profile round
     if command -v unzip >/dev/null 2>&1; then
         unzip -p bevelled.3mf 3D/3dmodel.model >bevelled.xml
@@ -903,7 +904,6 @@ expect 0 "" "i" --font $sans --output relief.obj --carve 90 --anchor front --ori
 expect 0 "" "Rag" --font $sans --output relief.stl --carve 60
 expect 0 "" "Rag" --font $sans --output floor.obj --carve 60 --carve-depth 0.02
 expect 0 "" "Rag" --font $sans --output groove.obj --carve 60 --carve-depth 0.02 --carve-as groove
-expect 0 "" "Rag" --font $sans --output cutter.3mf --carve 60 --carve-as cutter
 that "a relief of --carve-depth is so deep: $(depth_of floor.obj)" [ "$(depth_of floor.obj)" = "0.0000 0.0200" ]
 that "a groove lies below z = 0: $(depth_of groove.obj)" [ "$(depth_of groove.obj)" = "-0.0200 0.0000" ]
 that "a relief without a floor has no front" sh -c '! grep -qx "g front" relief.obj'

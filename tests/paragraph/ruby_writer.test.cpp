@@ -42,7 +42,7 @@ TEST_CASE("a ruby is centred above its text, and ideographs and kana are spread"
     CHECK(rubies.divided == 0);
 }
 
-TEST_CASE("a ruby that is too wide is counted and stays centred; what has no box has no ruby", "[paragraph][ruby]")
+TEST_CASE("a ruby that is too wide is counted and stays centred, and what has no box has no ruby", "[paragraph][ruby]")
 {
     ruby_page page{u"ab cd"};
     const std::size_t glyphs = page.run.glyphs.size();

@@ -42,7 +42,8 @@ constexpr grid with_em{512.0, 1024.0};
 
 }  // namespace
 
-TEST_CASE("no angle of a refined shape is above 90 degrees, but for rounding; the triangles fill the shape", "[refine]")
+TEST_CASE("no angle of a refined shape is above 90 degrees, but for rounding, and the triangles fill the shape",
+          "[refine]")
 {
     std::size_t shapes = 0, too_narrow = 0;
     for (const test::shape& s : test::generated_regions()) {

@@ -19,7 +19,7 @@ TEST_CASE("a right angle may be larger by what a cell and a half explain, and no
     CHECK(is_right_or_less(3, 0, -3, 1));
 }
 
-TEST_CASE("a divided triangle is six right ones; its boundary moves inwards by less than a cell", "[refine]")
+TEST_CASE("a divided triangle is six right ones, and its boundary moves inwards by less than a cell", "[refine]")
 {
     const test::filled_shape shape{test::shape{"obtuse", {{{1, 2}, {90'000, 777}, {30'000, 20'000}}}}};
     workspace space;

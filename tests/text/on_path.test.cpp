@@ -173,7 +173,7 @@ TEST_CASE("letters that are turned when written and outlines that are turned bef
             CHECK(std::hypot(double{v.place.x}, double{v.place.z} + 2.5) == Catch::Approx(2.5).epsilon(0.002));
 }
 
-TEST_CASE("turned letters are cached, shared by workers, chunked and instanced; warped ones are built one by one",
+TEST_CASE("turned letters are cached, shared by workers, chunked and instanced, and warped ones are built one by one",
           "[text][path]")
 {
     plane_path ring;
@@ -291,7 +291,7 @@ TEST_CASE("warped letters on a path of lines, arcs and curves keep their toleran
     CHECK(worst < 0.25 * tolerance + 1e-4);  // the drawn ring is a circle up to 0.7e-4
 }
 
-TEST_CASE("letters without a place are left out and counted; the others are where they would be", "[text][path]")
+TEST_CASE("letters without a place are left out and counted, and the others are where they would be", "[text][path]")
 {
     plane_path bow;
     bow.move({0, 0});

@@ -142,7 +142,7 @@ private:
     {
         std::uint32_t count = 0;
         for (std::size_t i = 0; i < own_.glyphs.size(); ++i)
-            count += i == 0 || own_.glyphs[i].cluster != own_.glyphs[i - 1].cluster ? 1 : 0;
+            count += i == 0 || own_.glyphs[i].cluster != own_.glyphs[i - 1].cluster ? 1u : 0u;
         return count;
     }
 

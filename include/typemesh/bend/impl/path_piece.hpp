@@ -120,8 +120,9 @@ struct path_piece {
         switch (is) {
         case form::line: return {c.p0, start, {(c.p3.x - c.p0.x) / size, (c.p3.y - c.p0.y) / size}};
         case form::arc: return arc_at(along);
-        default: return cubic_at(along);
+        case form::cubic: break;
         }
+        return cubic_at(along);
     }
 
 private:

@@ -68,9 +68,9 @@ inline constexpr struct markup_name_slots {
             forms[at] = &form;
         }
     }
-    [[nodiscard]] static constexpr std::size_t slot_of(std::uint64_t name) noexcept
+    [[nodiscard]] static constexpr std::uint32_t slot_of(std::uint64_t name) noexcept
     {
-        return static_cast<std::size_t>(name * 0x9E37'79B9'7F4A'7C15u >> 58);
+        return static_cast<std::uint32_t>(name * 0x9E37'79B9'7F4A'7C15u >> 58);
     }
     /// Null if there is no such tag.
     [[nodiscard]] constexpr const markup_tag_form* find(std::uint64_t name) const noexcept

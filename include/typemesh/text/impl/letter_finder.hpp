@@ -54,30 +54,11 @@ private:
         constexpr bidi_classes spaces{bidi_class::ws, bidi_class::s, bidi_class::b};
         if (spaces.holds(c.bidi)) return side::space;
         const bool starts = before_ == side::space || before_ == side::opening;
-        switch (c.line) {
-        case op:
-        case op_wide:
-        case qu_pi:
-        case pr:
-        case bb: return side::opening;
-        case cl:
-        case cp:
-        case ex:
-        case in:
-        case is:
-        case sy:
-        case ns:
-        case hy:
-        case hh:
-        case ba:
-        case b2:
-        case po:
-        case qu_pf: return side::closing;
-        case qu: return starts ? side::opening : side::closing;
-        case sa:
-        case sa_mark: return side::dictionary;
-        default: return side::plain;
-        }
+        const auto in_any = [&c](auto... any) noexcept { return ((c.line == any) || ...); };
+        if (in_any(op, op_wide, qu_pi, pr, bb)) return side::opening;
+        if (in_any(cl, cp, ex, in, is, sy, ns, hy, hh, ba, b2, po, qu_pf)) return side::closing;
+        if (in_any(qu)) return starts ? side::opening : side::closing;
+        return in_any(sa, sa_mark) ? side::dictionary : side::plain;
     }
 
     text_view text_;
