@@ -50,7 +50,8 @@ TEST_CASE("settled weights put each radical centre inside, over the feet of all 
         for (std::uint32_t t = 0; t < w.mesh.triangle_count(); ++t)
             all_centred = all_centred && w.weights.is_centred(t);
         CHECK_FALSE(all_centred);
-        REQUIRE(w.weights.settle(1000, 1.0));
+        constexpr double margin = 0.5;
+        REQUIRE(w.weights.settle(1000, margin));
         for (std::uint32_t t = 0; t < w.mesh.triangle_count(); ++t) {
             CHECK(w.weights.is_centred(t));
             const point off = w.weights.centre_of(w.mesh, t);
@@ -60,8 +61,8 @@ TEST_CASE("settled weights put each radical centre inside, over the feet of all 
                 const double ex = double(q.x) - p.x, ey = double(q.y) - p.y, square = ex * ex + ey * ey;
                 CHECK(ex * (o.y - p.y) - ey * (o.x - p.x) > 0.0);
                 const double share = w.weights.foot_share(w.mesh.origin(h), w.mesh.target(h), square);
-                CHECK(share > 0.05);
-                CHECK(share < 0.95);
+                CHECK(share > 0.0799 * margin);
+                CHECK(share < 1.0 - 0.0799 * margin);
                 CHECK(share * square == Catch::Approx(ex * (o.x - p.x) + ey * (o.y - p.y)).epsilon(1e-9));
             }
         }
