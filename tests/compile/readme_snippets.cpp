@@ -258,7 +258,10 @@ for (std::uint32_t solid = 0; solid < tagged.solids().size(); ++solid) {
     if (auto done = select_glyphs(page, is_its, letters); !done) return std::puts(done.error().message()), 1;
     const typemesh::markup_solid& wanted = tagged.solids()[solid];
     mesher.solid().depth = wanted.has(typemesh::markup_tag::depth) ? float(wanted.depth) : 0.2f;
-    if (auto built = mesher.build(letters, typemesh::into(vertices, indices)); !built) return std::puts(built.error().message()), 1;
+    std::vector<vertex> own_vertices;                                        // each build replaces what its vectors held
+    std::vector<std::uint32_t> own_indices;
+    if (auto built = mesher.build(letters, typemesh::into(own_vertices, own_indices)); !built) return std::puts(built.error().message()), 1;
+    use(own_vertices);
 }
     }
     {

@@ -29,7 +29,8 @@ struct markup_solid {
     }
 };
 
-/// What mark-up says of letters, except for their shapes: all letters of one paint can be one part of a mesh.
+/// The colour of letters, the caller's number, and the index of their solid: all letters of one paint can be one part
+/// of a mesh.
 struct markup_paint {
     std::uint32_t tags = 0;    ///< a set of markup_tag: colour and style
     std::uint32_t colour = 0;  ///< 0xRRGGBB, if there is a [colour=...]
@@ -45,8 +46,8 @@ struct markup_paint {
     }
 };
 
-/// Chooses what mark-up cannot know: map(look, style) sets the face of `style`, and may change all other members but
-/// its number and its language, which the look has already filled in. It returns an error, error::none on success.
+/// Chooses what mark-up cannot know: map(look, style) sets the face of `style`. The look has filled in the other
+/// members. The map may change them, but not the number and the language. It returns an error, error::none on success.
 template <class Map, class Char>
 concept markup_map = requires(const Map& map, const basic_markup_look<Char>& look, text_style& style) {
     { map(look, style) } noexcept -> std::same_as<error>;

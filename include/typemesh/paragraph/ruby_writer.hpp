@@ -49,7 +49,7 @@ struct ruby_options {
 /// directions, has its ruby above the first one, and `divided` counts it. A ruby without a box (its text is dropped or
 /// blank) is not drawn.
 ///
-/// In the run each ruby is a line of its own behind the text's lines. Its glyphs have the cluster of the text's first
+/// In the run each ruby is a line of its own after the text's lines. Its glyphs have the cluster of the text's first
 /// unit.
 class ruby_writer {
 public:

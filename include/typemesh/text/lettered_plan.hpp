@@ -17,7 +17,7 @@
 namespace typemesh::inline TYPEMESH_ABI {
 
 /// The part of a text_plan that knows letters: it finds them, gives them to vertices, and moves them while they are
-/// written. What does not call it pays nothing for it.
+/// written. A program that does not use letters pays nothing.
 ///
 ///     auto plan = mesher.plan(text);
 ///     auto found = plan->find_letters(text);

@@ -66,9 +66,9 @@ struct letter_box {
 /// A letter of a planned text: the smallest part of it that can move alone. Usually this is one grapheme that has an
 /// outline. `bonds` says why it is more.
 ///
-///     text         The  [fi]sh e'     the ligature [fi] is one letter of two graphemes; e' is one, of two glyphs
-///     letters      012    3 45 6      in reading order; spaces have no outline, so they are no letters
-///     graphemes    012    5 78 10     in the text, spaces included
+///     text         The [fi]sh e'     the ligature [fi] is one letter of two graphemes; e' is one, of two glyphs
+///     letters      012   3 45 6      in reading order; spaces have no outline, so they are no letters
+///     graphemes    012   4 67 9      in the text, spaces included
 struct text_letter : letter_box {
     text_range text = {};               ///< in units of the text; for a bar, the letters that it goes with
     std::uint32_t grapheme = 0;         ///< the number of its first grapheme, counted in the whole text
@@ -91,7 +91,7 @@ struct letter_group : letter_box {
 /// The letters of a planned text: views of what its mesher keeps, valid as long as the plan is.
 struct letter_rows {
     array_view<const text_letter> letters;  ///< in reading order
-    array_view<const text_letter> bars;     ///< underlines and the like, whose `letter` is not_a_letter
+    array_view<const text_letter> bars;     ///< underlines and the like: attribute::letter is not_a_letter there
     array_view<const letter_group> words;
     array_view<const letter_group> lines;       ///< as many as the run has
     array_view<const letter_group> paragraphs;  ///< as many as the text has

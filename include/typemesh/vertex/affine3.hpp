@@ -12,7 +12,7 @@ namespace typemesh::inline TYPEMESH_ABI {
 ///
 ///     affine3 a = shifted({0, 1, 0});                         up by one unit
 ///     affine3 a = turned({0, 0, 1}, angle).about(pivot);      around a place that stays
-///     affine3 a = first_this * then_this                      is written the other way round: (b * a)(p) = b(a(p))
+///     affine3 a = then_this * first_this;                     the right one comes first: (b * a)(p) = b(a(p))
 struct affine3 {
     vec3 x{1.0f, 0.0f, 0.0f};
     vec3 y{0.0f, 1.0f, 0.0f};
