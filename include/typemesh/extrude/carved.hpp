@@ -133,7 +133,8 @@ struct carved {
     template <cap_maker Caps>
     [[nodiscard]] result<solid_plan> plan(const region& filled, plan_data& data, Caps& caps) const noexcept
     {
-        if (!(tool_angle >= 1.0f && tool_angle <= 179.0f)) return error::bad("tool_angle");
+        if (!is_finite(as_double(tool_angle)) || tool_angle < 1.0f || tool_angle > 179.0f)
+            return error::bad("tool_angle");
         if (!is_finite(as_double(max_depth)) || max_depth < 0.0f) return error::bad("max_depth");
         if (!is_crease_angle(crease_degrees)) return error::bad("crease_degrees");
         if (filled.points().empty()) return solid_plan{};
