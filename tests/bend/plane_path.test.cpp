@@ -121,6 +121,18 @@ TEST_CASE("corners and cusps have no bounded curvature, smooth joints have", "[b
     CHECK(endless(square, 2.5, 3.5));
     CHECK(endless(square, 11.5, 12.5));
     CHECK(endless(square, -0.5, 0.5));
+    for (const int arcs : {2, 3, 4, 6, 7}) {  // they miss their start by roundings
+        plane_path ring;
+        ring.move({1.3, 0.2});
+        for (int k = 0; k < arcs; ++k) ring.arc({0.1, -0.4}, -360.0 / arcs);
+        ring.close();
+        REQUIRE_FALSE(ring.failure());
+        CHECK(ring.length() == Catch::Approx(2.0 * pi * std::hypot(1.2, 0.6)));
+        CHECK_FALSE(endless(ring, -0.5, 1.5 * ring.length()));
+    }
+    plane_path negative;
+    negative.circle({0, 0}, -1.0);
+    CHECK(negative.failure());
     plane_path cusp;
     cusp.move({0, 0});
     cusp.cubic({1, 1}, {0, 1}, {1, 0});

@@ -20,6 +20,7 @@ struct row_of_letters {
             text_letter l;
             l.grapheme = all;
             l.graphemes = n;
+            l.grapheme_end = l.grapheme + n;
             l.pivot = {static_cast<float>(all), 0.0f, 0.0f};
             letters.push_back(l);
             all += n;

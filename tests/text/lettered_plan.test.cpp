@@ -38,6 +38,21 @@ struct no_motion {
     affine3 operator()(const letter_place&) const noexcept { return {}; }
 };
 
+/// Writes like a file: vertices first, then triangles.
+struct file_like_sink {
+    static constexpr auto wants = attribute::position | attribute::normal;
+    std::size_t vertices = 0, triangles = 0, late = 0;
+
+    error begin(mesh_size) noexcept { return {}; }
+    void vertex(const surface_point<wants>&) noexcept
+    {
+        ++vertices;
+        late += triangles != 0;
+    }
+    void triangle(std::uint32_t, std::uint32_t, std::uint32_t) noexcept { ++triangles; }
+    void end() noexcept {}
+};
+
 template <class Plan>
 test::lit_mesh moved_mesh(const Plan& plan, auto motion)
 {
@@ -91,6 +106,13 @@ TEMPLATE_TEST_CASE("moved letters are closed, lit from outside, within their bou
         REQUIRE(chunks.cut(*plan, most));
         test::lit_mesh pieces;
         REQUIRE(chunks.write(*plan, into(pieces.vertices, pieces.indices), mixed_motion{}));
+        for (std::size_t k = 0; k < chunks.view().size(); ++k) {
+            file_like_sink file;
+            mixed_motion motion;
+            REQUIRE(chunks.write(*plan, k, plan->moved(file, motion)));
+            CHECK(file.vertices == chunks.view()[k].range().vertex_count);
+            CHECK(file.late == 0);
+        }
         test::lit_mesh all{pieces.vertices, {}};
         for (const text_chunk& c : chunks.view())
             for (std::uint32_t i = 0; i < c.range().index_count; ++i)
@@ -235,4 +257,31 @@ TEST_CASE("letters that a path turns move from where they stand", "[letters][pat
         CHECK(std::fabs(drawn.x.y) > 1e-3f);
     });
     CHECK(instances == 5);
+}
+
+TEST_CASE("the pivots of letters that a path moves lie in their boxes", "[letters][path]")
+{
+    test::toy_font font;
+    plane_path high;
+    high.move({0, 5}), high.line({10, 5});
+    text_mesher mesher{font, extruded<>{}, on_path{&high}};
+    const auto plan = test::required(mesher.plan("oEi"));
+    REQUIRE(plan->find_letters("oEi"));
+    for (const text_letter& l : plan->letters().letters) CHECK(l.bounds.holds(l.pivot));
+}
+
+TEST_CASE("the bounds of letters that are magnified far from the origin hold their vertices", "[letters]")
+{
+    test::toy_font font;
+    text_mesher mesher{font};
+    const std::string text = std::string(60, ' ') + "oEi";
+    const auto plan = test::required(mesher.plan(text, {.unit = output_unit::font_units}));
+    REQUIRE(plan->find_letters(text));
+    const auto larger = [](const letter_place& l) noexcept { return scaled(100.0f).about(l.letter.pivot); };
+    const test::lit_mesh m = moved_mesh(*plan, larger);
+    const bounds3 around = plan->moved_bounds(larger);
+    std::size_t outside = 0;
+    for (const test::lit_vertex& v : m.vertices) outside += !around.holds(v.place);
+    CHECK(outside == 0);
+    CHECK(m.vertices.size() > 20);
 }

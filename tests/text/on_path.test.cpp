@@ -349,6 +349,10 @@ TEST_CASE("bad paths and options are refused, and a warped letter on a corner", 
     const error folded = refusal({&corner, {.warp = path_warp::always}});
     CHECK(folded == error::folds_over);
     CHECK(folded.cluster == 0);
+    text_mesher mesher{font, on_path{&corner}};
+    const auto column = mesher.plan("oo", {.shape = {.direction = direction::top_to_bottom}});
+    REQUIRE_FALSE(column);
+    CHECK(column.error().option == std::string_view{"direction"});
 }
 
 TEST_CASE("a step of one's own may also say where letters stand", "[text][path]")

@@ -93,7 +93,9 @@ public:
     void close() noexcept
     {
         if (!may_draw({})) return;
-        line(first_);
+        // Arcs that lead back to the start miss it by a rounding, which has no direction.
+        const double far_out = 1.0 + std::fabs(first_.x) + std::fabs(first_.y);
+        if (typemesh::length(first_ - now_) > 0x1p-30 * far_out) line(first_);
         closed_ = true;
         if (!pieces_.empty()) join(pieces_.back(), pieces_[0]);
     }
@@ -101,6 +103,7 @@ public:
     /// A closed circle. It runs clockwise from its lowest point, so its middle is on top, and letters stand outside.
     void circle(point centre, double radius) noexcept
     {
+        if (!(radius > 0.0)) return fail();
         move(centre - point{0.0, radius});
         arc(centre, -360.0);
         close();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <typemesh/core/assert.hpp>
 #include <typemesh/layout/glyph_run.hpp>
 
 #include <cstddef>
@@ -27,6 +28,7 @@ namespace typemesh::inline TYPEMESH_ABI {
 template <class Keep>
 result<void> select_glyphs(const glyph_run& run, const Keep& keep, glyph_run& out) noexcept
 {
+    TYPEMESH_ASSERT(&run != &out, "glyphs are selected into the run from which they come");
     out.clear();
     out.units_per_em = run.units_per_em;
     const std::size_t count = run.glyphs.size(), styles = run.glyph_styles.size();

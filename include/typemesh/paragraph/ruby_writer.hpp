@@ -125,6 +125,7 @@ private:
             placed_glyph put = g;
             put.cluster = span.first;
             put.origin = {origin.x + shift + g.origin.x * size, origin.y + g.origin.y * size};
+            put.to_middle = static_cast<float>(as_double(g.to_middle) * size);
             put.glyph_style = *number;
             if (!run.glyphs.push_back(put)) return error::out_of_memory;
             if (g.missing) run.note_missing(span.first);

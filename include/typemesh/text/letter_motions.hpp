@@ -69,7 +69,7 @@ struct reveal {
         double count = static_cast<double>(graphemes);
         if (graphemes == by_share) count = share > 0.0 ? std::floor(all * (share < 1.0 ? share : 1.0)) : 0.0;
         const double first = static_cast<double>(l.letter.grapheme);
-        const double last = first + static_cast<double>(l.letter.graphemes);
+        const double last = static_cast<double>(l.letter.grapheme_end);
         return shows(first, last, all, count) ? affine3{} : hidden_at(l.letter.pivot);
     }
 

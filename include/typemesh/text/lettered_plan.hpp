@@ -42,7 +42,10 @@ public:
     result<void> find_letters(text_view text, const letter_options& options = {}) const noexcept
     {
         (void)self().fresh();
-        return letter_finder{*self().glyphs_, *self().run_, options}(text, solid_ref{self().extruder_});
+        const error e = letter_finder{*self().glyphs_, *self().run_, options}(text, solid_ref{self().extruder_});
+        if (!e) return {};
+        self().glyphs_->letters.forget();
+        return e;
     }
 
     /// The letters, in reading order, and their words, lines and paragraphs. Needs find_letters().
@@ -102,9 +105,9 @@ public:
     {
         const text_letters& found = move_all(motion);
         self().write_instances([&](const glyph_instance& drawn) noexcept {
-            const letter_move& move = found.moves[found.row_of[drawn.glyph]];
+            const letter_move* move = found.move_of(drawn.glyph);
             const affine3 placed{drawn.x, drawn.y, drawn.z, drawn.translation};
-            put(drawn, move.is_identity() ? placed : move.map() * placed);
+            put(drawn, move == nullptr || move->is_identity() ? placed : move->map() * placed);
         });
     }
 

@@ -65,7 +65,7 @@ struct path_options {
 ///
 /// The text is anchored as one block: its lines keep their places relative to each other. Their heights become
 /// distances from the path, so lines above the first one stand farther out, at the same angles. Directions of reading
-/// do not matter: the left end of a line comes first. In columns, lines cross the path.
+/// do not matter: the left end of a line comes first.
 ///
 /// A glyph whose middle lies beyond an end of the path, or beyond a full round of a closed one, is left out, and the
 /// report counts it (text_report::off_path).
@@ -73,7 +73,7 @@ struct path_options {
 /// Textures cover the flat text, and turn with its letters. Warped letters have the textures that warped{} gives them.
 ///
 /// Fails  error::bad_option: there is no path, it is empty or has failed ("path"), or offset is not finite or above
-///        2^20 ("offset"); as the path's failure()
+///        2^20 ("offset"), or the text has columns ("direction"); as the path's failure()
 ///        error::folds_over: a warped letter lies on a corner, or reaches the centre of a bend
 ///        as warped does
 /// Cost   O(glyphs log pieces); nothing is allocated here
@@ -95,6 +95,7 @@ struct on_path {
     [[nodiscard]] error place(const glyph_run& run, double units_per_em, glyph_stand* stands) const noexcept
     {
         const detail::path_letters letters{run, units_per_em};
+        if (letters.has_columns()) return error::bad("direction");
         const detail::text_extent text = letters.extent();
         const double all = path->length(), length = (text.high - text.low) / units_per_em;
         along_path way{path, 0.0, 1.0, how.side == path_side::right};

@@ -328,6 +328,7 @@ private:
         if (g == none || cell_of(t).band != cell_of(u).band || heights_->is_frame(cell_of(u).edge)) return false;
         const std::uint32_t a = origin(h), b = origin(g), c = origin(next(next(h))), d = origin(next(next(g)));
         if (levels_[a] != none && levels_[a] == levels_[b]) return false;
+        if (levels_[c] != none && levels_[c] == levels_[d]) return false;  // the new edge would be one of a level
         const grid_point p = place(a), q = place(b), r = place(c), s = place(d);
         if (orientation(p, s, r) <= 0 || orientation(s, q, r) <= 0 || in_circle(p, q, r, s) <= 0) return false;
         cells_[t] = cells_[u] = orientation(p, q, r) > orientation(q, p, s) ? cells_[t] : cells_[u];

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <typemesh/core/buffer.hpp>
+#include <typemesh/core/finite.hpp>
 #include <typemesh/core/memory.hpp>
 #include <typemesh/inflate/impl/envelope_factors.hpp>
 
@@ -78,6 +79,7 @@ public:
             double now = 0.0;
             for (std::size_t i = 0; i < n; ++i) now += r[i] * z[i];
             if (steps == 0) goal = tolerance * tolerance * now;
+            if (!is_finite(now)) return max_steps + 1;
             if (!(now > goal)) return steps;
             if (steps == max_steps) return steps + 1;
             const double along = steps == 0 ? 0.0 : now / before;

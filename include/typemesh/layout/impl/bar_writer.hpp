@@ -129,7 +129,8 @@ private:
                                             .style = b.style});
         if (!number) return number.error();
         const point at = origin + (down ? point{b.low, 0.0 - b.to} : point{b.from, b.low});
-        return run_.glyphs.push_back({0, no_cluster, at, false, *number}) ? error{} : error::out_of_memory;
+        const auto to_middle = static_cast<float>(down ? 0.0 : 0.5 * length);
+        return run_.glyphs.push_back({0, no_cluster, at, false, *number, to_middle}) ? error{} : error::out_of_memory;
     }
 
     Font& font_;

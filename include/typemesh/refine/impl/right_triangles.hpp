@@ -57,7 +57,10 @@ public:
                 if (is_first(mesh, h)) feet[h] = foot_of(mesh, weights, h);
             const point off = weights.centre_of(mesh, t);
             const grid_point from = mesh.start(4 * t);
-            centres[t] = {boundary_cutter::rounded({from.x + off.x, from.y + off.y}, 0), true};
+            // A centre that is far away, or no number, is no centre: the triangle then stays whole.
+            const point at{from.x + off.x, from.y + off.y};
+            const bool is_near = at.x > -0x1p28 && at.x < 0x1p28 && at.y > -0x1p28 && at.y < 0x1p28;
+            centres[t] = {is_near ? boundary_cutter::rounded(at, 0) : from, true};
         }
         for (std::uint32_t t = 0; t < mesh.triangle_count(); ++t) {
             if (!waiting_.push_back(t)) return false;

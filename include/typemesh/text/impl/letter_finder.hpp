@@ -192,7 +192,7 @@ private:
             each_member(s, [&](std::uint32_t k) noexcept {
                 grapheme& g = found_.graphemes[k];
                 if (g.drawn) g.bonds = g.bonds | letter_bond::several_glyphs;
-                if (!g.drawn) g.line = s.line;
+                if (!g.drawn || s.line < g.line) g.line = s.line;  // rubies have the last lines
                 g.drawn = true;
                 if (first == not_a_letter) first = k;
                 join(first, k, letter_bond::merged);
@@ -255,6 +255,7 @@ private:
             row.text.last = k + 1 < g.size() ? g[k + 1].first : size_;
             row.bonds = row.bonds | g[k].bonds;
             ++row.graphemes;
+            row.grapheme_end = k + 1;
         }
         found_.letters = static_cast<std::uint32_t>(found_.rows.size());
         found_.whole = starting_at(0);
@@ -331,7 +332,7 @@ private:
             at.unit_per_cell = all_.placed.unit_per_font_unit * s.built->font_units_per_cell();
             at.frame = all_.placed.frame;
             turn(at, s.right);
-            is_turned_ = is_turned_ || is_turned(s.right);
+            is_off_line_ = is_off_line_ || is_turned(s.right) || !(s.origin == s.flat);
             const vec3 corner = at.position(at.foot(s.built->around().low), back);
             if (row.ink.empty()) row.bounds = {corner, corner};
             add_placed(row.bounds, s.built->around(), back, front, at, at.frame.is_along_axes());
@@ -366,16 +367,18 @@ private:
             return down ? a.high.y <= b.low.y || b.high.y <= a.low.y : a.high.x <= b.low.x || b.high.x <= a.low.x;
         };
         std::uint32_t end = 0;
-        for (const text_letter& l : found_.rows.view().first(found_.letters)) {
+        const letter_group line = bar.line < found_.lines.size() ? found_.lines[bar.line] : letter_group{};
+        for (const text_letter& l : found_.rows.view().subspan(line.first, line.count)) {
             if (l.line != bar.line || apart(l.ink, bar.ink)) continue;
             if (end == 0) {
                 bar.grapheme = l.grapheme;
                 bar.paragraph = l.paragraph;
                 bar.text.first = l.text.first;
             }
-            end = l.grapheme + l.graphemes;
+            end = l.grapheme_end;
             bar.text.last = l.text.last;
             bar.graphemes = end - bar.grapheme;
+            bar.grapheme_end = end;
         }
     }
 
@@ -397,7 +400,7 @@ private:
         b.extent = {static_cast<float>(b.ink.width() * placed.unit_per_font_unit),
                     static_cast<float>(b.ink.height() * placed.unit_per_font_unit), b.front - b.back};
         b.pivot = b.centre;
-        if (all_.in_place || is_turned_ || how_.pivot == letter_pivot::centre) return;
+        if (all_.in_place || is_off_line_ || how_.pivot == letter_pivot::centre) return;
         point across = line < run_.lines.size() ? run_.lines[line].origin : point{};
         if (how_.pivot == letter_pivot::line && line < found_.lines.size() && !found_.lines[line].ink.empty())
             across = lerp(found_.lines[line].ink.low, found_.lines[line].ink.high, 0.5);
@@ -410,7 +413,7 @@ private:
     const glyph_run& run_;
     const letter_options& how_;
     std::uint32_t size_ = 0;
-    bool is_turned_ = false;  // whether a path turns a letter; the line's origin then says nothing about its place
+    bool is_off_line_ = false;  // whether a path moves letters, away from the origins of their lines
 };
 
 }  // namespace typemesh::inline TYPEMESH_ABI

@@ -59,8 +59,8 @@ public:
         return from;
     }
 
-    /// The box of everything in a box, after the move. It is a little larger, by 2^-20 of the farthest coordinate, for
-    /// the rounding of positions.
+    /// The box of everything in a box, after the move. It is a little larger, for the rounding of positions: by 2^-20
+    /// of the largest number that is added up for a coordinate.
     [[nodiscard]] bounds3 operator()(const bounds3& b) const noexcept
     {
         if (is_identity()) return b;
@@ -72,6 +72,11 @@ public:
         float farthest = 0.0f;
         for (const vec3 p : {b.low, b.high, all.low, all.high})
             for (const float v : {p.x, p.y, p.z}) farthest = std::fabs(v) > farthest ? std::fabs(v) : farthest;
+        const auto larger = [](float v, float w) noexcept { return (std::fmax)(std::fabs(v), std::fabs(w)); };
+        const float x = larger(b.low.x, b.high.x), y = larger(b.low.y, b.high.y), z = larger(b.low.z, b.high.z);
+        for (float vec3::* row : {&vec3::x, &vec3::y, &vec3::z})
+            farthest = (std::fmax)(farthest, std::fabs(map_.x.*row) * x + std::fabs(map_.y.*row) * y +
+                                                 std::fabs(map_.z.*row) * z + std::fabs(map_.origin.*row));
         const float more = farthest * 0x1p-20f;
         all.low = {all.low.x - more, all.low.y - more, all.low.z - more};
         all.high = {all.high.x + more, all.high.y + more, all.high.z + more};

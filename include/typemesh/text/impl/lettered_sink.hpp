@@ -79,10 +79,12 @@ void write_letter(const text_glyphs& all, std::size_t glyph, Sink& sink, const W
 template <class Sink>
 [[nodiscard]] bool mirrors_letter(const text_glyphs& all, std::size_t glyph, const Sink&) noexcept
 {
-    if constexpr (moves_letters<Sink>)
-        return all.letters.moves[all.letters.row_of[glyph]].mirrors();
-    else
+    if constexpr (moves_letters<Sink>) {
+        const letter_move* found = all.letters.move_of(glyph);
+        return found != nullptr && found->mirrors();
+    } else {
         return false;
+    }
 }
 
 /// The sink to which a sink that moves letters writes, or the sink itself.
@@ -103,7 +105,7 @@ class moved_sink {
 public:
     static constexpr attribute wants = std::remove_reference_t<To>::wants;
 
-    moved_sink(To to, const text_letters& letters) noexcept : to_{static_cast<To>(to)}, letters_{&letters} {}
+    moved_sink(To to, const text_letters& letters) noexcept : to_{static_cast<To&&>(to)}, letters_{&letters} {}
 
     error begin(mesh_size exact) noexcept { return to_.begin(exact); }
     /// See chunked_sink.
@@ -126,8 +128,10 @@ public:
     /// to do: its vertices then go to inner().
     [[nodiscard]] bool start_glyph(const text_glyphs& all, std::size_t glyph, placement& at) noexcept
     {
-        const letter_move& move = letters_->moves[letters_->row_of[glyph]];
-        mirrors_ = move.mirrors();
+        const letter_move* found = letters_->move_of(glyph);
+        mirrors_ = found != nullptr && found->mirrors();
+        if (found == nullptr) return false;
+        const letter_move& move = *found;
         if (move.is_identity() || (!all.in_place && move.move_pen(at))) return false;
         if (all.in_place) {
             points_.start(move, move.map());
@@ -149,6 +153,7 @@ public:
     }
     void triangle(std::uint32_t a, std::uint32_t b, std::uint32_t c) noexcept
     {
+        end_glyph();  // a sink gets all vertices before the first triangle
         if (mirrors_)
             to_.triangle(a, c, b);
         else

@@ -44,6 +44,18 @@ public:
         return all;
     }
 
+    /// Whether a line is a column, whose glyphs follow each other downwards.
+    [[nodiscard]] bool has_columns() const noexcept
+    {
+        for (const text_line& line : run_.lines) {
+            const auto glyphs = run_.letters_of(line);
+            if (glyphs.empty()) continue;
+            const point step = glyphs.back().origin - glyphs.front().origin;
+            if (std::fabs(step.y) > std::fabs(step.x)) return true;
+        }
+        return false;
+    }
+
     /// Where the glyphs stand.
     void stand(const along_path& way, glyph_stand* stands) const noexcept
     {
@@ -87,7 +99,8 @@ private:
 
     void add_line(const text_line& line, text_extent& all, bool& first) const noexcept
     {
-        if (!(line.advance > 0.0)) return add_glyphs(line, all, first);
+        if (!(line.advance > 0.0) || !is_finite(line.advance) || !is_finite(line.origin.x))
+            return add_glyphs(line, all, first);
         all.add(line.origin.x, line.origin.x + line.advance, first);
         first = false;
     }
@@ -114,6 +127,7 @@ inline error turn_outline(const outline& drawn, const glyph_stand& stand, point 
     if (drawn.curves.size() > most) return {error::too_many_points, most};
     if (!is_finite(flat.x) || !is_finite(flat.y)) return error::outline_not_finite;
     if (!out.starts.append(drawn.starts.view())) return error::out_of_memory;
+    if (!is_finite(stand.origin.x) || !is_finite(stand.origin.y)) return error::outline_not_finite;
     const point move = stand.origin - flat, right = stand.right, up{0.0 - right.y, right.x};
     for (const curve& c : drawn.curves) {
         curve own = c;

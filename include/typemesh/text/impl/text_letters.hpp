@@ -53,6 +53,22 @@ struct text_letters {
     {
     }
 
+    /// Forgets what was found.
+    void forget() noexcept
+    {
+        for (buffer<letter_group>* groups : {&words, &lines, &paragraphs}) groups->clear();
+        rows.clear();
+        row_of.clear();
+        moves.clear();
+        letters = 0;
+    }
+
+    /// The move of a drawn glyph; null as long as letters are not found.
+    [[nodiscard]] const letter_move* move_of(std::size_t glyph) const noexcept
+    {
+        return glyph < row_of.size() && row_of[glyph] < moves.size() ? &moves[row_of[glyph]] : nullptr;
+    }
+
     /// The place of a row in the text.
     [[nodiscard]] letter_place place(std::size_t row, const typemesh::frame& frame) const noexcept
     {
