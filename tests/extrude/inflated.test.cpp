@@ -106,7 +106,7 @@ TEST_CASE("front and back of a balloon share no edge, and every vertex belongs t
 {
     std::vector<shapes::shape> thin = shapes::all();
     // Triangles and a star with tips of a few degrees, and a bar that is a cell or two high, on the grid of 1/512 unit.
-    for (const double high : {1.0 / 512, 2.0 / 512, 5.0 / 512, 1.0, 20.0}) {
+    for (const double high : {1.0 / 512, 5.0 / 512, 20.0}) {
         thin.push_back({"bar", {shapes::polygon({{0, 0}, {600, 0}, {600, high}, {0, high}})}, {}, 1});
         thin.push_back({"needle", {shapes::polygon({{0, 0}, {600, 100}, {0, high}})}, {}, 1});
         thin.push_back(
