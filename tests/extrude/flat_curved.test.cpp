@@ -53,7 +53,7 @@ outline outline_of(const shapes::shape& s, double degrees, bool mirrored)
 TEST_CASE("curved triangles do not overlap, and the shader fills what the curves fill", "[extrude][curved]")
 {
     for (const auto& s : shapes::all())
-        for (const double degrees : {0.0, 90.0, 17.0, 203.5})
+        for (const double degrees : {0.0, 203.5})
             for (const bool mirrored : {false, true}) {
                 INFO(s.name << " turned by " << degrees << (mirrored ? ", mirrored" : ""));
                 const outline curves = outline_of(s, degrees, mirrored);
@@ -93,7 +93,7 @@ TEST_CASE("curved triangles of hostile outlines do not overlap either", "[extrud
     std::size_t usable = 0, curves = 0, without = 0;
     // Small loops that turn over if their crossings are moved; the last one may turn over in any case.
     std::vector<std::uint64_t> seeds{1851, 2252, 2261, 3472};
-    for (std::uint64_t seed = 1; seed <= 60; ++seed) seeds.push_back(seed);
+    for (std::uint64_t seed = 1; seed <= 30; ++seed) seeds.push_back(seed);
     for (const std::uint64_t seed : seeds) {
         const test::random_outline hostile{seed};
         if (!hostile.is_usable()) continue;
@@ -111,8 +111,8 @@ TEST_CASE("curved triangles of hostile outlines do not overlap either", "[extrud
         }
     }
     CAPTURE(usable, curves);
-    CHECK(usable > 60);
-    CHECK(curves > 200);
+    CHECK(usable > 30);
+    CHECK(curves > 100);
     CHECK(without <= 1);
 }
 

@@ -107,18 +107,18 @@ TEST_CASE("front and back of a balloon share no edge, and every vertex belongs t
     std::vector<shapes::shape> thin = shapes::all();
     // Triangles and a star with tips of a few degrees, and a bar that is a cell or two high, on the grid of 1/512 unit.
     for (const double high : {1.0 / 512, 5.0 / 512, 20.0}) {
-        thin.push_back({"bar", {shapes::polygon({{0, 0}, {600, 0}, {600, high}, {0, high}})}, {}, 1});
-        thin.push_back({"needle", {shapes::polygon({{0, 0}, {600, 100}, {0, high}})}, {}, 1});
+        thin.push_back({"bar", {shapes::polygon({{0, 0}, {150, 0}, {150, high}, {0, high}})}, {}, 1});
+        thin.push_back({"needle", {shapes::polygon({{0, 0}, {150, 25}, {0, high}})}, {}, 1});
         thin.push_back(
             {"hourglass",
-             {shapes::polygon({{0, 0}, {300, 100}, {600, 0}, {600, 200 + high}, {300, 100 + high}, {0, 200 + high}})},
+             {shapes::polygon({{0, 0}, {75, 25}, {150, 0}, {150, 50 + high}, {75, 25 + high}, {0, 50 + high}})},
              {},
              1});
     }
     for (const auto& s : thin) {
         CAPTURE(s.name);
         inflated_data data;
-        const auto m = inflate(s, {}, data);
+        const auto m = inflate(s, {.edge = 0.08f}, data);
         REQUIRE(m);
         const auto indices = indices_of(*m);
         const auto found = inspect::check_manifoldness(inspect::mesh_view{m->vertices, indices});
