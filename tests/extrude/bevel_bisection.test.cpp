@@ -193,9 +193,9 @@ TEST_CASE("dividing a bevel fails cleanly without memory, and needs no more once
     workspace space;
     std::size_t fails = 1;
     for (;; ++fails) {
+        test::counting_memory scarce;  // outlives what may hold its memory
         swept_region swept;
         REQUIRE_FALSE(bevel_sweep{}(s.made(), s.cap, levels, space, swept));
-        test::counting_memory scarce;
         scarce.fail_at = fails;
         detail::bevel_bisection divide{scarce.source()};
         const error e = divide.run(swept, heights, by, 100'000);

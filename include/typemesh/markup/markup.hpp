@@ -167,7 +167,10 @@ private:
         const auto last = static_cast<std::uint32_t>(text_.size());
         if (!spans_.empty()) {
             markup_span& s = spans_.back();
-            if (s.last == first && s.look == number_ && s.ruby == ruby) return s.last = last, true;
+            if (s.last == first && s.look == number_ && s.ruby == ruby) {
+                s.last = last;
+                return true;
+            }
         }
         return spans_.push_back({first, last, number_, ruby});
     }
@@ -269,7 +272,14 @@ private:
         case markup_tag::style: now_.style = tag != nullptr ? tag->integer : plain.style; break;
         case markup_tag::font: now_.font = tag != nullptr ? tag->words : plain.font; break;
         case markup_tag::language: now_.language = tag != nullptr ? tag->words : plain.language; break;
-        default: break;
+        case markup_tag::bold:
+        case markup_tag::italic:
+        case markup_tag::underline:
+        case markup_tag::strike:
+        case markup_tag::overline:
+        case markup_tag::superscript:
+        case markup_tag::subscript:
+        case markup_tag::ruby: break;
         }
     }
 

@@ -61,7 +61,10 @@ public:
         std::int64_t rest = n < 0 ? -n : n;
         bool behind = false;  // a digit behind the point has been written
         for (int i = 0; i < 6; ++i, rest /= 10)
-            if (behind || rest % 10 != 0) behind = true, *--first = static_cast<char>('0' + rest % 10);
+            if (behind || rest % 10 != 0) {
+                behind = true;
+                *--first = static_cast<char>('0' + rest % 10);
+            }
         if (behind) *--first = '.';
         do *--first = static_cast<char>('0' + rest % 10);
         while ((rest /= 10) != 0);
@@ -162,8 +165,16 @@ private:
             case markup_tag::style:
                 if (l.style == static_cast<std::uint32_t>(no_style)) return error::bad("style");
                 return write_.integer(t, l.style) ? error{} : error{error::out_of_memory};
-            default: return write_.opening(t) ? error{} : error{error::out_of_memory};
+            case markup_tag::bold:
+            case markup_tag::italic:
+            case markup_tag::underline:
+            case markup_tag::strike:
+            case markup_tag::overline:
+            case markup_tag::superscript:
+            case markup_tag::subscript:
+            case markup_tag::ruby: break;
             }
+            return write_.opening(t) ? error{} : error{error::out_of_memory};
         });
     }
     [[nodiscard]] bool close(const look& l) noexcept

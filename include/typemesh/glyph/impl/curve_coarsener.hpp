@@ -284,7 +284,9 @@ private:
             return is_clear;
         }
         grid_box around;
-        around.add(a), around.add(b), around.add(c);
+        around.add(a);
+        around.add(b);
+        around.add(c);
         each_in(around, [&](std::size_t i) noexcept {
             if (!is_between(static_cast<std::uint32_t>(i), from, place + 1)) look_at(loops_->points[i]);
         });
