@@ -73,7 +73,7 @@ struct text_letter : letter_box {
     text_range text = {};               ///< in units of the text; for a bar, the letters that it goes with
     std::uint32_t grapheme = 0;         ///< the number of its first grapheme, counted in the whole text
     std::uint32_t graphemes = 0;        ///< the number of its graphemes
-    std::uint32_t grapheme_end = 0;     ///< the number after that of its last one; merged letters may have gaps
+    std::uint32_t grapheme_end = 0;     ///< one past the number of its last one; merged letters may have gaps
     std::uint32_t word = not_a_letter;  ///< the number of its word: only words with letters count
     std::uint32_t line = 0;             ///< the number of its line in the run
     std::uint32_t paragraph = 0;        ///< the number of its paragraph in the text
