@@ -52,7 +52,7 @@ struct delaunay_refined {
     /// The error for options that are out of range on every glyph, or none.
     [[nodiscard]] error refused_options() const noexcept
     {
-        if (!(min_angle >= 0.0f && min_angle <= 33.0f)) return error::bad("min_angle");
+        if (!is_finite(as_double(min_angle)) || min_angle < 0.0f || min_angle > 33.0f) return error::bad("min_angle");
         if (!is_finite(as_double(max_edge)) || max_edge < 0.0f) return error::bad("max_edge");
         if (max_points > 0x3FFF'FFFFu) return error::bad("max_points");
         return {};
