@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <typemesh/core/assert.hpp>
+#include <typemesh/core/buffer.hpp>
 #include <typemesh/core/error.hpp>
 #include <typemesh/core/finite.hpp>
 #include <typemesh/core/memory.hpp>
 #include <typemesh/core/result.hpp>
+#include <typemesh/fill/corner_parting.hpp>
 #include <typemesh/glyph/glyph_levels.hpp>
 #include <typemesh/text/impl/glyph_maker.hpp>
 #include <typemesh/text/text_mesher.hpp>
@@ -18,15 +19,16 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// Plans the levels of detail of a text: first the finest, then coarser ones. Each glyph is filled once; a coarser level
-/// drops points of the level before.
+/// Plans the levels of detail of a text: first the finest, then coarser ones. Each glyph is filled once; a coarser
+/// level drops points of the level before.
 ///
 ///     text_mesher mesher{font, extruded<>{.depth = 0.1f}};
 ///     level_mesher levels{mesher};
 ///     auto level = levels.plan("Hello", {.tolerance = quality::high});             // level 0
+///     if (level) level->write(into(vertices[0], indices[0]));
 ///     for (std::size_t k = 1; level && k < 4; ++k) {
-///         level->write(into(vertices[k - 1], indices[k - 1]));
-///         level = levels.coarser(tolerances[k]);                                   // {0, 1.0 / 160, 1.0 / 60, 1.0 / 25}
+///         level = levels.coarser(tolerances[k]);                         // {0, 1.0 / 160, 1.0 / 60, 1.0 / 25}
+///         if (level) level->write(into(vertices[k], indices[k]));
 ///     }
 ///
 /// The levels are those of coarsened.hpp, which says what they promise: no point moves, corners and normals stay, and

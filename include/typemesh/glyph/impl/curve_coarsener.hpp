@@ -13,6 +13,7 @@
 #include <typemesh/core/point.hpp>
 #include <typemesh/discretise/impl/chord.hpp>
 #include <typemesh/extrude/impl/box_tree.hpp>
+#include <typemesh/glyph/impl/point_chunks.hpp>
 
 #include <cmath>
 #include <cstddef>
@@ -42,13 +43,7 @@ namespace typemesh::inline TYPEMESH_ABI::detail {
 class curve_coarsener {
 public:
     explicit curve_coarsener(memory source = heap()) noexcept
-        : tree_{source},
-          chunks_{source},
-          fates_{source},
-          numbers_{source},
-          order_{source},
-          seams_{source},
-          measures_{source}
+        : chunks_{source}, fates_{source}, numbers_{source}, order_{source}, seams_{source}, measures_{source}
     {
     }
 
@@ -100,7 +95,6 @@ private:
     }
 
     static constexpr std::uint8_t stays = 0, dropped = 1;
-    static constexpr std::size_t chunk = 8, few_chunks = 64;  // few are looked at faster one by one than in a tree
     static constexpr std::uint32_t max_others = 16;
     static constexpr std::uint32_t none = ~std::uint32_t{0};
     static constexpr double kept_share = 1.0 - 0x1p-20;  // of the tolerance; the rest is a margin for rounding
@@ -203,43 +197,6 @@ private:
         return (was < 0) != (is < 0) || is == 0;
     }
 
-    /// Finds the boxes of chunks of points, in the order along the loops. False if out of memory.
-    [[nodiscard]] bool divide(array_view<const grid_point> points) noexcept
-    {
-        chunks_.clear();
-        const std::size_t count = (points.size() + chunk - 1) / chunk;
-        if (chunks_.append(count) == nullptr) return false;
-        for (grid_box& b : chunks_) b = {};
-        for (std::size_t i = 0; i < points.size(); ++i) chunks_[i / chunk].add(points[i]);
-        if (count <= few_chunks) return true;
-        if (!tree_.open(count)) return false;
-        for (std::size_t k = 0; k < count; ++k) tree_.set(k, chunks_[k]);
-        tree_.close();
-        return true;
-    }
-
-    /// Calls found(i) for the points in a box, which is not empty.
-    template <class Found>
-    void each_in(const grid_box& b, const Found& found) const noexcept
-    {
-        const array_view<const grid_point> points = loops_->points.view();
-        const auto apart = [](std::int32_t from, std::int32_t to) noexcept {
-            return static_cast<std::uint32_t>(to) - static_cast<std::uint32_t>(from);
-        };
-        const std::uint32_t width = apart(b.low.x, b.high.x), height = apart(b.low.y, b.high.y);
-        const auto look_into = [&](std::size_t k) noexcept {
-            const std::size_t end = (k + 1) * chunk < points.size() ? (k + 1) * chunk : points.size();
-            for (std::size_t i = k * chunk; i < end; ++i) {
-                const bool is_beside = apart(b.low.x, points[i].x) <= width,
-                           is_above = apart(b.low.y, points[i].y) <= height;
-                if (is_beside & is_above) found(i);
-            }
-        };
-        if (chunks_.size() > few_chunks) return tree_.each_meeting(b, look_into);
-        for (std::size_t k = 0; k < chunks_.size(); ++k)
-            if (b.meets(chunks_[k])) look_into(k);
-    }
-
     /// Drops points strictly between two places of the loop, whose edges belong to one curve.
     void coarsen_run(std::uint32_t first, std::uint32_t last) noexcept
     {
@@ -275,8 +232,8 @@ private:
         }
     }
 
-    /// The least number of pieces, of equally many edges, that keep the tolerance; the number of edges if no fewer do.
-    /// The error of a piece grows with the square of its length.
+    /// The least number of pieces of equally many edges that keep the tolerance; the number of edges if no fewer do, or
+    /// if other pieces are fewer. The error of a piece grows with the square of its length.
     [[nodiscard]] std::uint32_t even_pieces(chords& of_curve, std::uint32_t first, std::uint32_t last) noexcept
     {
         const std::uint32_t edges = last - first;
@@ -286,6 +243,16 @@ private:
         if (!(estimate < static_cast<double>(edges))) return edges;
         std::uint32_t pieces = estimate > 2.0 ? static_cast<std::uint32_t>(estimate) : 2;
         while (pieces < edges && !fits_evenly(of_curve, first, last, pieces)) ++pieces;
+        const bool is_as_estimated = 0.8 * (static_cast<double>(pieces) - 1.0) <= estimate;
+        return is_as_estimated || pieces_one_by_one(of_curve, first, last) >= pieces ? pieces : edges;
+    }
+
+    /// The number of pieces if each takes as many edges as it can.
+    [[nodiscard]] std::uint32_t pieces_one_by_one(chords& of_curve, std::uint32_t first, std::uint32_t last) noexcept
+    {
+        std::uint32_t pieces = 0;
+        for (std::uint32_t from = first, to = first; from < last; from = to, ++pieces)
+            for (to = from + 1; to < last && fits(of_curve, first, from, to + 1);) ++to;
         return pieces;
     }
 
@@ -379,7 +346,7 @@ private:
         return own - from <= to - from || (own == 0 && to == loop_.size);
     }
 
-    /// Whether the point that stays of each other loop lies beside all triangles of a run: outside the box around it, or
+    /// Whether the point that stays of each other loop lies beside all triangles of a run: outside the box around it,
     /// on the other side of the chord between its ends, or beyond its farthest point.
     [[nodiscard]] bool is_apart(std::uint32_t first, std::uint32_t last) noexcept
     {
@@ -408,7 +375,7 @@ private:
     void look_around(std::uint32_t first, std::uint32_t last) noexcept
     {
         is_convex_ = is_convex(first, last);
-        if (!is_divided_ && !divide(loops_->points.view())) has_failed_ = true;
+        if (!is_divided_ && !chunks_.open(loops_->points.view())) has_failed_ = true;
         is_divided_ = true;
         grid_box around;
         for (std::uint32_t k = first; k <= last; ++k) around.add(at(k));
@@ -416,7 +383,7 @@ private:
                             before = own > to_end ? own - to_end : 0;
         const grid_point a = at(first), z = at(last);
         others_ = 0;
-        each_in(around, [&](std::size_t i) noexcept {
+        chunks_.each_in(around, [&](std::size_t i) noexcept {
             const auto index = static_cast<std::uint32_t>(i);
             if ((index - from < own && index - from < to_end) || index - loop_.begin < before) return;
             if (is_convex_) {
@@ -469,7 +436,7 @@ private:
         around.add(a);
         around.add(b);
         around.add(c);
-        each_in(around, [&](std::size_t i) noexcept {
+        chunks_.each_in(around, [&](std::size_t i) noexcept {
             if (!is_between(static_cast<std::uint32_t>(i), from, place + 1)) look_at(loops_->points[i]);
         });
         return is_clear;
@@ -512,23 +479,18 @@ private:
         return true;
     }
 
-    box_tree tree_;            // of the chunks, if they are many
-    buffer<grid_box> chunks_;  // boxes of so many consecutive points
+    point_chunks chunks_;  // of the points, if is_divided_
     buffer<std::uint8_t> fates_;
-    buffer<std::uint32_t> numbers_;  // of the points that stay, afterwards
-    buffer<std::uint32_t> order_;    // of these points, if it is known
-    buffer<std::uint32_t> seams_;    // a point of each loop that stays
-    bool is_proven_later_ = false;
-    bool is_divided_ = false;       // whether chunks_ are known
-    bool has_failed_ = false;       // out of memory
-    buffer<curve_place> measures_;  // of a run
+    buffer<std::uint32_t> numbers_, order_;                                   // of the points that stay, afterwards
+    buffer<std::uint32_t> seams_;                                             // a point of each loop that stays
+    bool is_proven_later_ = false, is_divided_ = false, has_failed_ = false;  // the last: out of memory
+    buffer<curve_place> measures_;                                            // of a run
     const contours* loops_ = nullptr;
     double tolerance_ = 0.0;
     cyclic loop_{};
     curve curve_;                    // of the run, in cells
     std::uint32_t examined_ = none;  // the curve of which may_stop_ is known
-    bool may_stop_ = false;
-    bool is_convex_ = false;
+    bool may_stop_ = false, is_convex_ = false;
     std::int64_t farthest_ = 0;  // the side of a convex run's farthest point, of the chord between its ends
     std::uint32_t others_ = 0;   // the points that look_around() has found; the first ones are in other_
     grid_point other_[max_others];
