@@ -33,6 +33,7 @@
 #include <typemesh/text/font_list.hpp>
 #include <typemesh/text/on_path.hpp>
 #include <typemesh/text/picked_character.hpp>
+#include <typemesh/text/level_mesher.hpp>
 #include <typemesh/typemesh.hpp>
 #if __has_include(<fontconfig/fontconfig.h>)
 #include <typemesh/adapt/fontconfig_fallback.hpp>
@@ -142,35 +143,21 @@ auto pillow = typemesh::text_mesher{*font, typemesh::inflated{.limit = 0.05f}};
 auto dome = typemesh::text_mesher{*font, typemesh::inflated{.height = 0.5f, .form = typemesh::inflated_form::dome, .depth = 0.1f}};
     use(balloon, pillow, dome);
     const auto all_levels = [&]() -> typemesh::error {
-typemesh::coarsened levels{.tolerances = {1.0 / 160, 1.0 / 60, 1.0 / 25}};                 // of levels 1 to 3, in em
-auto lod = typemesh::text_mesher{*font, levels};
+typemesh::text_mesher lod{*font};
+typemesh::level_mesher levels{lod};
 std::vector<vertex> level_vertices[4];
 std::vector<std::uint32_t> level_indices[4];
-for (; levels.level <= 3; ++levels.level) {                                                // level 0 is the text itself
-    lod.use(levels);
-    auto made = lod.build("Hello world!", typemesh::into(level_vertices[levels.level], level_indices[levels.level]));
-    if (!made) return made.error();
+const double tolerance_of_level[] = {0.0, 1.0 / 160, 1.0 / 60, 1.0 / 25};                // in em; level 0 has the text's own
+auto level = levels.plan("Hello world!", {.tolerance = typemesh::quality::high});
+for (std::size_t k = 0; level && k < 4; ++k) {
+    if (k != 0) level = levels.coarser(tolerance_of_level[k]);
+    if (level) (void)level->write(typemesh::into(level_vertices[k], level_indices[k]));
 }
+if (!level) return level.error();
         return {};
     };
-    const auto glyph_levels = [&](typemesh::glyph_id id) -> typemesh::error {
-const typemesh::certified flatten;
-const typemesh::monotone cut;
-typemesh::no_observer nobody;
-typemesh::glyph_builder glyphs;
-typemesh::cap_builder caps_of_level, further;
-typemesh::coarsened::scratch kept;
-const auto drawn = glyphs.build_region(*font, id, {.tolerance = typemesh::quality::high}, {flatten, cut, nobody});
-if (!drawn) return drawn.error();
-for (typemesh::coarsened level{.tolerances = {1.0 / 160, 1.0 / 60}, .level = 1}; level.level <= 2; ++level.level) {
-    kept.clear();
-    typemesh::region_caps caps{caps_of_level, further, cut, {}};
-    const auto made = level(*drawn, kept, caps);                       // made->filled and made->triangles, for extrude()
-    if (!made) return made.error();
-}
-        return {};
-    };
-    use(all_levels, glyph_levels);
+typemesh::text_mesher one_level{*font, typemesh::coarsened{.tolerances = {1.0 / 160, 1.0 / 60}, .level = 2}};
+    use(all_levels, one_level);
 auto cup = typemesh::text_mesher{*font, typemesh::bent<typemesh::on_cylinder>{.how = {.radius = 1.5}}};
 auto flag = typemesh::text_mesher{*font, typemesh::bent<typemesh::displaced<typemesh::wave>>{.how = {{.height = 0.2}}}};
 auto screw = typemesh::text_mesher{*font, typemesh::bent<typemesh::twist, typemesh::bevelled>{.how = {.degrees_per_em = 15.0}}};

@@ -3,215 +3,27 @@
 
 #include <typemesh/bend/bend_error.hpp>
 #include <typemesh/bend/deformation.hpp>
-#include <typemesh/bend/double3.hpp>
 #include <typemesh/bend/unfolded.hpp>
 #include <typemesh/core/box.hpp>
-#include <typemesh/core/buffer.hpp>
-#include <typemesh/core/contours.hpp>
 #include <typemesh/core/finite.hpp>
 #include <typemesh/core/max_pieces.hpp>
+#include <typemesh/extrude/bendable.hpp>
 #include <typemesh/extrude/extruded.hpp>
 #include <typemesh/extrude/extruder.hpp>
+#include <typemesh/extrude/impl/bent_caps.hpp>
+#include <typemesh/extrude/impl/bent_data.hpp>
 #include <typemesh/extrude/impl/bent_measure.hpp>
 #include <typemesh/extrude/impl/bent_surface.hpp>
-#include <typemesh/extrude/impl/bevel_bisection.hpp>
 #include <typemesh/extrude/impl/bevel_heights.hpp>
 #include <typemesh/extrude/impl/refined_solid.hpp>
 #include <typemesh/extrude/impl/wall_rows.hpp>
 #include <typemesh/extrude/impl/wall_segments.hpp>
-#include <typemesh/extrude/plan_arrays.hpp>
-#include <typemesh/refine/impl/edge_bisection.hpp>
 
 #include <cmath>
-#include <concepts>
 #include <cstddef>
 #include <cstdint>
-#include <cstring>
 
 namespace typemesh::inline TYPEMESH_ABI {
-
-/// What a bent solid needs when it is written.
-struct bent_form {
-    double low = 0.0;  ///< its heights after it is bent, in the extruder's unit
-    double high = 0.0;
-    std::uint32_t segments = 1;  ///< of its walls
-    std::uint32_t unused = 0;    ///< fills the structure up to a multiple of its alignment
-};
-
-namespace detail {
-
-/// A stand-in with which the concept bendable_caps is checked; it is never defined.
-struct cap_refiner {
-    /// Refines the region's own cap.
-    error region_cap(std::uint32_t& added) noexcept;
-    /// Refines another cap.
-    error cap(buffer<grid_point>& points, array_view<const std::uint32_t> starts, buffer<triangle>& triangles,
-              std::uint32_t& added) noexcept;
-};
-
-}  // namespace detail
-
-/// An extruder that makes caps of its own and can have them refined, such as bevelled:
-///
-///     e.uprights(filled)                   the faces that will stand upright on a region's edges
-///     e.plan(filled, data, caps)           calls caps.divide(swept, heights), if there is such a function, between the
-///                                          sweep for its slopes and the cap: see bevel_bisection
-///     e.refine_caps(refine, data, made)    after plan(): has each cap that it draws refined, and adds their points and
-///                                          triangles to made.sizes. Each inner point adds two triangles
-///     refine.region_cap(added)             refines the region's own cap. The points follow the region's points
-///     refine.cap(points, starts, triangles, added)     refines another cap. Inner points are appended to its points,
-///                                          and its triangles are replaced
-template <class E>
-concept bendable_caps = extruder<E> && requires(const E& e, detail::cap_refiner& refine, plan_data_of<E>& data,
-                                                solid_plan& made, const region& filled) {
-    { e.uprights(filled) } noexcept -> std::same_as<upright_faces>;
-    { e.refine_caps(refine, data, made) } noexcept -> std::same_as<error>;
-};
-
-/// An extruder whose solids can be bent.
-template <class E>
-concept bendable = refinable_extruder<E> || bendable_caps<E>;
-
-/// The plan data of bent: the solid of the refined region, which is not bent yet.
-template <class Solid>
-struct bent_data {
-    using arrays = plan_arrays<bent_form>;  ///< one bent_form
-    /// The parts that are stored with the glyph.
-    struct view {
-        typename arrays::view form;
-        solid_of<Solid> flat;
-    };
-
-    arrays form;
-    refined_solid<Solid> flat;       ///< the other extruder's solid
-    detail::edge_bisection working;  ///< the refiner's memory, which is not stored with the glyph
-    detail::bevel_bisection slopes;  ///< likewise
-    buffer<double3> places;          ///< likewise, for the certificate
-    contours rim;                    ///< likewise, the loops of a cap that is refined
-    contours same_rim;               ///< the same loops, as the refiner writes them
-    buffer<grid_point> inner;        ///< and the points that it adds
-    triangle_list triangles;         ///< and its triangles
-
-    explicit bent_data(memory source = heap()) noexcept
-        : form{source},
-          flat{source},
-          working{source},
-          slopes{source},
-          places{source},
-          rim{source},
-          same_rim{source},
-          inner{source},
-          triangles{source}
-    {
-    }
-    void clear() noexcept
-    {
-        form.clear();
-        flat.clear();
-        places.clear();
-    }
-    [[nodiscard]] view read() const noexcept { return {form.read(), flat.read()}; }
-
-    // --- as bytes: see plan_arrays
-
-    [[nodiscard]] std::size_t bytes() const noexcept { return form.bytes() + flat.bytes(); }
-    ///     block   [ form ][ flat ]
-    void copy_to(std::byte* block) const noexcept
-    {
-        form.copy_to(block);
-        flat.copy_to(block + form.bytes());
-    }
-    [[nodiscard]] static view read_from(const std::byte* block) noexcept
-    {
-        view all;
-        all.form = arrays::read_from(block);
-        // As many bytes as plan_arrays use for one bent_form, or for none.
-        all.flat = refined_solid<Solid>::read_from(block + 8 + all.form.template of<bent_form>().size_bytes());
-        return all;
-    }
-};
-
-namespace detail {
-
-/// A cap_maker that divides the slopes of bevels as far as they bend: see bendable_caps.
-template <cap_maker Caps, class Solid, deformation Deformation>
-class bending_caps : public caps_of_region<Caps> {
-public:
-    bending_caps(Caps& caps, bent_data<Solid>& data, const bent_measure<Deformation>& measure,
-                 std::uint32_t max_points) noexcept
-        : caps_of_region<Caps>{caps, data.flat.triangles.view()},
-          working_{data.slopes},
-          measure_{measure},
-          max_points_{max_points}
-    {
-    }
-
-    error divide(swept_region& swept, const swept_heights& heights) noexcept
-    {
-        return working_.run(swept, heights, measure_, max_points_);
-    }
-
-private:
-    bevel_bisection& working_;
-    const bent_measure<Deformation>& measure_;
-    std::uint32_t max_points_;
-};
-
-/// Refines the caps of a solid that makes its own, and keeps their edges: see bendable_caps.
-template <class Solid, deformation Deformation>
-class bent_caps {
-public:
-    bent_caps(bent_data<Solid>& data, const bent_measure<Deformation>& measure, std::uint32_t max_points) noexcept
-        : data_{data}, measure_{measure}, max_points_{max_points}
-    {
-    }
-
-    /// The edges stay as they are, so thin triangles between them may turn, within the tolerance.
-    ///
-    /// Fails  error::out_of_memory, error::too_many_points
-    error region_cap(std::uint32_t& added) noexcept
-    {
-        auto& flat = data_.flat;
-        if (error e = refine(region::proven(flat.loops, 0, 0), flat.triangles.view())) return e;
-        return take(flat.loops.points, flat.triangles, added);
-    }
-    error cap(buffer<grid_point>& points, array_view<const std::uint32_t> starts, buffer<triangle>& triangles,
-              std::uint32_t& added) noexcept
-    {
-        contours& rim = data_.rim;
-        rim.clear();
-        contour_edge* const edges = rim.edges.append(points.size());
-        if (edges == nullptr || !rim.points.append(points.view()) || !rim.starts.append(starts))
-            return error::out_of_memory;
-        for (std::size_t i = 0; i < points.size(); ++i) edges[i] = {};
-        if (error e = refine(region::proven(rim, 0, 0), triangles.view())) return e;
-        return take(points, triangles, added);
-    }
-
-private:
-    error refine(const region& r, array_view<const triangle> triangles) noexcept
-    {
-        edge_bisection& working = data_.working;
-        if (error e = working.run(r, triangles, measure_, max_points_, edge_bisection::boundary::keep)) return e;
-        std::uint32_t kept = 0;
-        if (error e = working.write({data_.same_rim, data_.inner, data_.triangles, kept})) return e;
-        return {};
-    }
-    error take(buffer<grid_point>& points, buffer<triangle>& triangles, std::uint32_t& added) noexcept
-    {
-        triangles.clear();
-        if (!points.append(data_.inner.view()) || !triangles.append(data_.triangles.view()))
-            return error::out_of_memory;
-        added = static_cast<std::uint32_t>(data_.inner.size());
-        return {};
-    }
-
-    bent_data<Solid>& data_;
-    const bent_measure<Deformation>& measure_;
-    std::uint32_t max_points_;
-};
-
-}  // namespace detail
 
 /// An extruder that bends the solid of another extruder: around a cup, along a wave, twisted, or by a deformation of
 /// your own (bend/deformation.hpp). Letters are bent where they stand in the text.

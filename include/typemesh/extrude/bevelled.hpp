@@ -3,46 +3,26 @@
 
 #include <typemesh/core/finite.hpp>
 #include <typemesh/core/impl/option_hash.hpp>
-#include <typemesh/core/impl/taken.hpp>
+#include <typemesh/extrude/bevel_mode.hpp>
 #include <typemesh/extrude/bevel_profile.hpp>
 #include <typemesh/extrude/curve_normals.hpp>
 #include <typemesh/extrude/extruder.hpp>
 #include <typemesh/extrude/impl/axes.hpp>
-#include <typemesh/extrude/impl/bevel_bisection.hpp>
-#include <typemesh/extrude/impl/bevel_carver.hpp>
 #include <typemesh/extrude/impl/bevel_data.hpp>
 #include <typemesh/extrude/impl/bevel_heights.hpp>
-#include <typemesh/extrude/impl/bevel_light.hpp>
+#include <typemesh/extrude/impl/bevel_planner.hpp>
 #include <typemesh/extrude/impl/bevel_strips.hpp>
-#include <typemesh/extrude/impl/bevel_vertices.hpp>
 #include <typemesh/extrude/impl/bevel_writer.hpp>
 #include <typemesh/extrude/impl/corner_rule.hpp>
-#include <typemesh/extrude/impl/exact_fill.hpp>
-#include <typemesh/extrude/impl/surroundings.hpp>
-#include <typemesh/extrude/impl/upright_walls.hpp>
 #include <typemesh/extrude/impl/wall_rows.hpp>
 #include <typemesh/extrude/texture.hpp>
-#include <typemesh/offset/impl/touching_walls.hpp>
 
-#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <initializer_list>
 #include <span>
-#include <utility>
 
 namespace typemesh::inline TYPEMESH_ABI {
-
-/// The treatment of bevels where a stroke is thinner than twice their width.
-enum class bevel_mode : std::uint8_t {
-    clip,  ///< the bevels close in a ridge
-    fit,   ///< the glyph's bevels become narrower: at most 0.9 times the width at which a connected component of the
-           ///< glyph would lose all of its cap. Thinner strokes of a component still close in ridges. A speck is a
-           ///< component too small to hold a circle of the tolerance; it may lose its cap (solid_plan::lost_caps)
-           ///< unless all components are specks
-    fit_text,  ///< all bevels of the text become as narrow as the narrowest bevels that any of its glyphs needs; the
-               ///< text is planned twice. Only a text_mesher does this; elsewhere it means fit
-};
 
 /// An extruder that makes a front, a back, walls between them, and bevels along the edges of front, back or both: five
 /// parts.
@@ -141,8 +121,10 @@ struct bevelled {
         profile_scale scale = scale_of(filled, em);
         if (!(scale.width < (outward ? 0x1p25 : grid::reach))) return error::bad("width");
         solid_plan made;
-        const error e = outward && scale.width >= profile_levels::finest ? plan_outward(filled, scale, data, caps, made)
-                                                                         : plan_inward(filled, scale, data, caps, made);
+        const bevel_planner<bevelled> planner{*this, own_heights()};
+        const error e = outward && scale.width >= profile_levels::finest
+                            ? planner.plan_outward(filled, scale, data, caps, made)
+                            : planner.plan_inward(filled, scale, data, caps, made);
         if (e) return e;
         const bool is_narrower = scale.width < as_double(width) * em;
         float& reached = data.of<bevel_rims>()[0].width;
@@ -164,7 +146,7 @@ struct bevelled {
         return made;
     }
 
-    /// See bendable_caps in bent.hpp.
+    /// See bendable_caps in bendable.hpp.
     [[nodiscard]] upright_faces uprights(const region& filled) const noexcept
     {
         if (refused()) return {};
@@ -323,177 +305,6 @@ private:
     {
         return {as_double(width) * em, as_double(bevel_depth) * em, filled.tolerance(),
                 filled.corners() != touching::keep};
-    }
-
-    /// Lets a cap_maker that bends solids divide the slopes: see bendable_caps in bent.hpp.
-    template <cap_maker Caps>
-    error divide(plan_data& data, const profile_scale& scale, std::uint32_t frame, Caps& caps) const noexcept
-    {
-        if constexpr (requires(const detail::swept_heights& to) { caps.divide(data.swept, to); })
-            return caps.divide(data.swept, {{profile.at(scale), scale}, as_double(bevel_depth), frame});
-        return {};
-    }
-
-    [[nodiscard]] bevel_carver carver_of(const region& filled, bool outwards) const noexcept
-    {
-        const double em = filled.grid().cells * filled.grid().units_per_em;
-        const double joins_at = wanted > width ? as_double(wanted) * em : 0.0;  // the width before refit()
-        return {{as_double(mitre_limit), filled.tolerance(), joins == bevel_joins::round, outwards, joins_at},
-                mode != bevel_mode::clip};
-    }
-
-    template <cap_maker Caps>
-    error plan_inward(const region& filled, profile_scale& scale, plan_data& data, Caps& caps,
-                      solid_plan& made) const noexcept
-    {
-        const auto doubled = plan_sides(filled, curve_normals{crease_degrees}, texture, data.of<side_point>());
-        if (!doubled) return doubled.error();
-        const auto make = [&](const swept_region&) noexcept {
-            const error e = divide(data, scale, none, caps);
-            return e ? e : make_cap(data, caps);
-        };
-        const auto profile_at = [this](const profile_scale& at) noexcept { return profile.at(at); };
-        bevel_carver carve = carver_of(filled, false);
-        if (error e = carve({filled, caps.triangles()}, profile_at, scale, caps.space(), data.swept, make)) return e;
-        made.narrowed = made.narrowed || carve.narrowed;
-        if (error e = make_bevel({profile.at(scale), scale}, filled, none, data, caps.space())) return e;
-        made.sizes = sizes(filled, *doubled, data);
-        return {};
-    }
-
-    /// Plans outward bevels: the sweep covers the surroundings of the region, and the walls stand where the sweep ends.
-    template <cap_maker Caps>
-    error plan_outward(const region& filled, profile_scale& scale, plan_data& data, Caps& caps,
-                       solid_plan& made) const noexcept
-    {
-        const double reach = farthest_way(filled, scale.width, as_double(mitre_limit));
-        if (error e = surround(filled, reach, caps.loops())) return e;
-        data.triangles.clear();
-        const auto around = caps.fill(data.triangles);
-        if (!around) return around.error();
-        data.around = std::move(caps.loops());  // move exchanges the storage: `around` still refers to it
-        const auto doubled = plan_sides(*around, curve_normals{crease_degrees}, texture, data.of<side_point>());
-        if (!doubled) return doubled.error();
-        const double way = reach / scale.width;
-        bevel_carver carve = carver_of(filled, true);
-        const std::uint32_t frame = frame_of(*around);
-        const auto make = [&](const swept_region&) noexcept {
-            if (error e = divide(data, scale, frame, caps)) return e;
-            constexpr double slack = 4.0;  // a margin for rounding
-            if (!is_in_reach(data.swept.cap, filled, way * scale.width + slack)) return error{error::crossing_contours};
-            leave_frame(data.swept.cap);
-            if (filled.corners() != touching::keep) {
-                const auto found = count_touching_walls(data.swept, caps.space());
-                if (!found) return found.error();
-                made.corners_moved += *found;
-                carve.touches = *found != 0;
-                if (*found != 0) return error{error::crossing_contours};
-            }
-            if (sides != bevel_sides::both) return make_cap(data, caps);
-            if (filled.corners() != touching::keep) {
-                const auto proven = fill_exactly(data.swept.cap, caps, data.of<triangle>());
-                data.of<triangle>().clear();
-                carve.touches = !proven;
-                if (!proven) return proven.error();
-            }
-            return keep_outline(data);
-        };
-        const auto profile_at = [this](const profile_scale& at) noexcept { return profile.at(at); };
-        const region_to_carve given{*around, data.triangles.view()};
-        if (error e = carve(given, profile_at, scale, caps.space(), data.swept, make)) return e;
-        made.narrowed = carve.narrowed;
-        if (scale.width < profile_levels::finest) {
-            data.clear();
-            return plan_inward(filled, scale, data, caps, made);
-        }
-        if (error e = make_bevel({profile.at(scale), scale}, *around, frame, data, caps.space())) return e;
-        for (std::uint32_t i = 0; i < 4; ++i) data.of<side_point>()[frame + i].doubled = false;
-        made.sizes = sizes(filled, 0, data);
-        for (const bevel_vertex& b : data.of<bevel_vertex>()) made.around.add(placement::exact(b.at));
-        return {};
-    }
-
-    /// Fails  error::crossing_contours: the region that the sweep leaves is not proven simple
-    template <cap_maker Caps>
-    error make_cap(plan_data& data, Caps& caps) const noexcept
-    {
-        const auto cap = fill_exactly(data.swept.cap, caps, data.of<triangle>());
-        if (!cap) return cap.error();
-        const bool kept = data.of<grid_point>().append(cap->points()) && data.of<std::uint32_t>().append(cap->starts());
-        return kept ? error{} : error{error::out_of_memory};
-    }
-
-    /// Stores the outline of the walls, which outward bevels on both sides need because they make no cap there.
-    static error keep_outline(plan_data& data) noexcept
-    {
-        const contours& walls = data.swept.cap;
-        const bool kept =
-            data.of<grid_point>().append(walls.points.view()) && data.of<std::uint32_t>().append(walls.starts.view());
-        return kept ? error{} : error{error::out_of_memory};
-    }
-
-    static constexpr std::uint32_t none = ~std::uint32_t{0};
-
-    /// `frame` is the index of the first of the four points around an outward bevel's surroundings, or none.
-    error make_bevel(const profile_levels& levels, const region& filled, std::uint32_t frame, plan_data& data,
-                     workspace& space) const noexcept
-    {
-        if (!add_strips(levels, profile_crease_degrees, shading, data.of<bevel_strip>())) return error::out_of_memory;
-        workspace::scope scratch{space};
-        bevel_light light{with_mapping(texture, []<class Mapping>() noexcept { return &Mapping::after_seam; })};
-        const auto sides_of = data.of<side_point>().view();
-        if (!light.prepare(filled, sides_of, data.swept, scratch)) return error::out_of_memory;
-        const double em = filled.grid().cells * filled.grid().units_per_em;
-        const double max_apart =
-            with_mapping(texture, [em]<class Mapping>() noexcept { return Mapping::max_apart(em); });
-        bevel_vertices vertices{data, light, {crease_cosine(crease_degrees), max_apart}};
-        bevel_rims rims{levels.view().front().arrives, levels.view().back().leaves};
-        rims.own_cap = levels.view().size() == 1;
-        if (frame != none) {
-            light.turn_round(filled, sides_of, data.swept);
-            vertices.outwards(frame);
-            rims.outward = true;
-        }
-        if (error e = vertices.make(levels, scratch)) return e;
-        rims.top =
-            data.of<grid_point>().empty() && !rims.has_own_cap(true) ? rims.wall : (std::max)(rims.wall, rims.cap);
-        for (const bevel_vertex& v : data.of<bevel_vertex>())
-            rims.top = (std::max)(rims.top, height_of(v, data.of<bevel_strip>().view()));
-        rims.vertices = static_cast<std::uint32_t>(data.of<bevel_vertex>().size());
-        rims.triangles = static_cast<std::uint32_t>(data.of<bevel_triangle>().size());
-        if (rims.outward && side && own_heights().has_walls(rims.wall))
-            if (error e = vertices.add_walls(scratch)) return e;
-        return data.of<bevel_rims>().push_back(rims) ? error{} : error{error::out_of_memory};
-    }
-
-    [[nodiscard]] part_sizes sizes(const region& filled, std::uint32_t doubled, plan_data& data) const noexcept
-    {
-        const auto n = static_cast<std::uint32_t>(filled.points().size());
-        const bevel_rims& rims = data.of<bevel_rims>()[0];
-        part_sizes all;
-        for (const bool in_front : {true, false}) {
-            const part cap = in_front ? part::front : part::back,
-                       bevel = in_front ? part::front_bevel : part::back_bevel;
-            const bool own = rims.has_own_cap(own_heights().is_bevelled(in_front));
-            if (in_front ? front : back) {
-                all.vertices[cap] = own ? n : static_cast<std::uint32_t>(data.of<grid_point>().size());
-                all.triangles[cap] =
-                    own ? filled.triangle_count() : static_cast<std::uint32_t>(data.of<triangle>().size());
-            }
-            if (!own_heights().is_bevelled(in_front)) continue;
-            all.vertices[bevel] = rims.vertices;
-            all.triangles[bevel] = rims.triangles;
-        }
-        if (rims.outward) {
-            const std::uint32_t of_walls = static_cast<std::uint32_t>(data.of<bevel_vertex>().size()) - rims.vertices;
-            all.vertices[part::side] = of_walls / 2 * (segments + 1);  // a column for each pair
-            all.triangles[part::side] =
-                segments * (static_cast<std::uint32_t>(data.of<bevel_triangle>().size()) - rims.triangles);
-        } else if (side && own_heights().has_walls(rims.wall)) {
-            all.vertices[part::side] = upright_walls::vertex_count(n, doubled, segments);
-            all.triangles[part::side] = 2 * segments * n;
-        }
-        return all;
     }
 };
 

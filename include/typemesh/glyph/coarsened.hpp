@@ -93,15 +93,27 @@ struct coarsened {
         loops.grid = drawn.grid();
         loops.corners = drawn.corners();
         loops.tolerance = drawn.tolerance();
+        if (!keep_order(drawn, loops)) return error::out_of_memory;
         for (std::uint32_t k = 0; k < level; ++k) {
             const double tolerance = tolerances[k] * em;
             if (error e = made.drop(loops, tolerance)) return e;
             if (loops.tolerance > 0.0 && loops.tolerance < tolerance) loops.tolerance = tolerance;
         }
-        const auto filled = made.fill(caps);
-        if (!filled) return filled.error();
-        return stepped_region{*filled, made.triangles.view(),       false,
-                              false,   made.parting.still_touching, made.parting.corners};
+        // Each point was dropped by an exact test, so the loops bound a region without a further proof.
+        const region filled = region::proven(loops, drawn.holes(), drawn.outers(), drawn.is_touching());
+        if (error e = caps(filled, made.triangles)) return e;
+        return stepped_region{filled, made.triangles.view()};
+    }
+
+private:
+    [[nodiscard]] static bool keep_order(const region& drawn, contours& loops) noexcept
+    {
+        const array_view<const std::uint32_t> order = drawn.order();
+        if (order.empty()) return true;
+        std::uint32_t* next = loops.new_order(order.size());
+        if (next == nullptr) return false;
+        for (const std::uint32_t i : order) *next++ = i;
+        return true;
     }
 };
 static_assert(region_step<coarsened>);

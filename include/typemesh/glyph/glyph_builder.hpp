@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <typemesh/core/array_view.hpp>
 #include <typemesh/core/box.hpp>
 #include <typemesh/core/contours.hpp>
 #include <typemesh/core/finite.hpp>
@@ -10,6 +11,7 @@
 #include <typemesh/core/point.hpp>
 #include <typemesh/core/result.hpp>
 #include <typemesh/core/touching.hpp>
+#include <typemesh/core/triangle.hpp>
 #include <typemesh/extrude/extruder.hpp>
 #include <typemesh/glyph/built_glyph.hpp>
 #include <typemesh/glyph/cap_builder.hpp>
@@ -99,6 +101,26 @@ public:
         return fill_outline(font.units_per_em(), how, with, warp, origin);
     }
 
+    /// The triangles of the region that build_region() has made.
+    [[nodiscard]] array_view<const triangle> triangles() const noexcept { return caps_.triangles().view(); }
+
+    /// The draft of a region, which may be a level of detail (glyph_levels.hpp): see build(). A region without points
+    /// gives a blank glyph.
+    ///
+    /// Fails  with errors that do not concern the glyph alone
+    [[nodiscard]] result<glyph_draft> raise(const capped_region& from, const policies& with,
+                                            const solid_place& place = {}) noexcept
+    {
+        glyph_draft made;
+        if (from.filled.points().empty()) return made;
+        with.observe(stage::extrude);
+        const auto planned = planner_.plan(from, caps_, with, place);
+        if (planned) return planned->draft;
+        if (!concerns_the_glyph_alone(planned.error())) return planned.error();
+        made.refusal = planned.error();
+        return made;
+    }
+
     /// The changes of the last build_region() to touching corners.
     [[nodiscard]] const corner_parting& parting() const noexcept { return parting_; }
 
@@ -157,7 +179,7 @@ private:
         if (filled->points().empty()) return {};
 
         with.observe(stage::extrude);
-        const auto planned = planner_.plan(*filled, caps_, with, parting_, place);
+        const auto planned = planner_.plan({*filled, caps_.triangles().view(), parting_}, caps_, with, place);
         if (!planned) return planned.error();
         made = planned->draft;
         return {};

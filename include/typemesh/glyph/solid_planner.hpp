@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <typemesh/core/array_view.hpp>
 #include <typemesh/core/grid.hpp>
 #include <typemesh/core/region.hpp>
 #include <typemesh/core/result.hpp>
+#include <typemesh/core/triangle.hpp>
 #include <typemesh/extrude/impl/plan_scratch.hpp>
 #include <typemesh/fill/corner_parting.hpp>
 #include <typemesh/glyph/built_glyph.hpp>
@@ -15,6 +17,14 @@
 #include <span>
 
 namespace typemesh::inline TYPEMESH_ABI {
+
+/// A region with its triangles.
+struct capped_region {
+    const region& filled;
+    array_view<const triangle> triangles;
+    corner_parting parted;  ///< the number of its corners that were separated or joined so far, and whether some
+                            ///< corners still touch
+};
 
 /// A glyph's draft, and the region from which its solid is made.
 struct planned_draft {
@@ -41,18 +51,18 @@ public:
     /// The draft of a region that has points. It refers to the region, to its caps, and to this planner until its next
     /// call.
     ///
-    ///     caps      the builder that made the region
-    ///     parted    the number of its corners that were separated or joined so far, and whether some corners still
-    ///               touch
+    ///     caps      makes further triangles
     ///     place     its place in the text, for extruders whose solids differ from place to place
     ///
     /// Fails  as the step and the extruder do
-    [[nodiscard]] result<planned_draft> plan(const region& drawn, cap_builder& caps, const policies& with,
-                                             const corner_parting& parted, const solid_place& place = {}) noexcept
+    [[nodiscard]] result<planned_draft> plan(const capped_region& from, cap_builder& caps, const policies& with,
+                                             const solid_place& place = {}) noexcept
     {
-        stepped_region made{drawn, caps.triangles().view()};
+        const region& drawn = from.filled;
+        const corner_parting& parted = from.parted;
+        stepped_region made{drawn, from.triangles};
         if (!with.step.is_none()) {
-            region_caps own{caps, further_, with.cut};
+            region_caps own{caps, further_, with.cut, from.triangles};
             const auto stepped = with.step(drawn, stepped_, own);
             if (!stepped) return stepped.error();
             made = *stepped;

@@ -19,6 +19,9 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
+template <extruder Solid>
+class level_mesher;
+
 /// Edits a run between layout and meshing: see text_mesher::plan().
 template <class E>
 concept run_edit = std::is_nothrow_invocable_v<E&, glyph_run&>;
@@ -243,6 +246,8 @@ public:
 private:
     template <extruder>
     friend class text_mesher;
+    template <extruder>
+    friend class level_mesher;
 
     /// A mesher with the font and the options of `before`, and this solid.
     template <class Before>

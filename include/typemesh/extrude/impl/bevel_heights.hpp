@@ -10,7 +10,7 @@ namespace typemesh::inline TYPEMESH_ABI {
 /// The edges that are bevelled.
 enum class bevel_sides : std::uint8_t { both, front, back };
 
-/// The upright faces of a solid: see bendable_caps in bent.hpp.
+/// The upright faces of a solid: see bendable_caps in bendable.hpp.
 struct upright_faces {
     double walls = 0.0;   ///< the height of the walls, in the unit of depths
     double risers = 0.0;  ///< the height of other upright faces on the region's own edges, likewise

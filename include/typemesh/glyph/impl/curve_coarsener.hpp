@@ -13,9 +13,12 @@
 #include <typemesh/core/point.hpp>
 #include <typemesh/discretise/impl/chord.hpp>
 #include <typemesh/extrude/impl/box_tree.hpp>
+#include <typemesh/glyph/impl/point_chunks.hpp>
 
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 
 namespace typemesh::inline TYPEMESH_ABI::detail {
 
@@ -30,14 +33,17 @@ namespace typemesh::inline TYPEMESH_ABI::detail {
 ///               'd
 ///
 /// A piece may become a chord if the chord keeps the tolerance from the true curve. The points that remain of a run
-/// are evenly distributed over its points if that needs no further piece; the points of `certified` are then again
-/// distributed as it would distribute them. Points where a curve stops and turns stay, because they are hard corners.
+/// are evenly distributed over its points where that suffices; the points of `certified` are then again distributed as
+/// it would distribute them. The error of the whole run's chord says with how many pieces to begin. Points where a
+/// curve stops and turns stay, because they are hard corners.
+///
+/// The order of the points stays known, because points are only left out of it.
 ///
 /// Cost   O(n log n) for n points whose loops are not entangled; see box_tree
 class curve_coarsener {
 public:
     explicit curve_coarsener(memory source = heap()) noexcept
-        : tree_{source}, chunks_{source}, fates_{source}, measures_{source}
+        : chunks_{source}, fates_{source}, numbers_{source}, order_{source}, seams_{source}, measures_{source}
     {
     }
 
@@ -48,25 +54,56 @@ public:
     /// Fails  only with error::out_of_memory
     [[nodiscard]] error operator()(contours& loops, double tolerance) noexcept
     {
-        const std::size_t n = loops.points.size();
-        fates_.clear();
-        measures_.clear();
-        if (n == 0) return {};
-        if (fates_.append(n) == nullptr || measures_.append(n + 1) == nullptr) return error::out_of_memory;
-        for (std::uint8_t& fate : fates_) fate = stays;
-        if (!divide(loops.points.view())) return error::out_of_memory;
-        loops_ = &loops;
-        tolerance_ = tolerance;
-        for (std::uint32_t k = 0; k < loops.contour_count(); ++k) coarsen_loop(loops.starts[k], loops.starts[k + 1]);
-        remove_dropped(loops);
-        return {};
+        is_proven_later_ = false;
+        return run(loops, tolerance);
+    }
+
+    /// Likewise, but edges may cross: the caller lets a triangulator prove that they do not. If it does, the nesting is
+    /// as before: each loop has a point that stays and lies in no sliver between another loop's old and new edges, so
+    /// the winding numbers there have not changed. Fails also with error::crossing_contours, if a loop has turned.
+    [[nodiscard]] error drop_unproven(contours& loops, double tolerance) noexcept
+    {
+        is_proven_later_ = true;
+        return run(loops, tolerance);
     }
 
 private:
+    [[nodiscard]] error run(contours& loops, double tolerance) noexcept
+    {
+        const std::size_t n = loops.points.size();
+        fates_.clear();
+        numbers_.clear();
+        measures_.clear();
+        if (n == 0) return {};
+        if (fates_.append(n) == nullptr || numbers_.append(n) == nullptr || measures_.append(n + 1) == nullptr)
+            return error::out_of_memory;
+        for (std::uint8_t& fate : fates_) fate = stays;
+        loops_ = &loops;
+        tolerance_ = tolerance;
+        is_divided_ = has_failed_ = false;
+        examined_ = none;
+        seams_.clear();
+        for (std::uint32_t k = 0; k < loops.contour_count(); ++k)
+            if (!seams_.push_back(seam_of(loops.starts[k], loops.starts[k + 1]))) return error::out_of_memory;
+        bool has_turned = false;
+        for (std::uint32_t k = 0; k < loops.contour_count(); ++k) {
+            coarsen_loop({loops.starts[k], loops.starts[k + 1] - loops.starts[k], seams_[k]});
+            has_turned = has_turned || (is_proven_later_ && turns());
+        }
+        if (has_turned && !has_failed_) return error::crossing_contours;
+        return !has_failed_ && remove_dropped(loops) ? error{} : error{error::out_of_memory};
+    }
+
     static constexpr std::uint8_t stays = 0, dropped = 1;
-    static constexpr std::size_t chunk = 8, few_chunks = 64;  // few are looked at faster one by one than in a tree
     static constexpr std::uint32_t max_others = 16;
+    static constexpr std::uint32_t none = ~std::uint32_t{0};
     static constexpr double kept_share = 1.0 - 0x1p-20;  // of the tolerance; the rest is a margin for rounding
+
+    using chords = cubic_chords<false>;
+
+    struct curve_place {
+        double t, offset;  // below 0: not known yet
+    };
 
     /// A loop, whose points are counted from a point where a run begins.
     struct cyclic {
@@ -93,20 +130,44 @@ private:
         return loops_->edges[loop_.index(place)];
     }
 
-    [[nodiscard]] bool goes_on(const contour_edge& before, const contour_edge& after) const noexcept
+    [[nodiscard]] bool goes_on(const contour_edge& before, const contour_edge& after) noexcept
     {
         return before.curve == after.curve && after.curve < loops_->curves.size() && same(before.t1, after.t0) &&
                (before.t0 < before.t1) == (after.t0 < after.t1) &&
-               !tangents_at(loops_->curves[after.curve], static_cast<double>(after.t0)).stops;
+               !(may_stop(after.curve) &&
+                 tangents_at(loops_->curves[after.curve], static_cast<double>(after.t0)).stops);
     }
 
-    void coarsen_loop(std::uint32_t begin, std::uint32_t end) noexcept
+    /// Whether the derivative of a curve could vanish anywhere, see tangents. It cannot if all legs of the control
+    /// polygon go forward, by more than what counts as nothing: the derivative is a mean of them.
+    [[nodiscard]] bool may_stop(std::uint32_t index) noexcept
     {
-        loop_ = {begin, end - begin, begin};
-        while (loop_.seam < end &&
-               goes_on(loops_->edges[loop_.seam == begin ? end - 1 : loop_.seam - 1], loops_->edges[loop_.seam]))
-            ++loop_.seam;
-        if (loop_.seam == end) loop_.seam = begin;
+        if (examined_ == index) return may_stop_;
+        examined_ = index;
+        const curve& c = loops_->curves[index];
+        const point way = c.p[c.degree] - c.p[0];
+        double least = dot(c.p[1] - c.p[0], way), longest = 0.0;
+        for (std::uint32_t k = 0; k < c.degree; ++k) {
+            const point leg = c.p[k + 1] - c.p[k];
+            const double along = dot(leg, way), square = dot(leg, leg);
+            least = along < least ? along : least;
+            longest = longest < square ? square : longest;
+        }
+        may_stop_ = !(least > 0.0 && least * least > 0x1p-38 * longest * dot(way, way));
+        return may_stop_;
+    }
+
+    /// The first point of a run, which stays.
+    [[nodiscard]] std::uint32_t seam_of(std::uint32_t begin, std::uint32_t end) noexcept
+    {
+        std::uint32_t seam = begin;
+        while (seam < end && goes_on(loops_->edges[seam == begin ? end - 1 : seam - 1], loops_->edges[seam])) ++seam;
+        return seam == end ? begin : seam;
+    }
+
+    void coarsen_loop(const cyclic& loop) noexcept
+    {
+        loop_ = loop;
         spare_ = loop_.size - 3;
         for (std::uint32_t first = 0; first < loop_.size && spare_ != 0;) {
             std::uint32_t last = first + 1;
@@ -116,34 +177,24 @@ private:
         }
     }
 
-    /// Finds the boxes of chunks of points, in the order along the loops. False if out of memory.
-    [[nodiscard]] bool divide(array_view<const grid_point> points) noexcept
+    /// Whether the loop without its dropped points has another orientation than before. The sums are exact modulo 2^64,
+    /// and a doubled area is below 2^59.
+    [[nodiscard]] bool turns() const noexcept
     {
-        chunks_.clear();
-        const std::size_t count = (points.size() + chunk - 1) / chunk;
-        if (chunks_.append(count) == nullptr) return false;
-        for (grid_box& b : chunks_) b = {};
-        for (std::size_t i = 0; i < points.size(); ++i) chunks_[i / chunk].add(points[i]);
-        if (count <= few_chunks) return true;
-        if (!tree_.open(count)) return false;
-        for (std::size_t k = 0; k < count; ++k) tree_.set(k, chunks_[k]);
-        tree_.close();
-        return true;
-    }
-
-    /// Calls found(i) for the points in a box.
-    template <class Found>
-    void each_in(const grid_box& b, const Found& found) const noexcept
-    {
-        const array_view<const grid_point> points = loops_->points.view();
-        const auto look_into = [&](std::size_t k) noexcept {
-            const std::size_t end = (k + 1) * chunk < points.size() ? (k + 1) * chunk : points.size();
-            for (std::size_t i = k * chunk; i < end; ++i)
-                if (b.meets({points[i], points[i]})) found(i);
-        };
-        if (chunks_.size() > few_chunks) return tree_.each_meeting(b, look_into);
-        for (std::size_t k = 0; k < chunks_.size(); ++k)
-            if (b.meets(chunks_[k])) look_into(k);
+        std::uint64_t before = 0, after = 0;
+        const grid_point o = at(0);
+        grid_point p = o, kept = o;
+        for (std::uint32_t k = 1; k < loop_.size; ++k) {
+            const std::uint32_t i = loop_.index(k);
+            const grid_point q = loops_->points[i];
+            before += static_cast<std::uint64_t>(orientation(o, p, q));
+            p = q;
+            if (fates_[i] == dropped) continue;
+            after += static_cast<std::uint64_t>(orientation(o, kept, q));
+            kept = q;
+        }
+        const auto was = static_cast<std::int64_t>(before), is = static_cast<std::int64_t>(after);
+        return (was < 0) != (is < 0) || is == 0;
     }
 
     /// Drops points strictly between two places of the loop, whose edges belong to one curve.
@@ -153,27 +204,93 @@ private:
         for (point& p : curve_.p) p = loops_->grid.cells * p;
         const cubic c = as_cubic(curve_);
         const point l0 = c.p1 - c.p0, l1 = c.p2 - c.p1, l2 = c.p3 - c.p2, s0 = l1 - l0, s1 = l2 - l1;
-        const chords of_curve{c.p0, 3.0 * l0, 3.0 * s0, s1 - s0, 0.0};
-        look_around(first, last);
-        measure(first, last);
+        chords of_curve{c.p0, 3.0 * l0, 3.0 * s0, s1 - s0, 0.0};
         const std::uint32_t edges = last - first;
-        if (edges - 1 <= spare_ && is_even(of_curve, first, last, 1)) {
-            spare_ -= edges - 1;
-            return end_of_piece(first, last);
+        for (std::uint32_t k = 0; k <= edges; ++k) measures_[k].offset = -1.0;
+        const std::uint32_t pieces = even_pieces(of_curve, first, last);
+        if (pieces == edges && edges == 2) return;
+        bool has_looked = false;
+        if (pieces < edges && edges - pieces <= spare_) {
+            const bool is_clear = is_proven_later_ && is_apart(first, last);
+            if (!is_clear) look_around(first, last);
+            if (is_clear || may_divide(first, last, pieces)) {
+                spare_ -= edges - pieces;
+                return divide_run(first, last, pieces);
+            }
+            has_looked = true;
         }
-        std::uint32_t pieces = 0;
-        for (std::uint32_t from = first; from < last; ++pieces) {
+        for (std::uint32_t from = first; from < last;) {
             std::uint32_t to = from + 1;
-            while (to < last && spare_ != 0 && fits(of_curve, from - first, to + 1 - first) && may_drop(from, to)) {
+            for (; to < last && spare_ != 0 && fits(of_curve, first, from, to + 1); ++to) {
+                if (!has_looked) look_around(first, last);
+                has_looked = true;
+                if (!may_drop(from, to)) break;
                 --spare_;
-                ++to;
             }
             end_of_piece(from, to);
             from = to;
         }
-        if (pieces == edges || !is_even(of_curve, first, last, pieces)) return;
-        for (std::uint32_t k = 0; k < pieces; ++k)
-            end_of_piece(share(first, edges, k, pieces), share(first, edges, k + 1, pieces));
+    }
+
+    /// The least number of pieces of equally many edges that keep the tolerance; the number of edges if no fewer do, or
+    /// if other pieces are fewer. The error of a piece grows with the square of its length.
+    [[nodiscard]] std::uint32_t even_pieces(chords& of_curve, std::uint32_t first, std::uint32_t last) noexcept
+    {
+        const std::uint32_t edges = last - first;
+        const double whole = excess(of_curve, first, first, last);
+        if (whole <= 1.0) return 1;
+        const double estimate = 0.8 * std::sqrt(std::sqrt(whole));
+        if (!(estimate < static_cast<double>(edges))) return edges;
+        std::uint32_t pieces = estimate > 2.0 ? static_cast<std::uint32_t>(estimate) : 2;
+        while (pieces < edges && !fits_evenly(of_curve, first, last, pieces)) ++pieces;
+        const bool is_as_estimated = 0.8 * (static_cast<double>(pieces) - 1.0) <= estimate;
+        return is_as_estimated || pieces_one_by_one(of_curve, first, last) >= pieces ? pieces : edges;
+    }
+
+    /// The number of pieces if each takes as many edges as it can.
+    [[nodiscard]] std::uint32_t pieces_one_by_one(chords& of_curve, std::uint32_t first, std::uint32_t last) noexcept
+    {
+        std::uint32_t pieces = 0;
+        for (std::uint32_t from = first, to = first; from < last; from = to, ++pieces)
+            for (to = from + 1; to < last && fits(of_curve, first, from, to + 1);) ++to;
+        return pieces;
+    }
+
+    [[nodiscard]] bool fits_evenly(chords& of_curve, std::uint32_t first, std::uint32_t last,
+                                   std::uint32_t pieces) noexcept
+    {
+        const std::uint32_t edges = last - first;
+        std::uint32_t from = first;
+        for (std::uint32_t k = 1; k <= pieces; ++k) {
+            const std::uint32_t to = share(first, edges, k, pieces);
+            if (to - from > 1 && !fits(of_curve, first, from, to)) return false;
+            from = to;
+        }
+        return true;
+    }
+
+    /// Whether all points may be dropped except those between pieces.
+    [[nodiscard]] bool may_divide(std::uint32_t first, std::uint32_t last, std::uint32_t pieces) const noexcept
+    {
+        if (is_convex_ && others_ == 0) return true;
+        std::uint32_t from = first;
+        for (std::uint32_t k = 1; k <= pieces; ++k) {
+            const std::uint32_t to = share(first, last - first, k, pieces);
+            for (std::uint32_t i = from + 1; i < to; ++i)
+                if (!may_drop(from, i)) return false;
+            from = to;
+        }
+        return true;
+    }
+
+    void divide_run(std::uint32_t first, std::uint32_t last, std::uint32_t pieces) noexcept
+    {
+        std::uint32_t from = first;
+        for (std::uint32_t k = 1; k <= pieces; ++k) {
+            const std::uint32_t to = share(first, last - first, k, pieces);
+            end_of_piece(from, to);
+            from = to;
+        }
     }
 
     /// Marks the points between two that stay.
@@ -189,47 +306,36 @@ private:
         return first + static_cast<std::uint32_t>((std::uint64_t{edges} * k + of / 2) / of);
     }
 
-    using chords = cubic_chords<false>;
-
     [[nodiscard]] static cubic as_cubic(const curve& c) noexcept
     {
         if (c.degree == 3) return c.as_cubic();
         return raised(c.degree == 2 ? c.as_quadratic() : quadratic{c.p[0], lerp(c.p[0], c.p[1], 0.5), c.p[1]});
     }
 
-    /// Whether a run can be divided into pieces of equally many edges.
-    [[nodiscard]] bool is_even(const chords& of_curve, std::uint32_t first, std::uint32_t last,
-                               std::uint32_t pieces) const noexcept
+    /// The parameter at a place of a run, and the distance of the point there from the curve.
+    [[nodiscard]] const curve_place& measure(std::uint32_t first, std::uint32_t place) noexcept
     {
-        const std::uint32_t edges = last - first;
-        for (std::uint32_t k = 0; k < pieces; ++k) {
-            const std::uint32_t from = share(first, edges, k, pieces), to = share(first, edges, k + 1, pieces);
-            if (to - from > 1 && !fits(of_curve, from - first, to - first)) return false;
-            for (std::uint32_t i = from + 1; i < to; ++i)
-                if (!may_drop(from, i)) return false;
-        }
-        return true;
+        curve_place& m = measures_[place - first];
+        if (m.offset >= 0.0) return m;
+        m.t = static_cast<double>(place == first ? edge(place).t0 : edge(place - 1).t1);
+        const grid_point p = at(place);
+        m.offset = length(curve_.at(m.t) - point{static_cast<double>(p.x), static_cast<double>(p.y)});
+        return m;
     }
 
-    /// Notes the parameter at each place of a run, and the distance of the point there from the curve.
-    void measure(std::uint32_t first, std::uint32_t last) noexcept
+    /// How much the chord between two places of the run exceeds the tolerance: see cubic_chords. The chord's own
+    /// distance, and the distances of its ends.
+    [[nodiscard]] double excess(chords& of_curve, std::uint32_t first, std::uint32_t from, std::uint32_t to) noexcept
     {
-        for (std::uint32_t k = first; k <= last; ++k) {
-            const double t = static_cast<double>(k == last ? edge(k - 1).t1 : edge(k).t0);
-            const grid_point p = at(k);
-            const point gap = curve_.at(t) - point{static_cast<double>(p.x), static_cast<double>(p.y)};
-            measures_[k - first] = {t, length(gap)};
-        }
-    }
-
-    /// Whether the chord between two places of a run, counted from its first one, keeps the tolerance: the curve's own
-    /// chord, and the distances of its ends.
-    [[nodiscard]] bool fits(chords of_curve, std::uint32_t from, std::uint32_t to) const noexcept
-    {
-        const curve_place a = measures_[from], b = measures_[to];
+        const curve_place a = measure(first, from), b = measure(first, to);
         const double room = kept_share * (tolerance_ - (a.offset > b.offset ? a.offset : b.offset));
+        if (!(room > 0.0)) return (std::numeric_limits<double>::max)();
         of_curve.tt = room * room;
-        return room > 0.0 && of_curve.excess(a.t < b.t ? a.t : b.t, a.t < b.t ? b.t : a.t) <= 1.0;
+        return of_curve.excess(a.t < b.t ? a.t : b.t, a.t < b.t ? b.t : a.t);
+    }
+    [[nodiscard]] bool fits(chords& of_curve, std::uint32_t first, std::uint32_t from, std::uint32_t to) noexcept
+    {
+        return excess(of_curve, first, from, to) <= 1.0;
     }
 
     /// Whether a point's index lies between two places of the loop, or at one of them.
@@ -240,16 +346,51 @@ private:
         return own - from <= to - from || (own == 0 && to == loop_.size);
     }
 
+    /// Whether the point that stays of each other loop lies beside all triangles of a run: outside the box around it,
+    /// on the other side of the chord between its ends, or beyond its farthest point.
+    [[nodiscard]] bool is_apart(std::uint32_t first, std::uint32_t last) noexcept
+    {
+        if (seams_.size() == 1) return true;
+        const grid_point a = at(first), z = at(last);
+        std::int64_t least = 0, greatest = 0;
+        grid_box around;
+        for (std::uint32_t k = first; k <= last; ++k) {
+            const grid_point p = at(k);
+            const std::int64_t side = orientation(a, z, p);
+            least = side < least ? side : least;
+            greatest = side > greatest ? side : greatest;
+            around.add(p);
+        }
+        for (const std::uint32_t i : seams_) {
+            const grid_point p = loops_->points[i];
+            if (i == loop_.seam || !around.meets({p, p})) continue;
+            const std::int64_t side = orientation(a, z, p);
+            if (side >= least && side <= greatest) return false;
+        }
+        return true;
+    }
+
     /// Finds out which points may lie in the triangles of a run: its own ones if it is not convex, and the others that
-    /// are in the box around it.
+    /// are in the box around it; if it is convex, only those between the chord of its ends and its farthest point.
     void look_around(std::uint32_t first, std::uint32_t last) noexcept
     {
         is_convex_ = is_convex(first, last);
+        if (!is_divided_ && !chunks_.open(loops_->points.view())) has_failed_ = true;
+        is_divided_ = true;
         grid_box around;
         for (std::uint32_t k = first; k <= last; ++k) around.add(at(k));
+        const std::uint32_t from = loop_.index(first), own = last - first + 1, to_end = loop_.begin + loop_.size - from,
+                            before = own > to_end ? own - to_end : 0;
+        const grid_point a = at(first), z = at(last);
         others_ = 0;
-        each_in(around, [&](std::size_t i) noexcept {
-            if (is_between(static_cast<std::uint32_t>(i), first, last)) return;
+        chunks_.each_in(around, [&](std::size_t i) noexcept {
+            const auto index = static_cast<std::uint32_t>(i);
+            if ((index - from < own && index - from < to_end) || index - loop_.begin < before) return;
+            if (is_convex_) {
+                const std::int64_t side =
+                    farthest_ < 0 ? -orientation(a, z, loops_->points[i]) : orientation(a, z, loops_->points[i]);
+                if (side < 0 || side > (farthest_ < 0 ? -farthest_ : farthest_)) return;
+            }
             if (others_ < max_others) other_[others_] = loops_->points[i];
             ++others_;
         });
@@ -257,16 +398,24 @@ private:
 
     /// Whether a run and the chord between its ends bound a convex polygon: it turns to one side only, and lies on one
     /// side of the chord. Then the polygon is simple, because the run's edges do not meet, so it turns exactly once.
-    [[nodiscard]] bool is_convex(std::uint32_t first, std::uint32_t last) const noexcept
+    /// Notes the side of its farthest point.
+    [[nodiscard]] bool is_convex(std::uint32_t first, std::uint32_t last) noexcept
     {
         const grid_point a = at(first), z = at(last);
         bool is_left = !(a == z), is_right = is_left;
+        std::int64_t least = 0, greatest = 0;
+        grid_point before = a, p = at(first + 1);
         for (std::uint32_t k = first + 1; k < last; ++k) {
-            const grid_point p = at(k);
-            const std::int64_t turn = orientation(at(k - 1), p, at(k + 1)), side = orientation(a, p, z);
+            const grid_point after = at(k + 1);
+            const std::int64_t turn = orientation(before, p, after), side = orientation(a, p, z);
             is_left = is_left && turn >= 0 && side > 0;
             is_right = is_right && turn <= 0 && side < 0;
+            least = side < least ? side : least;
+            greatest = side > greatest ? side : greatest;
+            before = p;
+            p = after;
         }
+        farthest_ = is_left ? -greatest : -least;  // orientation(a, z, p)
         return is_left || is_right;
     }
 
@@ -287,15 +436,20 @@ private:
         around.add(a);
         around.add(b);
         around.add(c);
-        each_in(around, [&](std::size_t i) noexcept {
+        chunks_.each_in(around, [&](std::size_t i) noexcept {
             if (!is_between(static_cast<std::uint32_t>(i), from, place + 1)) look_at(loops_->points[i]);
         });
         return is_clear;
     }
 
-    /// Closes the gaps. An edge ends where the last edge of its piece ended.
-    void remove_dropped(contours& loops) const noexcept
+    /// Closes the gaps. An edge ends where the last edge of its piece ended. False if out of memory.
+    [[nodiscard]] bool remove_dropped(contours& loops) noexcept
     {
+        order_.clear();
+        const array_view<const std::uint32_t> order = loops.order();
+        if (!order_.reserve(order.size())) return false;
+        for (const std::uint32_t i : order)
+            if (fates_[i] == stays) order_.push_back_unchecked(i);
         std::uint32_t to = 0, begin = 0;
         for (std::uint32_t k = 0; k < loops.contour_count(); ++k) {
             const std::uint32_t end = loops.starts[k + 1];
@@ -307,6 +461,7 @@ private:
                 std::uint32_t next = i + 1;
                 while (next < end && fates_[next] == dropped) ++next;
                 loops.points[to] = loops.points[i];
+                numbers_[i] = to;
                 const float t1 = next < end ? loops.edges[next - 1].t1 : t1_of_last;
                 loops.edges[to++] = {loops.edges[i].curve, loops.edges[i].t0, t1};
                 i = next;
@@ -317,22 +472,27 @@ private:
         loops.points.truncate(to);
         loops.edges.truncate(to);
         loops.forget_order();
+        if (order_.empty()) return true;
+        std::uint32_t* next = loops.new_order(order_.size());
+        if (next == nullptr) return false;
+        for (const std::uint32_t i : order_) *next++ = numbers_[i];
+        return true;
     }
 
-    struct curve_place {
-        double t, offset;
-    };
-
-    box_tree tree_;            // of the chunks, if they are many
-    buffer<grid_box> chunks_;  // boxes of so many consecutive points
+    point_chunks chunks_;  // of the points, if is_divided_
     buffer<std::uint8_t> fates_;
-    buffer<curve_place> measures_;  // of a run
+    buffer<std::uint32_t> numbers_, order_;                                   // of the points that stay, afterwards
+    buffer<std::uint32_t> seams_;                                             // a point of each loop that stays
+    bool is_proven_later_ = false, is_divided_ = false, has_failed_ = false;  // the last: out of memory
+    buffer<curve_place> measures_;                                            // of a run
     const contours* loops_ = nullptr;
     double tolerance_ = 0.0;
     cyclic loop_{};
-    curve curve_;  // of the run, in cells
-    bool is_convex_ = false;
-    std::uint32_t others_ = 0;  // the points of other runs in the box around the run; the first ones are in other_
+    curve curve_;                    // of the run, in cells
+    std::uint32_t examined_ = none;  // the curve of which may_stop_ is known
+    bool may_stop_ = false, is_convex_ = false;
+    std::int64_t farthest_ = 0;  // the side of a convex run's farthest point, of the chord between its ends
+    std::uint32_t others_ = 0;   // the points that look_around() has found; the first ones are in other_
     grid_point other_[max_others];
     std::uint32_t spare_ = 0;  // the number of points that the loop can still lose
 };

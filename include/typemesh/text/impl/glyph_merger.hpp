@@ -209,7 +209,8 @@ private:
         with.observe(stage::extrude);
         parting.corners += corners;
         made.origin = {static_cast<double>(first.x) / onto->cells, static_cast<double>(first.y) / onto->cells};
-        const auto planned = planner_.plan(*joined, caps_, with, parting, all.place_at(made.origin));
+        const auto planned =
+            planner_.plan({*joined, caps_.triangles().view(), parting}, caps_, with, all.place_at(made.origin));
         if (!planned) return planned.error();
 
         made.built = all.store.keep(planned->draft);

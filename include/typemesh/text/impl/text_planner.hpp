@@ -15,6 +15,7 @@
 #include <typemesh/text/cells_told_apart.hpp>
 #include <typemesh/text/impl/arrange.hpp>
 #include <typemesh/text/impl/font_ref.hpp>
+#include <typemesh/text/impl/glyph_maker.hpp>
 #include <typemesh/text/impl/glyph_merger.hpp>
 #include <typemesh/text/impl/glyph_team.hpp>
 #include <typemesh/text/impl/place_glyphs.hpp>
@@ -38,6 +39,7 @@ class text_planner {
 public:
     font_ref font;
     cached_in cache;
+    glyph_maker maker;  ///< makes the glyphs instead of the builder, if it is given; then there is no team
 
     explicit text_planner(memory source) noexcept
         : builder_{source}, merger_{source}, layout_{source}, run_{source}, glyphs_{source}
@@ -143,7 +145,9 @@ error text_planner::each_glyph(const call& now, const glyph_settings& how, const
                 glyphs_.in_place ? glyphs_.places[k] : text_glyphs::glyph_place{{}, no_cluster, 0};
             glyph_settings own = how;
             if (glyphs_.in_place && !glyphs_.stands.empty()) own.stand = &glyphs_.stands[at.glyph];
-            const auto draft = builder.build(face, keys[k].id, own, with, at.place);
+            const auto draft = maker.make == nullptr
+                                   ? builder.build(face, keys[k].id, own, with, at.place)
+                                   : maker.make(maker.self, k, builder, {face, keys[k].id, own, with, at.place});
             if (!draft) return glyphs_.in_place ? draft.error().at(keys[k].id, at.cluster) : draft.error();
             built = keep(keys[k], *draft, store);
             if (built == nullptr) return error::out_of_memory;
