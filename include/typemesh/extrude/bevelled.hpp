@@ -148,7 +148,7 @@ struct bevelled {
         float& reached = data.of<bevel_rims>()[0].width;
         reached = is_narrower ? static_cast<float>(scale.width / em) : width;
         if (mode != bevel_mode::clip) {
-            made.narrowed = made.narrowed || is_narrow(reached);
+            made.narrowed = made.narrowed || reached < 0.5f * (std::max)(width, wanted);
             made.lost_caps = data.swept.lost;
         }
         // Specks stay at height 0, where bevels that take the whole depth leave no thickness.
@@ -175,7 +175,7 @@ struct bevelled {
         const double walls = own_heights().rim(true, wall.arrives) - own_heights().rim(false, wall.arrives);
         return {side && walls > 0.0 ? walls : 0.0, as_double(bevel_depth) * own.riser(), apart};
     }
-    /// Likewise.
+    /// See refinable_caps in refined.hpp.
     template <class Refine>
     [[nodiscard]] error refine_caps(Refine& refine, plan_data& data, solid_plan& made) const noexcept
     {
@@ -286,12 +286,6 @@ struct bevelled {
     }
 
 private:
-    /// Whether the reached width is less than half of the wanted width.
-    [[nodiscard]] bool is_narrow(float reached) const noexcept
-    {
-        return reached < 0.5f * (wanted > width ? wanted : width);
-    }
-
     [[nodiscard]] bevel_heights own_heights() const noexcept { return {depth, bevel_depth, sides, centred, standing}; }
 
     [[nodiscard]] error refused() const noexcept
@@ -348,12 +342,12 @@ private:
     {
         const auto doubled = plan_sides(filled, curve_normals{crease_degrees}, texture, data.of<side_point>());
         if (!doubled) return doubled.error();
+        bevel_carver carve = carver_of(filled, false);
         const auto make = [&](const swept_region&) noexcept {
             const error e = divide(data, scale, none, caps);
-            return e ? e : make_cap(data, caps);
+            return e ? e : make_cap(data, false, carve, caps);
         };
         const auto profile_at = [this](const profile_scale& at) noexcept { return profile.at(at); };
-        bevel_carver carve = carver_of(filled, false);
         if (error e = carve({filled, caps.triangles()}, profile_at, scale, caps.space(), data.swept, make)) return e;
         made.narrowed = made.narrowed || carve.narrowed;
         if (error e = make_bevel({profile.at(scale), scale}, filled, none, data, caps.space())) return e;
@@ -389,14 +383,14 @@ private:
                 carve.touches = *found != 0;
                 if (*found != 0) return error{error::crossing_contours};
             }
-            if (sides != bevel_sides::both) return make_cap(data, caps);
+            if (sides != bevel_sides::both) return make_cap(data, true, carve, caps);
             if (filled.corners() != touching::keep) {
                 const auto proven = fill_exactly(data.swept.cap, caps, data.of<triangle>());
                 data.of<triangle>().clear();
                 carve.touches = !proven;
                 if (!proven) return proven.error();
             }
-            return keep_outline(data);
+            return keep(data.swept.cap.points.view(), data.swept.cap.starts.view(), data);
         };
         const auto profile_at = [this](const profile_scale& at) noexcept { return profile.at(at); };
         const region_to_carve given{*around, data.triangles.view()};
@@ -413,22 +407,28 @@ private:
         return {};
     }
 
+    /// Lets a cap_maker that refines caps do so: see refinable_caps in refined.hpp.
+    ///
     /// Fails  error::crossing_contours: the region that the sweep leaves is not proven simple
     template <cap_maker Caps>
-    error make_cap(plan_data& data, Caps& caps) const noexcept
+    error make_cap(plan_data& data, bool turned, bevel_carver& carve, Caps& caps) const noexcept
     {
         const auto cap = fill_exactly(data.swept.cap, caps, data.of<triangle>());
         if (!cap) return cap.error();
-        const bool kept = data.of<grid_point>().append(cap->points()) && data.of<std::uint32_t>().append(cap->starts());
-        return kept ? error{} : error{error::out_of_memory};
+        if constexpr (requires { caps.refine(data, *cap, turned); }) {
+            const error e = caps.refine(data, *cap, turned);
+            carve.touches = e == error::crossing_contours;
+            return e;
+        } else {
+            return keep(cap->points(), cap->starts(), data);
+        }
     }
 
-    /// Stores the outline of the walls, which outward bevels on both sides need because they make no cap there.
-    static error keep_outline(plan_data& data) noexcept
+    /// Stores loops of the cap, or of the walls of outward bevels.
+    static error keep(array_view<const grid_point> points, array_view<const std::uint32_t> starts,
+                      plan_data& data) noexcept
     {
-        const contours& walls = data.swept.cap;
-        const bool kept =
-            data.of<grid_point>().append(walls.points.view()) && data.of<std::uint32_t>().append(walls.starts.view());
+        const bool kept = data.of<grid_point>().append(points) && data.of<std::uint32_t>().append(starts);
         return kept ? error{} : error{error::out_of_memory};
     }
 
