@@ -56,7 +56,6 @@ struct refined_findings {
 class small_angles {
 public:
     std::size_t at_corners = 0, crowded = 0, other = 0;
-    bool too_small_at_corner = false;  ///< one is smaller than its corner explains
 
     small_angles(const typemesh::region& before, const refined_result& cap, double degrees)
         : points_{cap.points()}, loops_{cap.loops}
@@ -104,13 +103,11 @@ private:
         return c.cosine > 0.0 && c.sine > 0.0 && c.sine < 1.7320508075688772 * c.cosine;
     }
     /// Whether a corner explains a least angle, whose tangent is given: arctan(sin c / (2 - cos c)), less a fiftieth.
-    [[nodiscard]] bool explains(std::uint32_t corner, double tangent)
+    [[nodiscard]] bool explains(std::uint32_t corner, double tangent) const
     {
         const angle c = corners_[corner];
-        const bool does =
-            tangent * (2.0 * std::hypot(c.sine, c.cosine) - c.cosine) >= (0.98 - 1e-6) * c.sine;
-        too_small_at_corner = too_small_at_corner || !does;
-        return true;
+        return is_sharp(corner) &&
+               tangent * (2.0 * std::hypot(c.sine, c.cosine) - c.cosine) >= (0.98 - 1e-6) * c.sine;
     }
 
     void look_at(typemesh::triangle t, double least)
@@ -130,9 +127,9 @@ private:
         // One with the corner itself, or between cuts of its two edges.
         if (source_[a] != none && source_[b] != none && source_[a] != source_[b] && !own_[a] && !own_[b])
             for (const auto& [from, to] : {std::pair{source_[a], source_[b]}, {source_[b], source_[a]}})
-                if (next_[from] == to && is_sharp(to) && explains(to, tangent)) return void(++at_corners);
+                if (next_[from] == to && explains(to, tangent)) return void(++at_corners);
         for (const std::uint32_t at : v)
-            if (source_[at] != none && own_[at] && is_sharp(source_[at]) && explains(source_[at], tangent))
+            if (source_[at] != none && own_[at] && explains(source_[at], tangent))
                 return void(++at_corners);
         ++(typemesh::squared_distance(points_[a], points_[b]) < 64 ? crowded : other);
     }
@@ -232,7 +229,6 @@ private:
     {
         using namespace typemesh;
         const char* const where = in_bevel ? "cap within a bevel" : "cap";
-        law(f, true, where, "");
         if (const std::string broken = broken_refinement(before, cap_); !broken.empty())
             return law(f, false, where, broken.c_str());
         const double longest = double(how.max_edge) * em_of(region_);
@@ -249,7 +245,6 @@ private:
             f.at_corners += small.at_corners;
             f.crowded += small.crowded;
             (in_bevel ? f.small_in_bevels : f.small) += small.other;
-            law(f, !small.too_small_at_corner, where, "an angle is smaller than a sharp corner explains");
             law(f, is_delaunay(cap_), where, "an inner edge is not Delaunay");
         } else if constexpr (std::is_same_v<Refiner, quadtree_refined>) {
             law(f, is_delaunay(cap_), where, "an inner edge is not Delaunay");
