@@ -35,10 +35,10 @@ struct total {
     }
     void print(const char* name, const char* refiner) const
     {
-        std::printf("%-34s %-10s %7zu %8zu %8zu %11zu %7zu %6zu %6zu %8zu %8zu %7zu %7zu %6zu %6zu %6zu %8.3f %7.3f\n", name,
-                    refiner, glyphs, all.caps, all.solids, all.triangles, invalid, all.refused, all.narrowed,
-                    all.at_corners, all.crowded, all.small, all.small_in_bevels, all.wide, all.wide_in_bevels, all.long_edges, all.greatest,
-                    all.area_off);
+        std::printf("%-34s %-10s %7zu %8zu %8zu %11zu %7zu %6zu %6zu %8zu %8zu %7zu %7zu %6zu %6zu %6zu %8.3f %7.3f\n",
+                    name, refiner, glyphs, all.caps, all.solids, all.triangles, invalid, all.refused, all.narrowed,
+                    all.at_corners, all.crowded, all.small, all.small_in_bevels, all.wide, all.wide_in_bevels,
+                    all.long_edges, all.greatest, all.area_off);
     }
 };
 
@@ -99,9 +99,9 @@ private:
 
 void print(const test::glyph_arguments& arguments, const std::vector<total>& totals)
 {
-    std::printf("%-34s %-10s %7s %8s %8s %11s %7s %6s %6s %8s %8s %7s %7s %6s %6s %6s %8s %7s\n", "", "", "glyphs", "caps",
-                "solids", "triangles", "invalid", "refus.", "narr.", "corners", "crowded", "small", "bevels", "wide", "bevels",
-                "long", "greatest", "area");
+    std::printf("%-34s %-10s %7s %8s %8s %11s %7s %6s %6s %8s %8s %7s %7s %6s %6s %6s %8s %7s\n", "", "", "glyphs",
+                "caps", "solids", "triangles", "invalid", "refus.", "narr.", "corners", "crowded", "small", "bevels",
+                "wide", "bevels", "long", "greatest", "area");
     total all[refiner_count];
     for (std::size_t i = 0; i < totals.size(); ++i) {
         const std::string& name = arguments.groups()[i / refiner_count].name;

@@ -30,16 +30,16 @@ namespace test {
 /// The findings about one glyph, for one refiner.
 struct refined_findings {
     std::size_t caps = 0, solids = 0, triangles = 0, refused = 0, narrowed = 0;
-    std::size_t at_corners = 0;  ///< triangles below the least angle between the edges of a sharp corner
-    std::size_t crowded = 0;     ///< other ones, whose shortest edge is below 8 cells
-    std::size_t small = 0;       ///< all other ones below the least angle
+    std::size_t at_corners = 0;       ///< triangles below the least angle between the edges of a sharp corner
+    std::size_t crowded = 0;          ///< other ones, whose shortest edge is below 8 cells
+    std::size_t small = 0;            ///< all other ones below the least angle
     std::size_t small_in_bevels = 0;  ///< likewise, in caps within bevels
     std::size_t wide = 0;             ///< corners above 90 degrees that rounding does not explain
     std::size_t wide_in_bevels = 0;   ///< likewise, in caps within bevels
     std::size_t long_edges = 0;
-    double greatest = 0.0;   ///< of non_obtuse: the greatest angle, in degrees
-    double area_off = 0.0;   ///< the worst difference of area, as a share of tolerance x boundary
-    std::string wrong;       ///< the first law that is broken, and where, or nothing
+    double greatest = 0.0;  ///< of non_obtuse: the greatest angle, in degrees
+    double area_off = 0.0;  ///< the worst difference of area, as a share of tolerance x boundary
+    std::string wrong;      ///< the first law that is broken, and where, or nothing
 
     void add(const refined_findings& f)
     {
@@ -106,8 +106,7 @@ private:
     [[nodiscard]] bool explains(std::uint32_t corner, double tangent) const
     {
         const angle c = corners_[corner];
-        return is_sharp(corner) &&
-               tangent * (2.0 * std::hypot(c.sine, c.cosine) - c.cosine) >= (0.98 - 1e-6) * c.sine;
+        return is_sharp(corner) && tangent * (2.0 * std::hypot(c.sine, c.cosine) - c.cosine) >= (0.98 - 1e-6) * c.sine;
     }
 
     void look_at(typemesh::triangle t, double least)
@@ -129,8 +128,7 @@ private:
             for (const auto& [from, to] : {std::pair{source_[a], source_[b]}, {source_[b], source_[a]}})
                 if (next_[from] == to && explains(to, tangent)) return void(++at_corners);
         for (const std::uint32_t at : v)
-            if (source_[at] != none && own_[at] && explains(source_[at], tangent))
-                return void(++at_corners);
+            if (source_[at] != none && own_[at] && explains(source_[at], tangent)) return void(++at_corners);
         ++(typemesh::squared_distance(points_[a], points_[b]) < 64 ? crowded : other);
     }
 
@@ -235,8 +233,9 @@ private:
         if (longest > 0.0) {
             const std::vector<grid_point> p = cap_.points();
             for (const triangle t : cap_.triangles) {
-                const std::int64_t most = (std::max)({squared_distance(p[t.a], p[t.b]), squared_distance(p[t.b], p[t.c]),
-                                                      squared_distance(p[t.c], p[t.a])});
+                const std::int64_t most =
+                    (std::max)({squared_distance(p[t.a], p[t.b]), squared_distance(p[t.b], p[t.c]),
+                                squared_distance(p[t.c], p[t.a])});
                 f.long_edges += double(most) > longest * longest;
             }
         }
@@ -330,8 +329,7 @@ private:
             if (!tree.is_leaf(n)) continue;
             const auto [x, y] = tree.corner(n);
             const std::int32_t width = tree.width(tree.at(n).level);
-            for (const auto& [beyond_x, beyond_y] :
-                 {std::pair{x - 1, y}, {x + width, y}, {x, y - 1}, {x, y + width}})
+            for (const auto& [beyond_x, beyond_y] : {std::pair{x - 1, y}, {x + width, y}, {x, y - 1}, {x, y + width}})
                 count += tree.level_at(beyond_x, beyond_y) + 1 < tree.at(n).level;
         }
         return count;

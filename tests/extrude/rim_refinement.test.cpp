@@ -3,8 +3,8 @@
 #include <typemesh/extrude/impl/rim_refinement.hpp>
 
 #include <typemesh/extrude/bevelled.hpp>
-#include <typemesh/extrude/refined.hpp>
 #include <typemesh/extrude/extrude.hpp>
+#include <typemesh/extrude/refined.hpp>
 #include <typemesh/glyph/cap_builder.hpp>
 #include <typemesh/glyph/region_caps.hpp>
 #include <typemesh/inspect/closedness.hpp>
@@ -50,7 +50,8 @@ struct reckless {
         grid_point middle{(a.x + b.x) / 2, (a.y + b.y) / 2};
         (level ? middle.y : middle.x) += away;
         for (std::uint32_t i = 0; i < p.size(); ++i) {
-            if (!out.loops.points.push_back(p[i]) || !out.loops.edges.push_back(r.edges()[i])) return error::out_of_memory;
+            if (!out.loops.points.push_back(p[i]) || !out.loops.edges.push_back(r.edges()[i]))
+                return error::out_of_memory;
             if (i == 0 && (!out.loops.points.push_back(middle) || !out.loops.edges.push_back(r.edges()[i])))
                 return error::out_of_memory;
         }
@@ -194,7 +195,8 @@ TEST_CASE("caps within bevels reach the least angle", "[extrude][rim_refinement]
     CHECK(below == 0);
 }
 
-TEST_CASE("a refiner that turns a bevel's triangles gets a narrower bevel, which is closed", "[extrude][rim_refinement]")
+TEST_CASE("a refiner that turns a bevel's triangles gets a narrower bevel, which is closed",
+          "[extrude][rim_refinement]")
 {
     const auto s = shapes::rectangle();
     for (const std::int32_t off : {0, 3, 400'000}) {

@@ -63,17 +63,17 @@ public:
             all_.push_back({{t.c, t.a}, t.b});
         }
         std::sort(all_.begin(), all_.end());
-        all_.erase(std::unique(all_.begin(), all_.end(),
-                               [](const entry& a, const entry& b) { return a.first == b.first; }),
-                   all_.end());
+        all_.erase(
+            std::unique(all_.begin(), all_.end(), [](const entry& a, const entry& b) { return a.first == b.first; }),
+            all_.end());
     }
     [[nodiscard]] auto begin() const { return all_.begin(); }
     [[nodiscard]] auto end() const { return all_.end(); }
     [[nodiscard]] std::size_t size() const { return all_.size(); }
     [[nodiscard]] std::vector<entry>::const_iterator find(ends edge) const
     {
-        const auto found = std::lower_bound(begin(), end(), edge,
-                                            [](const entry& a, const ends& wanted) { return a.first < wanted; });
+        const auto found =
+            std::lower_bound(begin(), end(), edge, [](const entry& a, const ends& wanted) { return a.first < wanted; });
         return found != end() && found->first == edge ? found : end();
     }
     [[nodiscard]] std::size_t count(ends edge) const { return find(edge) == end() ? 0u : 1u; }

@@ -84,8 +84,16 @@ private:
 ///     refined<>{.how = {.max_edge = 0.05f}}                    extruded, no edge of its caps longer than 0.05 em
 ///     refined<flat>{.how = {.min_angle = 30.0f}}
 ///     refined<extruded<creased_normals>>{.solid = {.depth = 0.1f}}
+///     refined<bevelled>{.solid = {.width = 0.02f}, .how = {.min_angle = 30.0f}}
+///     outlined<refined<>>{.width = 0.02f}                      hollow letters: the ring is refined
 ///
-/// It has the other extruder's parts. All triangles of merged glyphs belong to shared_glyph.
+/// Around bevels the outline is refined first, and the slopes begin at its new points. Then each cap within a bevel is
+/// refined. Points on its edges divide the slopes' triangles there, so all parts share every point. The slopes get no
+/// other points. Where two slopes almost meet, a cap can be a few cells narrow, which leaves no room for points. If a
+/// refiner of your own adds a point that would turn a triangle of a slope, the bevel becomes narrower.
+///
+/// It has the other extruder's parts. All triangles of merged glyphs belong to shared_glyph. A ring of `outlined` and
+/// the letter within it are refined one by one, so their common edges get different points.
 ///
 /// Fails  as the refiner and the other extruder do
 template <refinable Solid = extruded<>, refiner Refiner = delaunay_refined>
@@ -122,6 +130,7 @@ struct refined {
     // The reports of the other extruder.
 
     [[nodiscard]] height_range heights() const noexcept { return solid.heights(); }
+    /// See extruder.hpp.
     [[nodiscard]] height_range heights(const solid_with<plan_data>& s) const noexcept
         requires has_heights<Solid>
     {

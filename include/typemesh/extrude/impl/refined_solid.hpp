@@ -37,18 +37,18 @@ struct cap_refiner {
 
 /// An extruder that makes caps of its own and can have them refined, such as bevelled:
 ///
-///     e.plan(filled, data, caps)           calls caps.refine(data, cap, turned), if there is such a function, with a cap
-///                                          that it has made, instead of storing it: see rim_refinement
+///     e.plan(filled, data, caps)           calls caps.refine(data, cap, turned), if there is such a function, with a
+///                                          cap that it has made, instead of storing it: see rim_refinement
 ///     e.refine_caps(refine, data, made)    after plan(): has each cap that it draws refined, and adds their points and
 ///                                          triangles to made.sizes. Each inner point adds two triangles
 ///     refine.region_cap(added)             refines the region's own cap. The points follow the region's points
 ///     refine.cap(points, starts, triangles, added)     refines another cap. Inner points are appended to its points,
 ///                                          and its triangles are replaced
 template <class E>
-concept refinable_caps = extruder<E> && requires(const E& e, detail::cap_refiner& refine, plan_data_of<E>& data,
-                                                 solid_plan& made) {
-    { e.refine_caps(refine, data, made) } noexcept -> std::same_as<error>;
-};
+concept refinable_caps =
+    extruder<E> && requires(const E& e, detail::cap_refiner& refine, plan_data_of<E>& data, solid_plan& made) {
+        { e.refine_caps(refine, data, made) } noexcept -> std::same_as<error>;
+    };
 
 /// A solid over a cap that has been refined: all or part of an extruder's plan data.
 ///

@@ -69,12 +69,12 @@ private:
 
     /// The triangle on an edge of the cap.
     struct fan {
-        std::uint32_t side = none;     ///< 3 * its number + the number of its corner at which the edge begins
-        std::uint32_t edge = none;     ///< the edge in edges_at
-        bool forward = false;          ///< whether the triangle's side runs in the direction of the cap's edge
-        bool with_rim = true;          ///< whether the edge in edges_at does
-        std::uint32_t first = 0;       ///< the first node that has been added to it
-        std::uint32_t count = 0;       ///< and their number
+        std::uint32_t side = none;  ///< 3 * its number + the number of its corner at which the edge begins
+        std::uint32_t edge = none;  ///< the edge in edges_at
+        bool forward = false;       ///< whether the triangle's side runs in the direction of the cap's edge
+        bool with_rim = true;       ///< whether the edge in edges_at does
+        std::uint32_t first = 0;    ///< the first node that has been added to it
+        std::uint32_t count = 0;    ///< and their number
     };
     struct rim_edge {
         grid_point from, to;
@@ -177,8 +177,7 @@ private:
         std::uint32_t* const on_rim = fan_of_.append(swept_->nodes.size());
         if (on_rim == nullptr) return false;
         for (std::size_t i = 0; i < swept_->nodes.size(); ++i) on_rim[i] = 0;
-        for (const rim_edge& e : rims_)
-            on_rim[swept_->edges_at[e.index].a] = on_rim[swept_->edges_at[e.index].b] = 1;
+        for (const rim_edge& e : rims_) on_rim[swept_->edges_at[e.index].a] = on_rim[swept_->edges_at[e.index].b] = 1;
         sides_.clear();
         const auto& cells = swept_->cells;
         const std::size_t last = swept_->levels.size() - 2;
@@ -291,10 +290,9 @@ private:
     [[nodiscard]] bool add_fan(const fan& f) noexcept
     {
         const std::uint32_t r = node_of(next(next(f.side)));
-        return each_part(f, f.forward, node_of(f.side), node_of(next(f.side)),
-                         [&](std::uint32_t from, std::uint32_t to) noexcept {
-                             return divided_.push_back({from, to, r});
-                         });
+        return each_part(
+            f, f.forward, node_of(f.side), node_of(next(f.side)),
+            [&](std::uint32_t from, std::uint32_t to) noexcept { return divided_.push_back({from, to, r}); });
     }
 
     /// Divides the edges at the last level. False if out of memory.
