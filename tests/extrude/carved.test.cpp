@@ -258,6 +258,22 @@ TEST_CASE("carved options are refused by name, and have keys", "[extrude][carved
     CHECK(carved{}.cache_key() == plain.cache_key());
 }
 
+TEST_CASE("slopes shallower than four cells rise as well", "[extrude][carved]")
+{
+    for (const float depth : {1e-6f, 7e-6f, 9e-6f}) {  // 0.5 to 4.6 cells
+        CAPTURE(depth);
+        const carved how{.tool_angle = 179.0f, .max_depth = depth};
+        const auto m = capped(carved_square(), how);
+        CHECK(open_edges(m) == 0);
+        const double width = double(depth) / slope_of(how), inner = 0.6 - 2.0 * width;
+        CHECK(volume_of(m) ==
+              Catch::Approx(double(depth) / 3.0 * (0.36 + inner * inner + 0.6 * inner)).epsilon(0.1 * width));
+        std::size_t low = 0;
+        for (const auto& v : vertices_of(m, part::front_bevel)) low += !(v.position.z > 0.0f);
+        CHECK(low >= 4);
+    }
+}
+
 TEST_CASE("a carved solid at the limits of its options is still closed", "[extrude][carved]")
 {
     for (const float angle : {1.0f, 179.0f})

@@ -44,7 +44,7 @@ inline broken_law of_inflated(const inflated& how, drawn_shape& from)
     return volume >= 0.0 ? "" : "the volume is negative";
 }
 
-/// Closed, unless it is a groove; and nowhere deeper than it is far from the outline, if it is a few cells deep.
+/// Closed, unless it is a groove; and nowhere deeper than it is far from the outline.
 inline broken_law of_carved(const carved& how, drawn_shape& from)
 {
     carved_data data;
@@ -53,9 +53,7 @@ inline broken_law of_carved(const carved& how, drawn_shape& from)
     if (!plan) return unless_one_of(plan.error(), {error::bad_option, error::outline_beyond_grid});
     if (how.as != carving::groove)
         if (broken_law broken = of_mesh(m, how, from, plan->sizes); !broken.empty()) return broken;
-    const height_range heights = how.heights(
-        solid_of<carved>{{from.made.points(), from.made.starts(), from.caps.triangles().view()}, data.read()});
-    if (!from.is_small || from.made.points().size() > 200 || (heights.high - heights.low) * from.em < 16.0) return {};
+    if (!from.is_small || from.made.points().size() > 200) return {};
     const test::plain_outline outline{from.made};
     const double slope = 1.0 / std::tan(double(how.tool_angle) * 3.14159265358979323846 / 360.0);
     for (std::size_t i = 0; i < m.vertices.size(); ++i) {

@@ -31,7 +31,7 @@ TEST_CASE("a divided triangle is six right ones, and its boundary moves inwards 
     REQUIRE(weights.open(mesh));
     REQUIRE(weights.settle(1000, 1.0));
     right_triangles parts;
-    REQUIRE(parts.divide(mesh, weights));
+    REQUIRE(parts.divide(mesh, weights, detail::boundary_cutter{}));
     CHECK(parts.count(mesh).points == 7);
     CHECK(parts.count(mesh).obtuse == 0);
     test::refined_result out;
@@ -70,7 +70,7 @@ TEST_CASE("triangles of a few cells remain whole, and those beside them valid", 
         REQUIRE(weights.open(mesh));
         (void)weights.settle(100, 0.3);
         right_triangles parts;
-        REQUIRE(parts.divide(mesh, weights));
+        REQUIRE(parts.divide(mesh, weights, detail::boundary_cutter{}));
         test::refined_result out;
         REQUIRE_FALSE(parts.write(mesh, shape.filled, out.out()));
         CHECK(test::broken_refinement(shape.filled, out) == "");

@@ -17,6 +17,7 @@
 #include <typemesh/extrude/impl/wall_rows.hpp>
 #include <typemesh/extrude/texture.hpp>
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <initializer_list>
@@ -130,7 +131,7 @@ struct bevelled {
         float& reached = data.of<bevel_rims>()[0].width;
         reached = is_narrower ? static_cast<float>(scale.width / em) : width;
         if (mode != bevel_mode::clip) {
-            made.narrowed = made.narrowed || is_narrow(reached);
+            made.narrowed = made.narrowed || reached < 0.5f * (std::max)(width, wanted);
             made.lost_caps = data.swept.lost;
         }
         // Specks stay at height 0, where bevels that take the whole depth leave no thickness.
@@ -157,7 +158,7 @@ struct bevelled {
         const double walls = own_heights().rim(true, wall.arrives) - own_heights().rim(false, wall.arrives);
         return {side && walls > 0.0 ? walls : 0.0, as_double(bevel_depth) * own.riser(), apart};
     }
-    /// Likewise.
+    /// See refinable_caps.
     template <class Refine>
     [[nodiscard]] error refine_caps(Refine& refine, plan_data& data, solid_plan& made) const noexcept
     {
@@ -268,12 +269,6 @@ struct bevelled {
     }
 
 private:
-    /// Whether the reached width is less than half of the wanted width.
-    [[nodiscard]] bool is_narrow(float reached) const noexcept
-    {
-        return reached < 0.5f * (wanted > width ? wanted : width);
-    }
-
     [[nodiscard]] bevel_heights own_heights() const noexcept { return {depth, bevel_depth, sides, centred, standing}; }
 
     [[nodiscard]] error refused() const noexcept

@@ -6,6 +6,7 @@
 #include <typemesh/core/impl/option_hash.hpp>
 #include <typemesh/extrude/bevelled.hpp>
 #include <typemesh/extrude/extruder.hpp>
+#include <typemesh/extrude/impl/profile_levels.hpp>
 #include <typemesh/extrude/plan_arrays.hpp>
 #include <typemesh/offset/find_ridges.hpp>
 
@@ -141,7 +142,11 @@ struct carved {
         const double em = filled.grid().cells * filled.grid().units_per_em;
         if (!(em > 0.0)) return error::bad("units_per_em");
         carved_depth wanted = depth_of(filled, em);
-        const bevelled slopes = slopes_of(wanted);
+        bevelled slopes = slopes_of(wanted);
+        // A profile shallower than profile_levels::finest would not rise. The plan stores shares of the depth, so that
+        // a deeper profile has the same plan.
+        constexpr double least = 2.0 * profile_levels::finest;
+        if (as_double(wanted.depth) * em < least) slopes.depth = slopes.bevel_depth = static_cast<float>(least / em);
         auto made = slopes.plan(filled, data.bevel, caps);
         if (!made) return made;
         const float reached = data.bevel.of<bevel_rims>()[0].width;

@@ -46,12 +46,12 @@ public:
         const auto doubled =
             plan_sides(filled, curve_normals{how_.crease_degrees}, how_.texture, data.of<side_point>());
         if (!doubled) return doubled.error();
+        bevel_carver carve = carver_of(filled, false);
         const auto make = [&](const swept_region&) noexcept {
             const error e = divide(data, scale, none, caps);
-            return e ? e : make_cap(data, caps);
+            return e ? e : make_cap(data, false, carve, caps);
         };
         const auto profile_at = [this](const profile_scale& at) noexcept { return how_.profile.at(at); };
-        bevel_carver carve = carver_of(filled, false);
         if (error e = carve({filled, caps.triangles()}, profile_at, scale, caps.space(), data.swept, make)) return e;
         made.narrowed = made.narrowed || carve.narrowed;
         if (error e = make_bevel({how_.profile.at(scale), scale}, filled, none, data, caps.space())) return e;
@@ -88,14 +88,14 @@ public:
                 carve.touches = *found != 0;
                 if (*found != 0) return error{error::crossing_contours};
             }
-            if (how_.sides != bevel_sides::both) return make_cap(data, caps);
+            if (how_.sides != bevel_sides::both) return make_cap(data, true, carve, caps);
             if (filled.corners() != touching::keep) {
                 const auto proven = fill_exactly(data.swept.cap, caps, data.of<triangle>());
                 data.of<triangle>().clear();
                 carve.touches = !proven;
                 if (!proven) return proven.error();
             }
-            return keep_outline(data);
+            return keep(data.swept.cap.points.view(), data.swept.cap.starts.view(), data);
         };
         const auto profile_at = [this](const profile_scale& at) noexcept { return how_.profile.at(at); };
         const region_to_carve given{*around, data.triangles.view()};
@@ -131,22 +131,28 @@ private:
                 how_.mode != bevel_mode::clip};
     }
 
+    /// Lets a cap_maker that refines caps do so: see refinable_caps.
+    ///
     /// Fails  error::crossing_contours: the region that the sweep leaves is not proven simple
     template <cap_maker Caps>
-    error make_cap(plan_data& data, Caps& caps) const noexcept
+    error make_cap(plan_data& data, bool turned, bevel_carver& carve, Caps& caps) const noexcept
     {
         const auto cap = fill_exactly(data.swept.cap, caps, data.of<triangle>());
         if (!cap) return cap.error();
-        const bool kept = data.of<grid_point>().append(cap->points()) && data.of<std::uint32_t>().append(cap->starts());
-        return kept ? error{} : error{error::out_of_memory};
+        if constexpr (requires { caps.refine(data, *cap, turned); }) {
+            const error e = caps.refine(data, *cap, turned);
+            carve.touches = e == error::crossing_contours;
+            return e;
+        } else {
+            return keep(cap->points(), cap->starts(), data);
+        }
     }
 
-    /// Stores the outline of the walls, which outward bevels on both sides need because they make no cap there.
-    static error keep_outline(plan_data& data) noexcept
+    /// Stores loops of the cap, or of the walls of outward bevels.
+    static error keep(array_view<const grid_point> points, array_view<const std::uint32_t> starts,
+                      plan_data& data) noexcept
     {
-        const contours& walls = data.swept.cap;
-        const bool kept =
-            data.of<grid_point>().append(walls.points.view()) && data.of<std::uint32_t>().append(walls.starts.view());
+        const bool kept = data.of<grid_point>().append(points) && data.of<std::uint32_t>().append(starts);
         return kept ? error{} : error{error::out_of_memory};
     }
 

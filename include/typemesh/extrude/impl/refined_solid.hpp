@@ -1,13 +1,18 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <typemesh/core/array_view.hpp>
 #include <typemesh/core/buffer.hpp>
+#include <typemesh/core/error.hpp>
+#include <typemesh/core/point.hpp>
 #include <typemesh/core/region.hpp>
 #include <typemesh/core/result.hpp>
+#include <typemesh/core/triangle.hpp>
 #include <typemesh/extrude/extruder.hpp>
 #include <typemesh/extrude/impl/inner_solid.hpp>
 #include <typemesh/refine/refiner.hpp>
 
+#include <concepts>
 #include <cstdint>
 
 namespace typemesh::inline TYPEMESH_ABI {
@@ -16,6 +21,34 @@ namespace typemesh::inline TYPEMESH_ABI {
 /// caps' triangles may use them.
 template <class E>
 concept refinable_extruder = extruder<E> && takes_inner_points<E>;
+
+namespace detail {
+
+/// A stand-in with which the concept refinable_caps is checked; it is never defined.
+struct cap_refiner {
+    /// Refines the region's own cap.
+    error region_cap(std::uint32_t& added) noexcept;
+    /// Refines another cap.
+    error cap(buffer<grid_point>& points, array_view<const std::uint32_t> starts, buffer<triangle>& triangles,
+              std::uint32_t& added) noexcept;
+};
+
+}  // namespace detail
+
+/// An extruder that makes caps of its own and can have them refined, such as bevelled:
+///
+///     e.plan(filled, data, caps)           calls caps.refine(data, cap, turned), if there is such a function, with a
+///                                          cap that it has made, instead of storing it: see rim_refinement
+///     e.refine_caps(refine, data, made)    after plan(): has each cap that it draws refined, and adds their points and
+///                                          triangles to made.sizes. Each inner point adds two triangles
+///     refine.region_cap(added)             refines the region's own cap. The points follow the region's points
+///     refine.cap(points, starts, triangles, added)     refines another cap. Inner points are appended to its points,
+///                                          and its triangles are replaced
+template <class E>
+concept refinable_caps =
+    extruder<E> && requires(const E& e, detail::cap_refiner& refine, plan_data_of<E>& data, solid_plan& made) {
+        { e.refine_caps(refine, data, made) } noexcept -> std::same_as<error>;
+    };
 
 /// A solid over a cap that has been refined: all or part of an extruder's plan data.
 ///

@@ -30,11 +30,29 @@ public:
 
     explicit boundary_cutter(memory source = heap()) noexcept : near_{source} {}
 
+    /// For the next region: its edge i is also an edge of a triangle of another surface, whose third corner is
+    /// corners[i]. Only points are added that leave the triangles between this corner and the edge's parts as they lie.
+    /// If the corner lies on the edge, none is added. The corners must outlive the calls that follow.
+    void attach(array_view<const grid_point> corners) noexcept { next_attached_ = corners; }
+
     /// Begins with a region, which must outlive the calls that follow.
     void open(const region& r) noexcept
     {
         region_ = &r;
         near_.clear();
+        attached_ = next_attached_;
+        next_attached_ = {};
+    }
+
+    /// Whether the triangles of another surface allow the point p on the boundary edge that leaves a: see attach().
+    [[nodiscard]] bool is_attachable(const refinable_mesh& mesh, std::uint32_t a, grid_point p) const noexcept
+    {
+        if (attached_.empty()) return true;
+        const grid_point from = mesh.place(a), to = mesh.place(mesh.next_on_boundary(a)),
+                         r = attached_[mesh.at(a).source];
+        const bool is_left = orientation(from, to, r) > 0;
+        const std::int64_t before = orientation(from, p, r), after = orientation(p, to, r);
+        return is_left ? before > 0 && after > 0 : before < 0 && after < 0;
     }
 
     /// Splits the boundary edge that leaves a at the parameter t of its curve, or at a share of its length. Returns the
@@ -126,6 +144,7 @@ public:
         if (dot(p, from, to) >= 0) return none;  // beyond an end
         constexpr std::int64_t nearest = refinable_mesh::spacing * refinable_mesh::spacing;
         if (squared_distance(p, from) < nearest || squared_distance(p, to) < nearest) return none;
+        if (!is_attachable(mesh, a, p)) return none;
         if (orientation(from, to, p) < 0) {
             if (near_.is_stale(mesh) && !near_.open(mesh)) return error::out_of_memory;
             if (!near_.is_free(mesh, a, p)) return none;
@@ -145,6 +164,7 @@ private:
 
     const region* region_ = nullptr;
     boundary_buckets near_;
+    array_view<const grid_point> attached_, next_attached_;
 };
 
 }  // namespace typemesh::inline TYPEMESH_ABI::detail

@@ -58,6 +58,9 @@ public:
     {
     }
 
+    /// Corners beyond the next region's edges: see boundary_cutter.
+    void attach(array_view<const grid_point> corners) noexcept { cut_.attach(corners); }
+
     /// Fails  error::out_of_memory, error::too_many_points
     [[nodiscard]] error run(const region& r, array_view<const triangle> triangles,
                             const refinement_limits& limits) noexcept

@@ -34,6 +34,8 @@ public:
     {
     }
 
+    using delaunay_refinement::attach;
+
     /// Fails  error::out_of_memory, error::too_many_points
     [[nodiscard]] error run(const region& r, array_view<const triangle> triangles,
                             const refinement_limits& limits) noexcept
@@ -45,7 +47,7 @@ public:
         kept_ = 0;
         if (!is_divided_) return {};
         if (error e = find_weights()) return e;
-        if (!parts_.divide(mesh_, weights_)) return error::out_of_memory;
+        if (!parts_.divide(mesh_, weights_, cut_)) return error::out_of_memory;
         const right_triangles::counts all = parts_.count(mesh_);
         kept_ = all.obtuse;
         return all.points > limits_.max_points ? error::too_many_points : error{};

@@ -80,6 +80,7 @@ public:
         return {};
     }
 
+    using delaunay_refinement::attach;
     using delaunay_refinement::kept;
     using delaunay_refinement::mesh;
     using delaunay_refinement::write;

@@ -43,8 +43,9 @@ public:
     {
     }
 
-    /// False if out of memory.
-    [[nodiscard]] bool divide(const refinable_mesh& mesh, const radical_weights& weights) noexcept
+    /// `cut` knows which feet the boundary allows. False if out of memory.
+    [[nodiscard]] bool divide(const refinable_mesh& mesh, const radical_weights& weights,
+                              const boundary_cutter& cut) noexcept
     {
         feet_.clear();
         centres_.clear();
@@ -54,7 +55,7 @@ public:
         if (feet == nullptr || centres == nullptr) return false;
         for (std::uint32_t t = 0; t < mesh.triangle_count(); ++t) {
             for (std::uint32_t h = 4 * t; h < 4 * t + 3; ++h)
-                if (is_first(mesh, h)) feet[h] = foot_of(mesh, weights, h);
+                if (is_first(mesh, h)) feet[h] = foot_of(mesh, weights, cut, h);
             const point off = weights.centre_of(mesh, t);
             const grid_point from = mesh.start(4 * t);
             // A centre that is far away, or no number, is no centre: the triangle then stays whole.
@@ -146,7 +147,7 @@ private:
     }
 
     [[nodiscard]] static foot foot_of(const refinable_mesh& mesh, const radical_weights& weights,
-                                      std::uint32_t h) noexcept
+                                      const boundary_cutter& cut, std::uint32_t h) noexcept
     {
         const grid_point p = mesh.start(h), q = mesh.place(mesh.target(h));
         const double share =
@@ -158,7 +159,8 @@ private:
         for (const int next_best : {0, 1, 2, 3}) {
             made.place = boundary_cutter::rounded(on, next_best);
             made.is_used = made.place != p && made.place != q;
-            if (!mesh.is_boundary(h) || orientation(p, q, made.place) >= 0) break;
+            if (!mesh.is_boundary(h)) break;
+            if (orientation(p, q, made.place) >= 0 && cut.is_attachable(mesh, mesh.origin(h), made.place)) break;
             made.is_used = false;
         }
         return made;
