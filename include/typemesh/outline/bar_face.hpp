@@ -11,7 +11,7 @@ namespace typemesh::inline TYPEMESH_ABI {
 /// The number of an extra face that every outline source has. Its glyphs draw in the square from (0, 0) to (1, 1), in
 /// units of the source's first face. The map of a glyph style turns this square into an underline or a background.
 ///
-///     0                     the whole square
+///     0 and others          the whole square
 ///     rounded_bar(...)      the square with round corners
 ///     blank_bar + index     nothing: the place of an inline box
 inline constexpr std::uint32_t bar_face = 0xFFFF'FFFFu;
@@ -39,7 +39,7 @@ void draw_bar(Sink& sink, glyph_id id) noexcept
 {
     if (is_blank_bar(id)) return;
     const double x = static_cast<double>(id >> 15) * 0x1p-15, y = static_cast<double>(id & 0x7FFFu) * 0x1p-15;
-    if (id == 0) {
+    if (!(x > 0.0) || !(y > 0.0)) {
         sink.move({0.0, 0.0});
         sink.line({1.0, 0.0});
         sink.line({1.0, 1.0});

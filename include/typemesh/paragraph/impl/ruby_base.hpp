@@ -21,7 +21,7 @@ namespace typemesh::inline TYPEMESH_ABI::detail {
 [[nodiscard]] inline bool kana_before(text_view text, std::uint32_t unit) noexcept
 {
     const std::uint32_t most = text.encoding() == encoding::utf16 ? 2 : 4;
-    for (std::uint32_t back = 1; back <= most && back <= unit; ++back)
+    for (std::uint32_t back = most < unit ? most : unit; back > 0; --back)
         if (const code_point c = decode(text, unit - back); c.next == unit) return is_kana(c.value);
     return false;
 }
