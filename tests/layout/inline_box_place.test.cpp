@@ -22,8 +22,7 @@ struct boxed_text {
         constexpr char16_t letters[] = u"abcd \u05D0\u05D1\u05D2\u6F22\uFFFC1";
         for (std::uint32_t n = 1 + below(12); n > 0; --n) text += letters[below(11)];
         for (std::uint32_t u = 0; u < text.size(); ++u)
-            if (text[u] == u'\xFFFC')
-                boxes.push_back({u, 0.125 * below(20), 0.25 * below(6), 0.25 * below(3)});
+            if (text[u] == u'\xFFFC') boxes.push_back({u, 0.125 * below(20), 0.25 * below(6), 0.25 * below(3)});
         if (below(2) != 0) std::reverse(boxes.begin(), boxes.end());
     }
 };

@@ -65,7 +65,8 @@ TEST_CASE("a box is a grapheme of its own, and rooms cover whole graphemes", "[l
     REQUIRE_FALSE(r.failure);
     CHECK(has(r.found.marks[1], text_mark::grapheme));
     CHECK(has(r.found.marks[2], text_mark::grapheme));
-    CHECK(r.insets.room_at(5)->first == 3);  // the first room has the whole grapheme, so that nothing is left of the other
+    CHECK(r.insets.room_at(5)->first ==
+          3);  // the first room has the whole grapheme, so that nothing is left of the other
     CHECK(r.insets.room_at(5)->last == 6);
     CHECK(r.insets.room_at(6) == nullptr);
 }

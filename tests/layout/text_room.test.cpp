@@ -22,14 +22,15 @@ TEST_CASE("a room spreads ideographs with half a gap at both ends, and words as 
     CHECK(spread(u"ab\u6F22d", {1, 3, 1.5}) == std::vector<double>{0.0, 625.0, 1375.0, 2000.0});
     CHECK(spread(u"abcd", {1, 3, 0.9}) == std::vector<double>{0.0, 500.0, 1000.0, 1500.0});  // it is wide enough
     CHECK(spread(u"a b c", {1, 4, 1.5}) == std::vector<double>{0.0, 500.0, 1250.0, 2250.0, 2500.0});  // not the spaces
-    const auto hebrew = spread(u"\u05D0\u05D1\u05D2\u05D3", {1, 3, 1.5});  // from left to right: dalet, gimel, bet, alef
+    const auto hebrew =
+        spread(u"\u05D0\u05D1\u05D2\u05D3", {1, 3, 1.5});  // from left to right: dalet, gimel, bet, alef
     CHECK(hebrew == std::vector<double>{-2500.0, -1750.0, -1250.0, -500.0});
     const text_room room{1, 3, 1.5};
-    const test::laid_paragraph<> column{u"a\u6F22\u5B57b", {}, {.direction = direction::top_to_bottom, .rooms = {&room, 1}}};
+    const test::laid_paragraph<> column{
+        u"a\u6F22\u5B57b", {}, {.direction = direction::top_to_bottom, .rooms = {&room, 1}}};
     const test::laid_paragraph<> plain{u"a\u6F22\u5B57b", {}, {.direction = direction::top_to_bottom}};
     const double down[] = {0.0, 125.0, 375.0, 500.0};
-    for (std::size_t i = 0; i < 4; ++i)
-        CHECK(column.run.glyphs[i].origin.y == plain.run.glyphs[i].origin.y - down[i]);
+    for (std::size_t i = 0; i < 4; ++i) CHECK(column.run.glyphs[i].origin.y == plain.run.glyphs[i].origin.y - down[i]);
 }
 
 TEST_CASE("no line ends inside a room, however narrow the lines are, and its line is higher", "[layout]")

@@ -30,7 +30,8 @@ TEST_CASE("every outline source draws a unit square as its bar face, and a bar t
     CHECK(drawn.curves.empty());
 }
 
-TEST_CASE("a bar has round corners of the given radii, and its outline is closed and tangent to the square", "[outline]")
+TEST_CASE("a bar has round corners of the given radii, and its outline is closed and tangent to the square",
+          "[outline]")
 {
     recorded_outlines none{1.0, fill_rule::even_odd};
     const affine same{};

@@ -9,7 +9,9 @@ using namespace typemesh;
 
 TEST_CASE("kana are found in both encodings, before and behind a place", "[paragraph][ruby]")
 {
-    const text_view wide{u"\u3042a\u30FC\U00020000"}, narrow{"\xE3\x81\x82" "a\xE3\x83\xBC"};
+    const text_view wide{u"\u3042a\u30FC\U00020000"}, narrow{
+                                                          "\xE3\x81\x82"
+                                                          "a\xE3\x83\xBC"};
     CHECK(detail::kana_at(wide, 0));
     CHECK(detail::kana_before(wide, 1));
     CHECK_FALSE(detail::kana_before(wide, 0));
@@ -35,7 +37,8 @@ TEST_CASE("the text of a ruby has no white space at its ends and no spacing behi
     CHECK(detail::find_ruby_base(p.laid(), {2, 2}).parts == 0);
 }
 
-TEST_CASE("a text of two directions has one box if it is shown in one piece, and otherwise several", "[paragraph][ruby]")
+TEST_CASE("a text of two directions has one box if it is shown in one piece, and otherwise several",
+          "[paragraph][ruby]")
 {
     const test::laid_paragraph<> p{u"ab\u05D0\u05D1\u05D2 cd"};  // a b gimel bet alef c d
     const auto parts = [&](std::uint32_t first, std::uint32_t last) {

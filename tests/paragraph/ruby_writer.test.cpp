@@ -96,7 +96,6 @@ TEST_CASE("a ruby that cannot be set leaves the run as it was", "[paragraph][rub
     const std::size_t before = counted.requests;
     REQUIRE(warm.write(page.font, page.laid(), {bad, 1}, {}, page.run));
     CHECK(counted.requests == before);
-
 }
 
 namespace {
@@ -223,7 +222,10 @@ TEST_CASE("a ruby stands on its own text, whatever is higher in the line", "[par
 
 TEST_CASE("in columns rubies stand to the right of their text, from top to bottom", "[paragraph][ruby]")
 {
-    const roomy_page p{u"a\u6F22\u5B57b", {ruby_on(1, 3, u"\u3042\u3044\u3046\u3048\u304A")}, {.gap = 0.1}, {},
+    const roomy_page p{u"a\u6F22\u5B57b",
+                       {ruby_on(1, 3, u"\u3042\u3044\u3046\u3048\u304A")},
+                       {.gap = 0.1},
+                       {},
                        {.direction = direction::top_to_bottom}};
     const line_metrics column = p.font.metrics(direction::top_to_bottom);
     REQUIRE(p.run.glyphs.size() == 9);
@@ -232,9 +234,9 @@ TEST_CASE("in columns rubies stand to the right of their text, from top to botto
     CHECK(from.x == Approx(column.ascender + 100.0 - 0.5 * column.descender));
     CHECK(from.y - to.y == Approx(4 * 250.0));
     // both have the same middle: the ruby is 1250 long, each of its letters 250, the letters of the text 500
-    CHECK(0.5 * (from.y + to.y - 250.0) ==
-          Approx(0.5 * (p.run.glyphs[1].origin.y + p.run.glyphs[2].origin.y - 500.0)));
-    CHECK(p.words.lines()[0].metrics.ascender == Approx(column.ascender + 100.0 + 0.5 * (column.ascender - column.descender)));
+    CHECK(0.5 * (from.y + to.y - 250.0) == Approx(0.5 * (p.run.glyphs[1].origin.y + p.run.glyphs[2].origin.y - 500.0)));
+    CHECK(p.words.lines()[0].metrics.ascender ==
+          Approx(column.ascender + 100.0 + 0.5 * (column.ascender - column.descender)));
 }
 
 TEST_CASE("in 10000 random texts every ruby is centred above its text, in one line with all of it", "[paragraph][ruby]")

@@ -83,7 +83,7 @@ private:
 
     void add_text(const auto& below)
     {
-        constexpr char32_t letters[] = {U'a', U'b', U' ',    U']',    U'[',      U'/',   U'=',
+        constexpr char32_t letters[] = {U'a', U'b', U' ',    U']',    U'[',      U'/',    U'=',
                                         U'"', U'#', U'\x9F', U'\xE9', U'\x672C', 0x1F600, U'\xFFFC'};
         const tag_values now = look();
         for (std::size_t count = below(4); count > 0; --count) {

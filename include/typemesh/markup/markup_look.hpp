@@ -60,9 +60,9 @@ struct basic_markup_look {
 
     friend bool operator==(const basic_markup_look& a, const basic_markup_look& b) noexcept
     {
-        return a.tags == b.tags && a.colour == b.colour && a.style == b.style && a.mark == b.mark && a.position == b.position &&
-               same(a.size, b.size) && same(a.rise, b.rise) && same(a.spacing, b.spacing) && same(a.depth, b.depth) &&
-               same(a.bevel, b.bevel) && a.font == b.font && a.language == b.language;
+        return a.tags == b.tags && a.colour == b.colour && a.style == b.style && a.mark == b.mark &&
+               a.position == b.position && same(a.size, b.size) && same(a.rise, b.rise) && same(a.spacing, b.spacing) &&
+               same(a.depth, b.depth) && same(a.bevel, b.bevel) && a.font == b.font && a.language == b.language;
     }
 
     /// Equal looks have equal hashes. Members without their tag do not matter for the hash.

@@ -253,9 +253,9 @@ private:
 /// Appends a text with tags that basic_markup reads as the same text with the same spans. Tags are closed in the
 /// reverse order; none crosses another.
 ///
-/// Fails  error::bad_option: "spans" or "boxes" overlap, lie outside the text or are not in its order; a "look" or "ruby" does not
-///        exist; or no tag can express a value, which the option names: a number out of range or with more than six
-///        decimals, words that are empty or contain a ] and both quotation marks;
+/// Fails  error::bad_option: "spans" or "boxes" overlap, lie outside the text or are not in its order; a "look"
+///        or "ruby" does not exist; or no tag can express a value, which the option names: a number out of range or
+///        with more than six decimals, words that are empty or contain a ] and both quotation marks;
 ///        error::out_of_memory. What `out` has then gained means nothing.
 /// Cost   O(text + tags)
 template <class Char>

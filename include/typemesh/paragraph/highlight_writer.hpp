@@ -4,12 +4,14 @@
 #include <typemesh/core/buffer.hpp>
 #include <typemesh/core/error.hpp>
 #include <typemesh/core/finite.hpp>
+#include <typemesh/core/impl/heap_sort.hpp>
 #include <typemesh/layout/glyph_run.hpp>
 #include <typemesh/layout/impl/line_extent.hpp>
 #include <typemesh/layout/text_highlight.hpp>
 #include <typemesh/outline/bar_face.hpp>
 #include <typemesh/paragraph/laid_text.hpp>
 
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -38,8 +40,8 @@ struct highlight_options {
 ///
 /// Each part of a range that a line shows in one piece gets one rectangle, which becomes a closed solid; a range of
 /// mixed directions may have several parts in a line. It reaches from the lowest descender to the highest ascender of
-/// the range's text in this line, whatever its styles; rubies are outside. Ranges that follow each other in the list and
-/// in the text, with the same style, are one range. Ranges may overlap; later ones are drawn later.
+/// the range's text in this line, whatever its styles; rubies and white space that hangs are outside. Ranges that follow each other in the list
+/// and in the text, with the same style, are one range. Ranges may overlap; later ones are drawn later.
 ///
 /// In the run, the backgrounds of a line come before its letters, so that a flat mesh is drawn in the right order. They
 /// are bars: their face is bar_face and their cluster is no_cluster. Backgrounds and letters are equally deep and meet
@@ -53,8 +55,8 @@ public:
     ///
     /// Fails  error::bad_option: an option is out of range; error::too_large; error::out_of_memory. The run is then
     ///        unchanged, except for glyph styles.
-    /// Cost   O(glyphs), and the clusters of the ranges' lines for each range; without allocations after the first texts
-    ///        of this size
+    /// Cost   O(glyphs), O(n log n) for n parts, and the clusters of the ranges' lines for each range; without
+    ///        allocations after the first texts of this size
     template <shaper Shaper>
     result<void> write(Shaper& shaper, const laid_text& laid, std::span<const text_highlight> spans,
                        const highlight_options& options, glyph_run& run) noexcept
@@ -74,6 +76,7 @@ public:
 private:
     struct part {
         std::uint32_t line = 0;
+        std::uint32_t order = 0;
         placed_glyph glyph = {};
     };
 
@@ -107,6 +110,14 @@ private:
         box b = along;
         b.low = em * along.low;
         b.high = em * along.high;
+        if (down) {  // without white space that hangs at the line's end
+            b.low.y = std::fmax(b.low.y, line.origin.y - line.right());
+            b.high.y = std::fmin(b.high.y, line.origin.y - line.left);
+        } else {
+            b.low.x = std::fmax(b.low.x, line.origin.x + line.left);
+            b.high.x = std::fmin(b.high.x, line.origin.x + line.right());
+        }
+        if (!((down ? b.height() : b.width()) > 0.0)) return {};
         (down ? b.low.x : b.low.y) = base + high.descender - side;
         (down ? b.high.x : b.high.y) = base + high.ascender + side;
         (down ? b.low.y : b.low.x) -= end;
@@ -118,7 +129,8 @@ private:
         if (!drawn) return drawn.error();
         const auto to_middle = static_cast<float>(down ? 0.5 * height : 0.5 * width);
         const placed_glyph g{rounded_bar(r / width, r / height), no_cluster, b.low, false, *drawn, to_middle, false};
-        return parts_.push_back({number, g}) ? error{} : error{error::out_of_memory};
+        return parts_.push_back({number, static_cast<std::uint32_t>(parts_.size()), g}) ? error{}
+                                                                                        : error{error::out_of_memory};
     }
 
     /// Moves the glyphs of lines back, from the last line on, and puts the parts before them.
@@ -128,13 +140,15 @@ private:
         const std::size_t count = run.glyphs.size(), more = parts_.size();
         if (count + more > 0xFFFF'FFFFu) return error::too_large;
         if (run.glyphs.append(more) == nullptr) return error::out_of_memory;
-        std::size_t end = count, to = count + more;
+        detail::heap_sort(parts_.data(), more, [](const part& a, const part& b) noexcept {
+            return a.line != b.line ? a.line < b.line : a.order < b.order;
+        });
+        std::size_t end = count, to = count + more, p = more;
         for (std::size_t k = run.lines.size(); k-- > 0;) {
             text_line& line = run.lines[k];
             for (; end > line.first_glyph; --end) run.glyphs[--to] = run.glyphs[end - 1];
-            for (std::size_t p = parts_.size(); p-- > 0;) {
-                if (parts_[p].line != k) continue;
-                run.glyphs[--to] = parts_[p].glyph;
+            for (; p > 0 && parts_[p - 1].line == k; --p) {
+                run.glyphs[--to] = parts_[p - 1].glyph;
                 ++line.glyph_count;
             }
             line.first_glyph = static_cast<std::uint32_t>(to);

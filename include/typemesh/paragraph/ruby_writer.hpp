@@ -41,8 +41,8 @@ struct ruby_options {
     }
 };
 
-/// Sets rubies above the lines of a paragraph, or to the right of its columns. Rooms make space for them before the text
-/// is shaped; they are written after each layout:
+/// Sets rubies above the lines of a paragraph, or to the right of its columns. Rooms make space for them before the
+/// text is shaped; they are written after each layout:
 ///
 ///     ruby_writer rubies;
 ///     auto rooms = rubies.rooms(font, text, spans, {});
@@ -175,8 +175,7 @@ private:
             constexpr double rounding = 1.0 + 1e-9;
             if (own > width * rounding + before + behind) ++overhanging;
         }
-        const double across =
-            high.ascender + options.gap * em - shaper.metrics(way).descender * options.size;
+        const double across = high.ascender + options.gap * em - shaper.metrics(way).descender * options.size;
         const point origin = line.origin + (down ? point{across, 0.0 - left} : point{left, across});
         const std::uint32_t count = own < width && is_spread(span.text) ? clusters() : 0;
         const double space = count != 0 ? (width - own) / count : 0.0;

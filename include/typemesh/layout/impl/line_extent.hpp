@@ -24,8 +24,7 @@ inline void add_inset(const shaped_text& shaped, const text_cluster& c, double r
         if (high > here.ascender) here.ascender = high;
         if (low < here.descender) here.descender = low;
     }
-    if (const text_room* room = shaped.insets.room_at(c.first); 
-        rooms && room != nullptr && room->above > 0.0)
+    if (const text_room* room = shaped.insets.room_at(c.first); rooms && room != nullptr && room->above > 0.0)
         here.ascender += room->above * em;
 }
 

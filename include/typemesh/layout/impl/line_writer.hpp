@@ -137,9 +137,9 @@ private:
         const text_style& painted = shaped_.styles[shaped_.styles.number_at(g.cluster)];
         const double rise = set.lift + painted.rise * shaped_.units_per_em();
         const auto* const box = has(g.flags, glyph_flags::box) ? shaped_.insets.box_at(g.cluster) : nullptr;
-        const glyph_style drawn =
-            box != nullptr ? text_insets::style_of(box->box, down_, shaped_.units_per_em(), painted.style)
-                           : glyph_style_of(shaped_.items()[item], set, painted, g);
+        const glyph_style drawn = box != nullptr
+                                      ? text_insets::style_of(box->box, down_, shaped_.units_per_em(), painted.style)
+                                      : glyph_style_of(shaped_.items()[item], set, painted, g);
         std::uint32_t number = 0;
         if (!run_.glyph_styles.empty() || !(drawn == glyph_style{})) {
             const auto found = run_.number_of(drawn);

@@ -35,8 +35,8 @@ public:
         borders_.clear();
     }
 
-    /// Reads them in any order. It makes each box a grapheme of its own, and removes the places inside rooms where lines
-    /// may end from the analysis. Ends of rooms inside a grapheme are moved out of it.
+    /// Reads them in any order. It makes each box a grapheme of its own. In the analysis it removes the places inside
+    /// rooms where lines may end. Ends of rooms inside a grapheme are moved out of it.
     ///
     ///     borders    where the text is divided for shaping in any case
     ///

@@ -48,8 +48,8 @@ struct ruby_base {
     bool begins_line = false, ends_line = false;
 };
 
-/// Finds it, without white space at its ends, and without the letter spacing and the gap behind its last cluster. It has
-/// no parts if nothing of it is visible.
+/// Finds it, without white space at its ends, and without the letter spacing and the gap behind its last cluster. It
+/// has no parts if nothing of it is visible.
 [[nodiscard]] inline ruby_base find_ruby_base(const laid_text& laid, text_range text) noexcept
 {
     ruby_base found;
