@@ -77,7 +77,7 @@ int main(int, char** argv)
     if (!done) return wrong(done.error());
 
     const box first = words.laid().line_box(0);
-    std::printf("translate %g,%g stroke none\n", 20.0 + (down ? pixels * 4.7 : 0.0), 20.0 + pixels * first.high.y);
+    std::printf("translate %g,%g stroke none\n", 20.0 + (down ? pixels * 6.3 : 0.0), 20.0 + pixels * first.high.y);
     for (const placed_glyph& g : page.glyphs) {
         const glyph_style drawn = page.glyph_styles.empty() ? glyph_style{} : page.glyph_styles[g.glyph_style];
         if (drawn.face == bar_face && is_blank_bar(g.id)) continue;

@@ -175,7 +175,7 @@ draw_beside() {  # draw_beside NAME SIZE FONT WIDTH MARKUP
 mplus=/usr/share/fonts/opentype/mplus/Mplus1-Regular.otf
 draw_beside rubies 600x380 $mplus 9 \
     '[ruby=こころざし]志[/]は[ruby=とうきょう]東京[/]で[ruby=まこと]信[/]と[ruby=internationalization]国際化[/]を[ruby=と]図書[/]る。'
-draw_beside columns 420x380 $mplus -5 \
+draw_beside columns 500x380 $mplus -5 \
     '[ruby=こころざし]志[/]は[mark=#ffe08a][ruby=とうきょう]東京[/]で[/]、[box=0.8,0.8]と[ruby=いっ]一[/][ruby=しょ]緒[/]。'
 draw_beside boxes 640x380 /usr/share/fonts/truetype/dejavu/DejaVuSans.ttf 10 \
     'Collect [mark=#bcd6ff]three [box=0.9,0.75,0.1] of them, [size=1.5]then[/] go on[/] to [mark=#ffe08a]the שלום [box=1.4,1.2,0.2] עולם gate[/], or rest.'

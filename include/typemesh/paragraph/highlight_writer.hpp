@@ -40,8 +40,9 @@ struct highlight_options {
 ///
 /// Each part of a range that a line shows in one piece gets one rectangle, which becomes a closed solid; a range of
 /// mixed directions may have several parts in a line. It reaches from the lowest descender to the highest ascender of
-/// the range's text in this line, whatever its styles; rubies and white space that hangs are outside. Ranges that follow each other in the list
-/// and in the text, with the same style, are one range. Ranges may overlap; later ones are drawn later.
+/// the range's text in this line, whatever its styles; rubies and white space that hangs are outside. Ranges that
+/// follow each other in the list and in the text, with the same style, are one range. Ranges may overlap; later ones
+/// are drawn later.
 ///
 /// In the run, the backgrounds of a line come before its letters, so that a flat mesh is drawn in the right order. They
 /// are bars: their face is bar_face and their cluster is no_cluster. Backgrounds and letters are equally deep and meet
@@ -96,15 +97,25 @@ private:
             const line_metrics high =
                 extent_of(shaper, laid.shaped(), laid.slices_of(lines[k]), line_reach_of(shaper, way), &text);
             laid.boxes_of(first, last, [&](const box& b) noexcept {
-                if (!e) e = add_part(static_cast<std::uint32_t>(k), lines[k], b, high, all.style, down, options, run);
+                if (!e) e = add_part({static_cast<std::uint32_t>(k), lines[k], high, all.style, down}, b, options, run);
             });
         }
         return e;
     }
 
-    error add_part(std::uint32_t number, const laid_line& line, const box& along, const line_metrics& high,
-                   style_id style, bool down, const highlight_options& options, glyph_run& run) noexcept
+    /// The line of a part, and how the range looks there.
+    struct home {
+        std::uint32_t number;
+        const laid_line& line;
+        const line_metrics& high;
+        style_id style;
+        bool down;
+    };
+
+    error add_part(const home& in, const box& along, const highlight_options& options, glyph_run& run) noexcept
     {
+        const laid_line& line = in.line;
+        const bool down = in.down;
         const double em = run.units_per_em, end = options.pad_along * em, side = options.pad_across * em;
         const double base = down ? line.origin.x : line.origin.y;
         box b = along;
@@ -118,19 +129,20 @@ private:
             b.high.x = std::fmin(b.high.x, line.origin.x + line.right());
         }
         if (!((down ? b.height() : b.width()) > 0.0)) return {};
-        (down ? b.low.x : b.low.y) = base + high.descender - side;
-        (down ? b.high.x : b.high.y) = base + high.ascender + side;
+        (down ? b.low.x : b.low.y) = base + in.high.descender - side;
+        (down ? b.high.x : b.high.y) = base + in.high.ascender + side;
         (down ? b.low.y : b.low.x) -= end;
         (down ? b.high.y : b.high.x) += end;
         const double width = b.width(), height = b.height(), radius = options.radius * em;
         if (!(width > 0.0) || !(height > 0.0)) return {};
         const double most = 0.5 * (width < height ? width : height), r = radius < most ? radius : most;
-        const auto drawn = run.number_of({.face = bar_face, .map = {.xx = width, .yy = height}, .style = style});
+        const auto drawn = run.number_of({.face = bar_face, .map = {.xx = width, .yy = height}, .style = in.style});
         if (!drawn) return drawn.error();
         const auto to_middle = static_cast<float>(down ? 0.5 * height : 0.5 * width);
         const placed_glyph g{rounded_bar(r / width, r / height), no_cluster, b.low, false, *drawn, to_middle, false};
-        return parts_.push_back({number, static_cast<std::uint32_t>(parts_.size()), g}) ? error{}
-                                                                                        : error{error::out_of_memory};
+        return parts_.push_back({in.number, static_cast<std::uint32_t>(parts_.size()), g})
+                   ? error{}
+                   : error{error::out_of_memory};
     }
 
     /// Moves the glyphs of lines back, from the last line on, and puts the parts before them.

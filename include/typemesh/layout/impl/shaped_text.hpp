@@ -169,7 +169,7 @@ public:
         own_ = static_cast<std::uint32_t>(clusters_.size());
         if (insets.empty()) return {};
         const auto spacing = [this](const text_cluster& c) noexcept { return spacing_of(c); };
-        insets.widen(text_, items_.view(), in_columns(), em_, spacing, clusters_.view(), glyphs_.data());
+        insets.widen(text_, items_.view(), {in_columns(), em_}, spacing, clusters_.view(), glyphs_.data());
         return sum_up(0), error{};
     }
 
@@ -320,7 +320,8 @@ private:
             return {};
         }
         if (const auto* box = insets.empty() ? nullptr : insets.box_at(first); box != nullptr) {
-            if (error e = insets.append(*box, {first, last}, item, in_columns(), em_, glyphs_, clusters_)) return e;
+            const double wide = em_ * insets.advance_of(*box, in_columns());
+            if (error e = insets.append(*box, {first, last}, item, wide, glyphs_, clusters_)) return e;
             return sum_up(clusters_.size() - 1), error{};
         }
         const std::size_t before = glyphs_.size(), first_cluster = clusters_.size();

@@ -90,16 +90,19 @@ public:
         return room != nullptr && room->first < unit;
     }
 
+    /// The advance of a box, in em.
+    [[nodiscard]] static double advance_of(const numbered_box& b, bool down) noexcept
+    {
+        return down ? b.box.ascent + b.box.descent : b.box.width;
+    }
     /// Appends the glyph and the cluster of a box whose text is this range.
     ///
     /// Fails  error::out_of_memory
-    static error append(const numbered_box& b, text_range text, std::uint32_t item, bool down, double em,
+    static error append(const numbered_box& b, text_range text, std::uint32_t item, double advance,
                         buffer<shaped_glyph>& glyphs, buffer<text_cluster>& clusters) noexcept
     {
-        const shaped_glyph g{.id = blank_bar + b.index,
-                             .cluster = text.first,
-                             .advance = em * (down ? b.box.ascent + b.box.descent : b.box.width),
-                             .flags = glyph_flags::box};
+        const shaped_glyph g{
+            .id = blank_bar + b.index, .cluster = text.first, .advance = advance, .flags = glyph_flags::box};
         const auto at = static_cast<std::uint32_t>(glyphs.size());
         const text_cluster c{text.first, text.last, at, 1, g.advance, item, cluster_flags::inset};
         return glyphs.push_back(g) && clusters.push_back(c) ? error{} : error{error::out_of_memory};
@@ -116,14 +119,20 @@ public:
                 .style = style};
     }
 
+    /// Whether the pen moves down, and an em in font units.
+    struct axis {
+        bool down;
+        double em;
+    };
     /// Spreads the clusters of rooms that are too narrow, and marks the clusters of all rooms.
     ///
     ///     clusters    of the whole text, in its order
     ///     spacing     double(const text_cluster&): the letter spacing after it
     template <class Spacing>
-    void widen(text_view text, array_view<const text_item> items, bool down, double em, const Spacing& spacing,
+    void widen(text_view text, array_view<const text_item> items, const axis& way, const Spacing& spacing,
                array_view<text_cluster> clusters, shaped_glyph* glyphs) const noexcept
     {
+        const auto [down, em] = way;
         std::size_t at = 0;
         for (const text_room& room : rooms_) {
             while (at < clusters.size() && clusters[at].first < room.first) ++at;
