@@ -168,9 +168,22 @@ convert "$scratch"/{headline,range}.png -resize 900x -append styles.png
 "$program" '[ruby=とうきょう]東京[/]は[ruby=くも]曇[/]り、[colour=#c33][ruby=あめ]雨[/][/]です。' --markup --font $japanese --turn 0 --picture "$scratch/ruby.png"
 convert "$scratch"/{markup,ruby}.png -resize 900x -append markup.png
 
+g++ -std=c++20 -I../../include beside.cpp -o "$scratch/beside" $(pkg-config --cflags --libs harfbuzz)
+draw_beside() {  # draw_beside NAME SIZE FONT WIDTH MARKUP
+    convert -size "$2" xc:white -draw "$("$scratch/beside" "$3" "$4" "$5")" "$scratch/$1.png"
+}
+mplus=/usr/share/fonts/opentype/mplus/Mplus1-Regular.otf
+draw_beside rubies 600x380 $mplus 9 \
+    '[ruby=こころざし]志[/]は[ruby=とうきょう]東京[/]で[ruby=まこと]信[/]と[ruby=internationalization]国際化[/]を[ruby=と]図書[/]る。'
+draw_beside columns 500x380 $mplus -5 \
+    '[ruby=こころざし]志[/]は[mark=#ffe08a][ruby=とうきょう]東京[/]で[/]、[box=0.8,0.8]と[ruby=いっ]一[/][ruby=しょ]緒[/]。'
+draw_beside boxes 640x380 /usr/share/fonts/truetype/dejavu/DejaVuSans.ttf 10 \
+    'Collect [mark=#bcd6ff]three [box=0.9,0.75,0.1] of them, [size=1.5]then[/] go on[/] to [mark=#ffe08a]the שלום [box=1.4,1.2,0.2] עולם gate[/], or rest.'
+convert "$scratch"/{rubies,columns,boxes}.png +append beside.png
+
 g++ -std=c++20 -I../../include selection.cpp -o "$scratch/selection" $(pkg-config --cflags --libs harfbuzz)
 convert -size 910x160 xc:white -draw "$("$scratch/selection" /usr/share/fonts/truetype/dejavu/DejaVuSans.ttf)" selection.png
 g++ -std=c++20 -O2 -I../../include curved.cpp -o "$scratch/curved" $(pkg-config --cflags --libs harfbuzz)
 "$scratch/curved" /usr/share/fonts/truetype/dejavu/DejaVuSerif.ttf 'g&' | convert ppm:- curved.png
 
-pngquant --quality 90-100 --speed 1 --force --ext .png paragraph.png normals.png bevels.png bevelled_scripts.png bent.png carved.png inflated.png markup.png meshing.png path.png warped.png bold_and_hollow.png refined.png styles.png textures.png
+pngquant --quality 90-100 --speed 1 --force --ext .png beside.png paragraph.png normals.png bevels.png bevelled_scripts.png bent.png carved.png inflated.png markup.png meshing.png path.png warped.png bold_and_hollow.png refined.png styles.png textures.png

@@ -213,7 +213,10 @@ typemesh::result<void> write_solids(const options& o, font_set& font, const type
         model some;
         if (const auto done = write_model(own, *plan, some); !done) return done.error();
         if (o.kind == file_kind::stl) some.indices = solid_by_solid(*plan, some.indices);
-        append(out, some, static_cast<float>((double{own.depth} - double{o.depth}) * how.size));
+        const bool behind = !(o.depth > 0.0f) && o.marked->styles.solids()[solid].has(typemesh::markup_tag::mark);
+        const double step =
+            behind ? -0.01 : double{own.depth} - double{o.depth};  // flat backgrounds are not in the way
+        append(out, some, static_cast<float>(step * how.size));
     }
     return {};
 }

@@ -35,6 +35,8 @@ struct given_fonts {
     }
 };
 
+constexpr float plate_depth = 0.25f;  // of a background, times the depth of letters
+
 /// "line 2, character 5" of a place in bytes.
 std::string in_words(std::string_view source, std::size_t place)
 {
@@ -53,10 +55,10 @@ std::string refused_solids(const options& o)
 {
     const auto solids = o.marked->styles.solids();
     if (solids.size() < 2) return {};
-    if (o.instances) return "[depth], [bevel] and [b] do not work with --instances";
+    if (o.instances) return "[depth], [bevel], [b] and [mark] do not work with --instances";
     if (o.carve.tool_angle > 0.0f || o.outline.width > 0.0f || o.inflate.height > 0.0f ||
         o.refine.refiner != refiner_name::none)
-        return "[depth], [bevel] and [b] do not work with --carve, --outline, --inflate and --refine";
+        return "[depth], [bevel], [b] and [mark] do not work with --carve, --outline, --inflate and --refine";
     for (std::uint32_t i = 1; i < solids.size(); ++i) {
         const options own = options_of_solid(o, i);
         if (solids[i].has(typemesh::markup_tag::depth) && !(own.depth > 0.0f)) return "[depth=...] must be more than 0";
@@ -94,7 +96,7 @@ std::optional<rgb_colour> colour_of_style(const options& o, typemesh::style_id s
     if (number == 0) return o.colour;
     if (!o.marked) return o.styles[number - 1].colour;
     const typemesh::markup_paint& p = o.marked->styles.paints()[number];
-    if (!p.has(typemesh::markup_tag::colour)) return o.colour;
+    if (!p.has(typemesh::markup_tag::colour) && !p.has(typemesh::markup_tag::mark)) return o.colour;
     const auto byte = [&p](unsigned shift) { return static_cast<unsigned char>(p.colour >> shift & 255u); };
     return rgb_colour{{byte(16), byte(8), byte(0)}};
 }
@@ -117,6 +119,10 @@ options options_of_solid(const options& o, std::uint32_t solid)
     options own = o;
     const typemesh::markup_solid& s = o.marked->styles.solids()[solid];
     using typemesh::markup_tag;
+    if (s.has(markup_tag::mark)) {  // a plate from which the letters rise
+        own.depth *= plate_depth;
+        own.bevel.width = own.bevel.depth = 0.0f;
+    }
     if (s.has(markup_tag::depth)) own.depth = static_cast<float>(s.depth);
     if (s.has(markup_tag::bevel)) own.bevel.width = own.bevel.depth = static_cast<float>(s.bevel);
     if (s.has(markup_tag::bold)) own.embolden += static_cast<float>(bold_growth);

@@ -4,6 +4,7 @@
 #include "ink.hpp"
 #include "report.hpp"
 
+#include <typemesh/paragraph/highlight_writer.hpp>
 #include <typemesh/paragraph/paragraph.hpp>
 #include <typemesh/paragraph/ruby_writer.hpp>
 #include <typemesh/paragraph/total_fit.hpp>
@@ -16,6 +17,7 @@
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
+#include <span>
 #include <string_view>
 #include <vector>
 
@@ -123,21 +125,47 @@ bool name_ellipsis_losses(const options& o, font_set& font)
     return run.invalid_units > 0 || run.missing > 0;
 }
 
-/// Sets the rubies of tags above the lines of the page. Gives an empty string, or one sentence.
-template <class Paragraph>
-std::string add_rubies(const options& o, font_set& font, const Paragraph& words, typemesh::glyph_run& page)
-{
-    if (!o.marked || o.marked->read.rubies().empty()) return {};
-    if (o.direction == typemesh::direction::top_to_bottom)
-        return "--markup: [ruby=...] does not work with --direction ttb.";
-    std::vector<typemesh::ruby_span> spans;
-    o.marked->read.each_ruby([&](std::uint32_t first, std::uint32_t last, std::string_view ruby, std::uint32_t look) {
-        spans.push_back({first, last, ruby, o.marked->styles.style_of(look)});
-    });
-    typemesh::ruby_writer rubies;
-    const auto done = rubies.write(font, words.laid(), spans, {.shape = {.language = o.language}}, page);
-    return done ? std::string{} : in_words(done.error());
-}
+/// What tags put beside the letters of a page: rubies and backgrounds.
+class beside_letters {
+public:
+    beside_letters(const options& o, font_set& font) : font_{font}
+    {
+        how_.shape.language = o.language;
+        how_.shape.direction = o.direction == typemesh::direction::top_to_bottom ? o.direction : how_.shape.direction;
+        if (!o.marked) return;
+        const marked_text& m = *o.marked;
+        m.read.each_ruby([&](std::uint32_t first, std::uint32_t last, std::string_view ruby, std::uint32_t look) {
+            rubies_.push_back({first, last, ruby, m.styles.style_of(look)});
+        });
+        marks_ = m.styles.marks();
+    }
+
+    /// Makes room for them.
+    typemesh::error prepare(typemesh::text_view text, typemesh::shape_options& how)
+    {
+        const auto rooms = writer_.rooms(font_, text, rubies_, how_);
+        if (rooms) how.rooms = *rooms;
+        return rooms.error();
+    }
+
+    /// Adds them to a page.
+    template <class Paragraph>
+    typemesh::error write(const Paragraph& words, typemesh::glyph_run& page)
+    {
+        if (rubies_.empty() && marks_.empty()) return {};
+        typemesh::highlight_writer backgrounds;
+        const typemesh::highlight_options round{.pad_along = 0.08, .pad_across = 0.0, .radius = 0.15};
+        const auto behind = backgrounds.write(font_, words.laid(), marks_, round, page);
+        return behind ? writer_.write(font_, words.laid(), rubies_, how_, page).error() : behind.error();
+    }
+
+private:
+    font_set& font_;
+    std::vector<typemesh::ruby_span> rubies_;
+    std::span<const typemesh::text_highlight> marks_;
+    typemesh::ruby_options how_;
+    typemesh::ruby_writer writer_;
+};
 
 template <class Breaker>
 std::string lay_out_lines(const options& o, const Breaker& breaker, font_set& font, typemesh::glyph_run& page,
@@ -150,6 +178,9 @@ std::string lay_out_lines(const options& o, const Breaker& breaker, font_set& fo
     typemesh::shape_options how = shape_options_of(o);
     how.styles = spans;
     if (o.marked) how.styles = o.marked->styles.spans();
+    if (o.marked) how.boxes = o.marked->read.boxes();
+    beside_letters beside{o, font};
+    if (const typemesh::error e = beside.prepare(o.text, how)) return in_words(e);
     auto set = words.set(o.text, how);
     if (set && o.fit_width > 0.0) {
         if (std::string trouble = box_filling{o, font, words, lines}.fill(page, size); !trouble.empty()) return trouble;
@@ -157,7 +188,7 @@ std::string lay_out_lines(const options& o, const Breaker& breaker, font_set& fo
         set = words.lay_out(lines, page);
     }
     if (!set) return in_words(set.error());
-    if (std::string trouble = add_rubies(o, font, words, page); !trouble.empty()) return trouble;
+    if (const typemesh::error e = beside.write(words, page)) return in_words(e);
     bool warned = !o.ellipsis.empty() && name_ellipsis_losses(o, font);
     if (const std::uint32_t moved = words.shaped().styles.moved(); moved != 0) {
         std::fprintf(stderr, "%s%s: %u %s inside a character or a combined number, so the whole of it is styled.\n",

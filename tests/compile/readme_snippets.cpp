@@ -23,10 +23,12 @@
 #include <typemesh/glyph/coarsened.hpp>
 #include <typemesh/inspect/closedness.hpp>
 #include <typemesh/inspect/normal_check.hpp>
+#include <typemesh/layout/inline_box_place.hpp>
 #include <typemesh/layout/select_glyphs.hpp>
 #include <typemesh/markup/markup_styles.hpp>
 #include <typemesh/paragraph/fit_size.hpp>
 #include <typemesh/paragraph/paragraph.hpp>
+#include <typemesh/paragraph/highlight_writer.hpp>
 #include <typemesh/paragraph/ruby_writer.hpp>
 #include <typemesh/paragraph/total_fit.hpp>
 #include <typemesh/text/font_cascade.hpp>
@@ -220,6 +222,7 @@ use(column, here, there);
 auto coloured = mesher.plan("Hello world!", {.shape = {.styles = spans}});
     use(coloured);
     const auto draw_range = [](std::uint32_t, const typemesh::mesh_range&) noexcept {};
+    const auto draw_icon = [](std::uint32_t, const typemesh::affine&) noexcept {};
 typemesh::markup marked;                                                        // markup_utf16 for UTF-16
 typemesh::markup_styles tagged;
 if (auto read = marked.read("[b]Bold[/b] and [colour=#c33][size=1.5]red[/][/], [depth=0.5]deep[/]"); !read)
@@ -232,7 +235,15 @@ marked.each_ruby([&](std::uint32_t first, std::uint32_t last, std::string_view r
     small_texts.push_back({first, last, ruby, tagged.style_of(look)});
 });
 typemesh::ruby_writer rubies;
-if (auto set = rubies.write(*font, words.laid(), small_texts, {}, page); !set) return std::puts(set.error().message()), 1;
+typemesh::highlight_writer backgrounds;
+auto rooms = rubies.rooms(*font, marked.text(), small_texts, {});
+if (!rooms) return std::puts(rooms.error().message()), 1;
+auto beside = words.set(marked.text(), {.styles = tagged.spans(), .boxes = marked.boxes(), .rooms = *rooms});
+if (beside) beside = words.lay_out({.width = 20.0}, page);
+if (beside) beside = backgrounds.write(*font, words.laid(), tagged.marks(), {.pad_along = 0.1, .radius = 0.15}, page);
+if (beside) beside = rubies.write(*font, words.laid(), small_texts, {}, page);
+if (!beside) return std::puts(beside.error().message()), 1;
+typemesh::each_inline_box(page, [&](const typemesh::inline_box_place& b) { draw_icon(b.index, b.map); });
 auto painted = mesher.plan(page);
 if (!painted) return std::puts(painted.error().message()), 1;
 for (typemesh::style_id style : painted->styles()) {

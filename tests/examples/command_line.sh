@@ -247,7 +247,8 @@ expect 0 "" "a[ruby=xy]bc[/]d" --markup --font $sans --output ruby.obj
 expect 0 "" "abcd" --font $sans --output base.obj
 highest() { awk '$1 == "v" && $3 > high { high = $3 } END { print high }' "$1"; }
 that "a ruby stands above its text" awk -v a="$(highest base.obj)" -v b="$(highest ruby.obj)" 'BEGIN { exit !(b > a + 0.2) }'
-expect 1 "--markup: \\[ruby=...\\] does not work with --direction ttb" "[ruby=x]b" --markup --font $sans --direction ttb --stats
+expect 0 "" "[ruby=x]b" --markup --font $sans --direction ttb --stats
+expect 0 "" "a[mark=#ff0]b [box=1,0.5][/]" --markup --font $sans --output marked.obj
 alike "both solids and one solid with the same numbers are alike in STL" stl "[depth=0.2]ab" --markup --font $sans / ab --font $sans
 for width in 0 -1 nan x 1e7; do expect 2 "--width must be a positive number" x --font $sans --stats --width $width; done
 expect 2 "--max-lines must be a whole number" x --font $sans --stats --max-lines 0

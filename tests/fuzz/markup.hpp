@@ -70,7 +70,12 @@ std::basic_string<Char> read_source(values& in, std::size_t most)
                                                   "[/colour]",
                                                   "[/font]",
                                                   "x",
-                                                  "yz"};
+                                                  "yz",
+                                                  "[mark=#ff0]",
+                                                  "[/mark]",
+                                                  "[box=1.2,.8]",
+                                                  "[box=",
+                                                  ","};
     std::basic_string<Char> source;
     while (!in.empty() && source.size() < most) {
         const std::uint32_t byte = in.byte();
@@ -96,11 +101,27 @@ std::basic_string<Char> stripped(const std::basic_string<Char>& source)
             if (doubled) ++i;
             continue;
         }
+        const std::size_t bracket = i;
         while (source[i] != ']' && source[i] != '=') ++i;
+        if (i == bracket + 4 && source[bracket + 1] == 'b' && source[bracket + 2] == 'o' && source[bracket + 3] == 'x')
+            text += detail::object_character<Char>();
         if (source[i] == '=' && (source[i + 1] == '"' || source[i + 1] == '\'')) i = source.find(source[i + 1], i + 2);
         i = source.find(static_cast<Char>(']'), i);
     }
     return text;
+}
+
+template <class Char>
+broken_law of_boxes(const basic_markup<Char>& read)
+{
+    std::size_t at = 0;
+    for (const inline_box& b : read.boxes()) {
+        const auto object = detail::object_character<Char>();
+        if (b.unit < at || read.text().substr(b.unit, object.size()) != object) return "a box is at another place";
+        if (!(b.width >= 0.0) || !(b.ascent + b.descent >= 0.0)) return "a box of negative size";
+        at = b.unit + object.size();
+    }
+    return "";
 }
 
 template <class Char>
@@ -148,7 +169,18 @@ broken_law of_styles(const basic_markup<Char>& read)
         styled += s.last - s.first;
     }
     for (const markup_span& s : read.spans()) looked += s.look != 0 ? s.last - s.first : 0;
-    return styled == looked ? "" : "styles cover another text than looks";
+    if (styled != looked) return "styles cover another text than looks";
+    std::uint32_t at = 0, coloured = 0, marked = 0;
+    for (const text_highlight& m : styles.marks()) {
+        if (m.first < at || m.last <= m.first) return "backgrounds are not in order";
+        const auto style = static_cast<std::size_t>(m.style);
+        if (style >= styles.paints().size() || !styles.paints()[style].has(markup_tag::mark)) return "no background";
+        at = m.last;
+        marked += m.last - m.first;
+    }
+    for (const markup_span& s : read.spans())
+        coloured += s.look != 0 && read.looks()[s.look].has(markup_tag::mark) ? s.last - s.first : 0;
+    return marked == coloured ? "" : "backgrounds cover another text than their tags";
 }
 
 template <class Char>
@@ -163,12 +195,13 @@ broken_law of_source(const std::basic_string<Char>& source)
     }
     if (read.text() != stripped(source)) return "letters are lost, or added";
     if (broken_law broken = of_spans(read); !broken.empty()) return broken;
+    if (broken_law broken = of_boxes(read); !broken.empty()) return broken;
     buffer<Char> out;
     if (!print_markup(read, out)) return "what has been read cannot be printed";
     const std::basic_string<Char> printed(out.data(), out.size());
     if (!again.read(printed)) return "what is printed cannot be read";
     if (again.text() != read.text() || !equal(again.spans(), read.spans()) || !equal(again.looks(), read.looks()) ||
-        !equal(again.rubies(), read.rubies()))
+        !equal(again.rubies(), read.rubies()) || !equal(again.boxes(), read.boxes()))
         return "what is printed is read as something else";
     return of_styles(read);
 }

@@ -34,10 +34,12 @@ public:
         std::mt19937 random{seed};
         const auto below = [&random](std::size_t n) { return static_cast<std::size_t>(random() % n); };
         for (int i = 0; i < tokens; ++i) {
-            const std::size_t what = below(5);
-            if (what < 2)
+            const std::size_t what = below(16);
+            if (what == 15)
+                add_box(below);
+            else if (what < 6)
                 add_text(below);
-            else if (what < 4)
+            else if (what < 12)
                 open(below);
             else
                 close(below);
@@ -57,21 +59,39 @@ private:
         for (const char c : ascii) source += static_cast<char32_t>(c);
     }
 
+    /// What the open tags say.
+    [[nodiscard]] tag_values look() const
+    {
+        tag_values v;
+        for (const entry& e : open_)
+            v[e.name == "sup" || e.name == "sub" ? "position" : e.name] =
+                e.name == "sup" || e.name == "sub" ? e.name : e.value;
+        return v;
+    }
+
+    void add_box(const auto& below)
+    {
+        static constexpr const char* boxes[][2] = {{"1.2,0.8", "1.200000 0.800000 0.000000"},
+                                                   {"0,0.5,-.5", "0.000000 0.500000 -0.500000"},
+                                                   {"\"1000,-1,1.000001\"", "1000.000000 -1.000000 1.000001"}};
+        const auto& [written, value] = boxes[below(std::size(boxes))];
+        write(std::string{"[box="} + written + "]");
+        text += U'\xFFFC';
+        looks.push_back(look());
+        looks.back()["box"] = value;
+    }
+
     void add_text(const auto& below)
     {
-        constexpr char32_t letters[] = {U'a', U'b', U' ',    U']',    U'[',      U'/',   U'=',
-                                        U'"', U'#', U'\x9F', U'\xE9', U'\x672C', 0x1F600};
-        tag_values look;
-        for (const entry& e : open_) {
-            look[e.name == "sup" || e.name == "sub" ? "position" : e.name] =
-                e.name == "sup" || e.name == "sub" ? e.name : e.value;
-        }
+        constexpr char32_t letters[] = {U'a', U'b', U' ',    U']',    U'[',      U'/',    U'=',
+                                        U'"', U'#', U'\x9F', U'\xE9', U'\x672C', 0x1F600, U'\xFFFC'};
+        const tag_values now = look();
         for (std::size_t count = below(4); count > 0; --count) {
             const char32_t c = letters[below(std::size(letters))];
             source += c;
             if (c == U'[') source += c;
             text += c;
-            looks.push_back(look);
+            looks.push_back(now);
         }
     }
 
@@ -96,6 +116,8 @@ private:
             {"colour", "#c3F", "cc33ff"},
             {"color", "#0123Ab", "0123ab"},
             {"style", "4294967294", "4294967294"},
+            {"mark", "#fF0", "ffff00"},
+            {"mark", "#0123Ab", "0123ab"},
             {"font", "Liberation Serif", "Liberation Serif"},
             {"font", "'a\"]b'", "a\"]b"},
             {"lang", "zh-Hant", "zh-Hant"},
@@ -160,6 +182,8 @@ tag_values values_of(const typemesh::basic_markup_look<Char>& l)
     char colour[12];
     std::snprintf(colour, sizeof colour, "%06x", static_cast<unsigned>(l.colour));
     add(markup_tag::colour, "colour", colour);
+    std::snprintf(colour, sizeof colour, "%06x", static_cast<unsigned>(l.mark));
+    add(markup_tag::mark, "mark", colour);
     add(markup_tag::style, "style", std::to_string(l.style));
     add(markup_tag::font, "font", ascii_of(l.font));
     add(markup_tag::language, "lang", ascii_of(l.language));
@@ -178,6 +202,9 @@ std::vector<tag_values> values_of(const typemesh::basic_markup<Char>& read)
         if (s.ruby != 0) v["ruby"] = std::to_string(s.ruby) + ": " + ascii_of(read.rubies()[s.ruby - 1]);
         for (std::size_t i = s.first; i < s.last; ++i) all[i] = v;
     }
+    for (const typemesh::inline_box& b : read.boxes())
+        for (std::size_t i = b.unit, units = sizeof(Char) == 1 ? 3 : 1; units > 0; --units, ++i)
+            all[i]["box"] = in_words(b.width) + " " + in_words(b.ascent) + " " + in_words(b.descent);
     return all;
 }
 

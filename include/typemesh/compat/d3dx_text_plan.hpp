@@ -110,11 +110,12 @@ public:
         const glyph_run& run = plan_.run();
         for (const text_line& line : run.lines) {
             const auto glyphs = run.letters_of(line);
+            const auto begin = static_cast<std::size_t>(glyphs.data() - run.glyphs.data());
             for (std::size_t i = 0, next = 0; i < glyphs.size(); i = next) {
                 const cluster_id cluster = glyphs[i].cluster;
                 const point pen = glyphs[i].origin;
                 while (next < glyphs.size() && glyphs[next].cluster == cluster) ++next;
-                const box ink = ink_of(line.first_glyph + i, line.first_glyph + next);
+                const box ink = ink_of(begin + i, begin + next);
                 d3dx_glyph_metrics m;
                 const point step =
                     next < glyphs.size() ? glyphs[next].origin - pen : rest_of(line, pen - glyphs.front().origin);

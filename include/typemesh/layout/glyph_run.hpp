@@ -9,6 +9,7 @@
 #include <typemesh/layout/glyph_style.hpp>
 #include <typemesh/layout/impl/value_index.hpp>
 
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 
@@ -122,12 +123,23 @@ struct glyph_run {
         first_missing = first_parted = first_invalid_unit = first_unbroken = no_cluster;
     }
 
-    /// The glyphs of a line without its bars (underlines and the like), which come after its letters.
+    /// The glyphs of a line without its bars: backgrounds, which come before its letters, and underlines and the like,
+    /// which come after them.
     [[nodiscard]] array_view<const placed_glyph> letters_of(const text_line& line) const noexcept
     {
-        std::size_t count = line.glyph_count;
-        while (count > 0 && glyphs[line.first_glyph + count - 1].cluster == no_cluster) --count;
-        return glyphs.view().subspan(line.first_glyph, count);
+        std::size_t count = line.glyph_count, first = line.first_glyph;
+        while (count > 0 && glyphs[first + count - 1].cluster == no_cluster) --count;
+        for (; count > 0 && glyphs[first].cluster == no_cluster; ++first) --count;
+        return glyphs.view().subspan(first, count);
+    }
+
+    /// Whether a line is a column: its letters follow each other downwards.
+    [[nodiscard]] bool is_column(const text_line& line) const noexcept
+    {
+        const array_view<const placed_glyph> letters = letters_of(line);
+        if (letters.empty()) return false;
+        const point step = letters.back().origin - letters.front().origin;
+        return std::fabs(step.y) > std::fabs(step.x);
     }
 
 private:

@@ -5,6 +5,8 @@
 #include <typemesh/core/finite.hpp>
 #include <typemesh/layout/column_options.hpp>
 #include <typemesh/layout/feature.hpp>
+#include <typemesh/layout/inline_box.hpp>
+#include <typemesh/layout/text_room.hpp>
 #include <typemesh/layout/text_style.hpp>
 
 #include <cstdint>
@@ -43,6 +45,8 @@ struct shape_options {
     double letter_spacing = 0.0;              ///< the space added between letters, in em; any finite number
     column_options columns = {};              ///< the orientation of characters in columns
     std::span<const style_span> styles = {};  ///< the styles of ranges of the text: see text_style.hpp
+    std::span<const inline_box> boxes = {};   ///< places for icons and the like: see inline_box.hpp
+    std::span<const text_room> rooms = {};    ///< the rooms of rubies: see text_room.hpp
 };
 
 /// The error for an option that is out of range; error::none if all are valid.

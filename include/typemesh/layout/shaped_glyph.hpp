@@ -18,6 +18,7 @@ enum class glyph_flags : std::uint8_t {
     sideways = 1u << 3,         ///< the glyph lies on its side, in a column
     combined = 1u << 4,         ///< the glyph is beside others, in a column
     parted = 1u << 5,           ///< the first glyph of an emoji that is drawn in parts: see glyph_run::parted
+    box = 1u << 6,              ///< the place of an inline box, which has no glyph of the font
 };
 
 [[nodiscard]] constexpr glyph_flags operator|(glyph_flags a, glyph_flags b) noexcept

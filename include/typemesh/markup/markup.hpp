@@ -5,6 +5,7 @@
 #include <typemesh/core/buffer.hpp>
 #include <typemesh/core/result.hpp>
 #include <typemesh/layout/impl/value_index.hpp>
+#include <typemesh/layout/inline_box.hpp>
 #include <typemesh/markup/impl/markup_reader.hpp>
 #include <typemesh/markup/markup_look.hpp>
 #include <typemesh/unicode/text_view.hpp>
@@ -29,7 +30,10 @@ namespace typemesh::inline TYPEMESH_ABI {
 ///     [style=7]                      the caller's number
 ///     [font=Liberation Serif]        the caller's name of a font
 ///     [lang=ja]                      the language
+///     [mark=#ff0]                    a background of this colour
 ///     [ruby=Tokyo]                   small text above this one; no ruby stands in another
+///     [box=1.2,0.8]                  em: a box of this width and height for an icon, and with a third number of this
+///     [box=1.2,0.8,0.2]              depth below the baseline; -1000 to 1000. It has no closing tag; text() has U+FFFC
 ///     [/b]                           closes the last [b] that is open, whatever is open within it
 ///     [/]                            closes the last tag that is open
 ///     [[                             a bracket. ] needs no such sign
@@ -49,7 +53,7 @@ public:
     using look_type = basic_markup_look<Char>;  ///< see looks()
 
     explicit basic_markup(memory source = heap()) noexcept
-        : text_{source}, spans_{source}, looks_{source}, rubies_{source}, open_{source}, index_{source}
+        : text_{source}, spans_{source}, looks_{source}, rubies_{source}, boxes_{source}, open_{source}, index_{source}
     {
     }
 
@@ -76,6 +80,7 @@ public:
         spans_.clear();
         looks_.clear();
         rubies_.clear();
+        boxes_.clear();
         open_.clear();
         index_.clear();
         now_ = {};
@@ -93,6 +98,9 @@ public:
     [[nodiscard]] array_view<const look_type> looks() const noexcept { return looks_.view(); }
     /// The texts of [ruby=...], in the order of the text.
     [[nodiscard]] array_view<const view> rubies() const noexcept { return rubies_.view(); }
+
+    /// The boxes of [box=...], in the order of the text, for shape_options::boxes.
+    [[nodiscard]] array_view<const inline_box> boxes() const noexcept { return boxes_.view(); }
 
     /// Calls put(first, last, ruby, look) for each ruby: the range of its text, its own text, and the index of the look
     /// at its beginning.
@@ -138,6 +146,10 @@ private:
             if (tag.mistake != nullptr) return mistake(tag.mistake, tag.end);
             if (tag.closes) {
                 if (!close(tag)) return mistake("a closing tag without its opening tag", bracket);
+            } else if (tag.form->tag == markup_tag::box) {
+                const auto unit = static_cast<std::uint32_t>(text_.size());
+                const inline_box box{unit, tag.lengths[0], tag.lengths[1], tag.lengths[2]};
+                if (!put(detail::object_character<Char>()) || !boxes_.push_back(box)) return error::out_of_memory;
             } else if (tag.form->tag == markup_tag::ruby && top_of(markup_tag::ruby) != 0) {
                 return mistake("a ruby within a ruby", bracket);
             } else if (!open(tag)) {
@@ -270,6 +282,7 @@ private:
         case markup_tag::bevel: now_.bevel = tag != nullptr ? tag->value : plain.bevel; break;
         case markup_tag::colour: now_.colour = tag != nullptr ? tag->integer : plain.colour; break;
         case markup_tag::style: now_.style = tag != nullptr ? tag->integer : plain.style; break;
+        case markup_tag::mark: now_.mark = tag != nullptr ? tag->integer : plain.mark; break;
         case markup_tag::font: now_.font = tag != nullptr ? tag->words : plain.font; break;
         case markup_tag::language: now_.language = tag != nullptr ? tag->words : plain.language; break;
         case markup_tag::bold:
@@ -279,7 +292,8 @@ private:
         case markup_tag::overline:
         case markup_tag::superscript:
         case markup_tag::subscript:
-        case markup_tag::ruby: break;
+        case markup_tag::ruby:
+        case markup_tag::box: break;
         }
     }
 
@@ -287,6 +301,7 @@ private:
     buffer<markup_span> spans_;
     buffer<look_type> looks_;
     buffer<view> rubies_;
+    buffer<inline_box> boxes_;
     buffer<opened> open_;
     value_index<look_type> index_;
     look_type now_;                              // the look of the next text

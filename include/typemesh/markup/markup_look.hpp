@@ -29,10 +29,12 @@ enum class markup_tag : std::uint8_t {
     style,        ///< [style=7]
     font,         ///< [font=Liberation Serif]
     language,     ///< [lang=ja]
+    mark,         ///< [mark=#ff0]
     ruby,         ///< [ruby=...]
+    box,          ///< [box=1.2,0.8]
 };
 
-inline constexpr std::uint32_t markup_tag_count = 17;  ///< the number of tags
+inline constexpr std::uint32_t markup_tag_count = 19;  ///< the number of tags
 
 /// What the tags around a text say, the innermost tag of each kind. The views refer to the source of the mark-up.
 ///
@@ -48,17 +50,19 @@ struct basic_markup_look {
     double bevel = 0.0;                                  ///< the width of a bevel in em, 0 to 1000
     std::uint32_t colour = 0;                            ///< 0xRRGGBB
     std::uint32_t style = 0;                             ///< the caller's number
+    std::uint32_t mark = 0;                              ///< the colour of its background, 0xRRGGBB
     std::basic_string_view<Char> font = {};              ///< as it is written
     std::basic_string_view<Char> language = {};          ///< BCP 47; ASCII letters, digits and hyphens
 
-    /// Whether the text stands in such a tag. For [sup], [sub] and [ruby] it is false: see `position` and markup_span.
+    /// Whether the text stands in such a tag. For [sup], [sub], [ruby] and [box] it is
+    /// false: see `position`, markup_span and basic_markup::boxes().
     [[nodiscard]] bool has(markup_tag t) const noexcept { return (tags >> static_cast<unsigned>(t) & 1u) != 0; }
 
     friend bool operator==(const basic_markup_look& a, const basic_markup_look& b) noexcept
     {
-        return a.tags == b.tags && a.colour == b.colour && a.style == b.style && a.position == b.position &&
-               same(a.size, b.size) && same(a.rise, b.rise) && same(a.spacing, b.spacing) && same(a.depth, b.depth) &&
-               same(a.bevel, b.bevel) && a.font == b.font && a.language == b.language;
+        return a.tags == b.tags && a.colour == b.colour && a.style == b.style && a.mark == b.mark &&
+               a.position == b.position && same(a.size, b.size) && same(a.rise, b.rise) && same(a.spacing, b.spacing) &&
+               same(a.depth, b.depth) && same(a.bevel, b.bevel) && a.font == b.font && a.language == b.language;
     }
 
     /// Equal looks have equal hashes. Members without their tag do not matter for the hash.
@@ -81,6 +85,7 @@ struct basic_markup_look {
         add_number(markup_tag::bevel, l.bevel);
         add(markup_tag::colour, l.colour);
         add(markup_tag::style, l.style);
+        add(markup_tag::mark, l.mark);
         for (const std::basic_string_view<Char> word : {l.font, l.language})
             for (const Char c : word) hash = mixed_key(hash, static_cast<std::uint64_t>(c));
         return hash;

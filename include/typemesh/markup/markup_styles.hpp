@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <typemesh/layout/text_highlight.hpp>
 #include <typemesh/layout/text_style.hpp>
 #include <typemesh/markup/markup.hpp>
 
@@ -11,9 +12,9 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// What mark-up says of the solids of letters.
+/// What mark-up says of the solids of letters and backgrounds.
 struct markup_solid {
-    std::uint32_t tags = 0;  ///< a set of markup_tag: bold, depth and bevel
+    std::uint32_t tags = 0;  ///< a set of markup_tag: bold, depth and bevel; or mark, alone, for all backgrounds
     double depth = 0.0;      ///< em, if there is a [depth=...]
     double bevel = 0.0;      ///< em, if there is a [bevel=...]
 
@@ -32,8 +33,8 @@ struct markup_solid {
 /// The colour of letters, the caller's number, and the index of their solid: all letters of one paint can be one part
 /// of a mesh.
 struct markup_paint {
-    std::uint32_t tags = 0;    ///< a set of markup_tag: colour and style
-    std::uint32_t colour = 0;  ///< 0xRRGGBB, if there is a [colour=...]
+    std::uint32_t tags = 0;    ///< a set of markup_tag: colour and style; or mark, alone, for a background
+    std::uint32_t colour = 0;  ///< 0xRRGGBB, if there is a [colour=...]; of a background always
     std::uint32_t style = 0;   ///< the caller's number, if there is a [style=...]
     std::uint32_t solid = 0;   ///< the index of its solid
 
@@ -78,12 +79,14 @@ struct one_font_map {
 ///     [u] [s] [o]      decorations                    [spacing]                   letter_spacing
 ///     [lang]           language                       [font] [b]                  by the caller's map
 ///     [colour] [style] the paint                      [depth] [bevel] [b]         the paint's solid
+///     [mark]           marks(), with paints of their own and one solid for all backgrounds
 ///
 /// A mesher makes one solid. To make several, see select_glyphs.hpp.
 class markup_styles {
 public:
     explicit markup_styles(memory source = heap()) noexcept
         : spans_{source},
+          marks_{source},
           of_looks_{source},
           paints_{source},
           solids_{source},
@@ -110,6 +113,7 @@ public:
     void clear() noexcept
     {
         spans_.clear();
+        marks_.clear();
         of_looks_.clear();
         paints_.clear();
         solids_.clear();
@@ -120,6 +124,8 @@ public:
 
     /// The styles, which refer to this object.
     [[nodiscard]] array_view<const style_span> spans() const noexcept { return spans_.view(); }
+    /// The backgrounds, for highlight_writer. Text with one colour behind it is one range, whatever else its tags say.
+    [[nodiscard]] array_view<const text_highlight> marks() const noexcept { return marks_.view(); }
     /// Each different paint once; paint 0 says nothing. Empty before set().
     [[nodiscard]] array_view<const markup_paint> paints() const noexcept { return paints_.view(); }
     /// Each different solid once; solid 0 says nothing. Empty before set().
@@ -160,7 +166,24 @@ private:
                 return error::out_of_memory;
             before = s.look;
         }
+        for (const markup_span& s : read.spans())
+            if (s.look != 0 && read.looks()[s.look].has(markup_tag::mark) && !mark(s, read.looks()[s.look].mark))
+                return error::out_of_memory;
         return {};
+    }
+
+    [[nodiscard]] bool mark(const markup_span& s, std::uint32_t colour) noexcept
+    {
+        constexpr std::uint32_t only = 1u << static_cast<unsigned>(markup_tag::mark);
+        markup_paint paint{.tags = only, .colour = colour};
+        std::uint32_t number = 0;
+        if (!find(solids_, solid_index_, {.tags = only}, paint.solid) || !find(paints_, paint_index_, paint, number))
+            return false;
+        if (!marks_.empty() && marks_.back().last == s.first && marks_.back().style == style_id{number}) {
+            marks_.back().last = s.last;
+            return true;
+        }
+        return marks_.push_back({s.first, s.last, style_id{number}});
     }
 
     template <class Char>
@@ -219,6 +242,7 @@ private:
     }
 
     buffer<style_span> spans_;
+    buffer<text_highlight> marks_;
     buffer<text_style> of_looks_;
     buffer<markup_paint> paints_;
     buffer<markup_solid> solids_;

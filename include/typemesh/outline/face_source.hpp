@@ -67,7 +67,7 @@ template <outline_source Source>
 template <outline_source Source, outline_sink Sink>
 error outline_of(Source& source, std::uint32_t face, glyph_id id, Sink& sink) noexcept
 {
-    if (face == bar_face) return draw_bar(sink), error{};
+    if (face == bar_face) return draw_bar(sink, id), error{};
     if constexpr (face_source<Source>)
         return source.outline(face, id, sink);
     else

@@ -166,6 +166,29 @@ public:
         }
     }
 
+    /// The text, its lines and the slices of a line, from left to right: for code that needs the details.
+    [[nodiscard]] const shaped_text& shaped() const noexcept { return *shaped_; }
+    [[nodiscard]] std::span<const laid_line> lines() const noexcept { return lines_; }
+    [[nodiscard]] std::span<const line_slice> slices_of(const laid_line& line) const noexcept
+    {
+        return slices_.subspan(line.first_slice, line.slices);
+    }
+
+    /// Calls with(cluster, pen, width) for each cluster of a slice, in reading order; `pen` is the cluster's start.
+    template <class With>
+    void each_cluster(const line_slice& s, const With& with) const noexcept
+    {
+        const bool back = s.level % 2 != 0;
+        const double end = back ? s.at : s.at + s.width;
+        double pen = back ? s.at + s.width : s.at;
+        for (std::uint32_t k = s.first; k < s.last; ++k) {
+            double width = width_of(*shaped_, s, k);
+            if (k + 1 == s.last) width = std::fabs(end - pen);  // a tab, or a cluster without the spacing after it
+            with(k, pen, width);
+            pen += back ? -width : width;
+        }
+    }
+
 private:
     /// The start and the end of a grapheme along its line, in reading order; in font units.
     struct edges {
@@ -272,11 +295,6 @@ private:
         return found;
     }
 
-    [[nodiscard]] std::span<const line_slice> slices_of(const laid_line& line) const noexcept
-    {
-        return slices_.subspan(line.first_slice, line.slices);
-    }
-
     /// Calls with(unit, edges) for each visible grapheme of a line. The slices go from left to right; inside a slice
     /// the order is the order of the text.
     template <class With>
@@ -297,21 +315,6 @@ private:
                 each_part(k, pen, width, back, with);
         });
     }
-    /// Calls with(cluster, pen, width) for each cluster of a slice, in reading order; `pen` is the cluster's start.
-    template <class With>
-    void each_cluster(const line_slice& s, const With& with) const noexcept
-    {
-        const bool back = s.level % 2 != 0;
-        const double end = back ? s.at : s.at + s.width;
-        double pen = back ? s.at + s.width : s.at;
-        for (std::uint32_t k = s.first; k < s.last; ++k) {
-            double width = width_of(*shaped_, s, k);
-            if (k + 1 == s.last) width = std::fabs(end - pen);  // a tab, or a cluster without the spacing after it
-            with(k, pen, width);
-            pen += back ? -width : width;
-        }
-    }
-
     /// Visits the graphemes of a cluster of this width, which lies to the right of the pen, or to its left if `back`.
     /// The font's caret positions divide the cluster; without caret positions, the graphemes have equal widths.
     template <class With>

@@ -58,7 +58,8 @@ struct picked_cluster {
     text_line line{.glyph_count = size};
     if (!run.lines.empty()) line = run.lines[found.line = line_of(run, glyph)];
     const array_view<const placed_glyph> all = run.letters_of(line);
-    std::uint32_t first = glyph - line.first_glyph, last = first;
+    const auto begin = static_cast<std::uint32_t>(all.data() - run.glyphs.data());  // behind the backgrounds
+    std::uint32_t first = glyph - begin, last = first;
     const cluster_id cluster = all[first].cluster;
     while (first > 0 && all[first - 1].cluster == cluster) --first;
     while (last < all.size() && all[last].cluster == cluster) ++last;
@@ -69,7 +70,7 @@ struct picked_cluster {
     };
     std::uint32_t next = last;
     while (next < all.size() && all[next].cluster == all[last].cluster) ++next;
-    found.glyph = line.first_glyph + first;
+    found.glyph = begin + first;
     found.glyphs = last - first;
     found.left = first == 0 && line.advance > 0.0 ? along(line.origin, down) : least(first, last);
     found.right = last < all.size() ? least(last, next) : along(line.origin, down) + line.advance;

@@ -57,7 +57,7 @@ private:
         /// The orientation of a glyph in a column.
         [[nodiscard]] static glyph_flags stand_of(const shaped_glyph& g) noexcept
         {
-            return g.flags & (glyph_flags::sideways | glyph_flags::combined);
+            return g.flags & (glyph_flags::sideways | glyph_flags::combined | glyph_flags::box);
         }
     };
 
@@ -136,7 +136,10 @@ private:
         const item_setting set = shaped_.setting_of(item);
         const text_style& painted = shaped_.styles[shaped_.styles.number_at(g.cluster)];
         const double rise = set.lift + painted.rise * shaped_.units_per_em();
-        const glyph_style drawn = glyph_style_of(shaped_.items()[item], set, painted, g);
+        const auto* const box = has(g.flags, glyph_flags::box) ? shaped_.insets.box_at(g.cluster) : nullptr;
+        const glyph_style drawn = box != nullptr
+                                      ? text_insets::style_of(box->box, down_, shaped_.units_per_em(), painted.style)
+                                      : glyph_style_of(shaped_.items()[item], set, painted, g);
         std::uint32_t number = 0;
         if (!run_.glyph_styles.empty() || !(drawn == glyph_style{})) {
             const auto found = run_.number_of(drawn);
@@ -144,6 +147,7 @@ private:
             number = *found;
         }
         now_ = {item, number, g.face, shaped_.styles.range_at(g.cluster), rise, drawn_with::stand_of(g)};
+        if (box != nullptr) now_.text = {g.cluster, g.cluster + 1};
         return {};
     }
 

@@ -13,6 +13,7 @@
 #include <typemesh/layout/impl/itemise.hpp>
 #include <typemesh/layout/impl/text_cluster.hpp>
 #include <typemesh/layout/impl/text_columns.hpp>
+#include <typemesh/layout/impl/text_insets.hpp>
 #include <typemesh/layout/impl/white_space.hpp>
 #include <typemesh/layout/impl/whole_syllables.hpp>
 #include <typemesh/layout/plain_text.hpp>
@@ -40,6 +41,7 @@ public:
     explicit shaped_text(memory source = heap()) noexcept
         : analysis{source},
           styles{source},
+          insets{source},
           columns_{source},
           items_{source},
           settings_{source},
@@ -52,6 +54,7 @@ public:
 
     text_analysis analysis;  ///< filled in before read()
     style_spans styles;      ///< filled in by read()
+    text_insets insets;      ///< filled in by read()
 
     [[nodiscard]] text_view text() const noexcept { return text_; }
     [[nodiscard]] const shape_options& options() const noexcept { return options_; }
@@ -144,10 +147,11 @@ public:
         carets_.clear();
         keep_syllables_whole(text, analysis);
         if (error e = styles.read(options.styles, analysis, faces)) return e;
+        if (error e = insets.read(options, text, styles.borders(), analysis)) return e;
         if (error e = columns_.find(shaper, text, options_, styles, analysis)) return e;
         if (!columns_.runs().empty())  // combined text has become one grapheme
             if (error e = styles.move_out_of(analysis)) return e;
-        if (error e = itemise(text, analysis, styles.borders(), columns_.runs(), items_)) return e;
+        if (error e = itemise(text, analysis, insets.borders(styles.borders()), columns_.runs(), items_)) return e;
         const item_settings::base plain{options, options.letter_spacing * em_};
         return settings_.read(shaper, text, analysis, styles, plain, items_.view());
     }
@@ -163,7 +167,10 @@ public:
             if (error e = add_range(shaper, i, items_[i], given.empty() ? nullptr : &given[i])) return e;
         }
         own_ = static_cast<std::uint32_t>(clusters_.size());
-        return {};
+        if (insets.empty()) return {};
+        const auto spacing = [this](const text_cluster& c) noexcept { return spacing_of(c); };
+        insets.widen(text_, items_.view(), {in_columns(), em_}, spacing, clusters_.view(), glyphs_.data());
+        return sum_up(0), error{};
     }
 
     /// Appends the clusters of text[first, last), which lies in one item. The text around it is context for shaping.
@@ -181,6 +188,7 @@ public:
         text_ = {};
         analysis.clear();
         styles.clear();
+        insets.clear();
         columns_.clear();
         own_ = 0;
         items_.clear();
@@ -310,6 +318,11 @@ private:
             if (!clusters_.push_back({first, last, none, 0, 0.0, item, flags})) return error::out_of_memory;
             sum_up(clusters_.size() - 1);
             return {};
+        }
+        if (const auto* box = insets.empty() ? nullptr : insets.box_at(first); box != nullptr) {
+            const double wide = em_ * insets.advance_of(*box, in_columns());
+            if (error e = insets.append(*box, {first, last}, item, wide, glyphs_, clusters_)) return e;
+            return sum_up(clusters_.size() - 1), error{};
         }
         const std::size_t before = glyphs_.size(), first_cluster = clusters_.size();
         if (first < last) {

@@ -19,6 +19,7 @@ enum class cluster_flags : std::uint16_t {
     foreign = 1u << 6,         ///< it shows text that is not in the caller's text: a hyphen, an ellipsis
     tatweel = 1u << 7,         ///< U+0640 may be inserted before it to fill a line
     unseen = 1u << 8,          ///< invisible, but not trailing by rule L1 of UAX #9: for example a direction mark
+    inset = 1u << 9,           ///< an inline box, or text in a room: its line may be higher
     unshown = hangs | unseen,  ///< invisible at the end of a line
 };
 

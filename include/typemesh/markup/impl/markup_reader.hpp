@@ -12,7 +12,7 @@
 namespace typemesh::inline TYPEMESH_ABI::detail {
 
 /// The kind of value that a tag takes.
-enum class markup_value_kind : std::uint8_t { none, number, colour, integer, words, language };
+enum class markup_value_kind : std::uint8_t { none, number, colour, integer, words, language, lengths };
 
 struct markup_tag_form {
     std::string_view name;
@@ -41,7 +41,9 @@ inline constexpr markup_tag_form markup_tag_forms[] = {
     {"style", markup_tag::style, markup_value_kind::integer},
     {"font", markup_tag::font, markup_value_kind::words},
     {"lang", markup_tag::language, markup_value_kind::language},
+    {"mark", markup_tag::mark, markup_value_kind::colour},
     {"ruby", markup_tag::ruby, markup_value_kind::words},
+    {"box", markup_tag::box, markup_value_kind::lengths, -1000 * markup_unit, 1000 * markup_unit},
     {"color", markup_tag::colour, markup_value_kind::colour},
 };
 
@@ -81,6 +83,16 @@ inline constexpr struct markup_name_slots {
     }
 } markup_names;
 
+/// U+FFFC, which stands for a box.
+template <class Char>
+[[nodiscard]] constexpr std::basic_string_view<Char> object_character() noexcept
+{
+    if constexpr (sizeof(Char) == 1)
+        return "\xEF\xBF\xBC";
+    else
+        return u"\uFFFC";
+}
+
 /// Whether a word could be a tag of BCP 47, by its characters.
 template <class Char>
 [[nodiscard]] bool is_language_tag(std::basic_string_view<Char> word) noexcept
@@ -99,6 +111,7 @@ struct read_markup_tag {
     const markup_tag_form* form = nullptr;  ///< null: [/]
     bool closes = false;
     double number = 0.0;
+    double lengths[3] = {};                   ///< of a box: width, ascent, descent
     std::uint32_t integer = 0;                ///< of a colour as well
     std::basic_string_view<Char> words = {};  ///< the value as it is written, without its quotation marks
     std::size_t end = 0;                      ///< behind the tag; of a mistake, where it is
@@ -200,7 +213,8 @@ private:
     {
         if (out_.words.empty()) return "an empty value";
         switch (out_.form->kind) {
-        case markup_value_kind::number: return take_number();
+        case markup_value_kind::number: return take_number(out_.words, out_.number);
+        case markup_value_kind::lengths: return take_lengths();
         case markup_value_kind::colour: return take_colour();
         case markup_value_kind::integer: return take_integer();
         case markup_value_kind::language: return take_language();
@@ -211,13 +225,13 @@ private:
     }
 
     /// -12.5: at most six digits behind the point. The number is the nearest double, for a quotient of two exact ones.
-    [[nodiscard]] const char* take_number() noexcept
+    [[nodiscard]] const char* take_number(view words, double& number) noexcept
     {
         constexpr const char* refused = "a number out of range, or with more than six decimals";
-        const bool negative = out_.words[0] == static_cast<Char>('-');
+        const bool negative = !words.empty() && words[0] == static_cast<Char>('-');
         std::int64_t whole = 0, unit = markup_unit;
         bool digits = false, behind = false;
-        for (const Char c : out_.words.substr(negative ? 1 : 0)) {
+        for (const Char c : words.substr(negative ? 1 : 0)) {
             if (c == static_cast<Char>('.') && !behind) {
                 behind = true;
                 digits = false;
@@ -233,7 +247,26 @@ private:
         if (!digits) return "a value that is not a number";
         if (negative) whole = -whole;
         if (whole < out_.form->low || whole > out_.form->high) return refused;
-        out_.number = static_cast<double>(whole) / static_cast<double>(markup_unit);
+        number = static_cast<double>(whole) / static_cast<double>(markup_unit);
+        return nullptr;
+    }
+
+    /// 1.2,0.8 or 1.2,0.8,0.1: width, height above the baseline, depth below it.
+    [[nodiscard]] const char* take_lengths() noexcept
+    {
+        constexpr const char* refused = "a box that is not like 1.2,0.8 or 1.2,0.8,0.2";
+        view rest = out_.words;
+        std::size_t count = 0;
+        out_.lengths[2] = 0.0;
+        for (bool more = true; more;) {
+            const std::size_t comma = rest.find(static_cast<Char>(','));
+            more = comma != view::npos;
+            if (count == 3) return refused;
+            if (const char* mistake = take_number(rest.substr(0, comma), out_.lengths[count++]); mistake != nullptr)
+                return mistake;
+            if (more) rest.remove_prefix(comma + 1);
+        }
+        if (count < 2 || out_.lengths[0] < 0.0 || out_.lengths[1] + out_.lengths[2] < 0.0) return refused;
         return nullptr;
     }
 

@@ -322,7 +322,7 @@ private:
     static bool begins_line(const shaped_text& shaped, std::uint32_t unit) noexcept
     {
         const array_view<const text_mark> marks = shaped.analysis.marks.view();
-        if (!has(marks[unit], text_mark::grapheme)) return false;
+        if (!has(marks[unit], text_mark::grapheme) || shaped.insets.keeps(unit)) return false;
         if (!has(marks[unit], text_mark::space | text_mark::separator)) return true;
         return !is_blank(shaped.text(), marks, unit, grapheme_end(marks, unit));
     }

@@ -47,12 +47,8 @@ public:
     /// Whether a line is a column, whose glyphs follow each other downwards.
     [[nodiscard]] bool has_columns() const noexcept
     {
-        for (const text_line& line : run_.lines) {
-            const auto glyphs = run_.letters_of(line);
-            if (glyphs.empty()) continue;
-            const point step = glyphs.back().origin - glyphs.front().origin;
-            if (std::fabs(step.y) > std::fabs(step.x)) return true;
-        }
+        for (const text_line& line : run_.lines)
+            if (run_.is_column(line)) return true;
         return false;
     }
 

@@ -290,12 +290,9 @@ inline box text_planner::pens_of(const glyph_run& run) const noexcept
             pens.add(em * glyph.origin);
     for (const text_line& line : run.lines) {
         if (!is_finite(line.advance) || !is_finite(line.origin.x) || !is_finite(line.origin.y)) continue;
-        const auto glyphs = run.letters_of(line);
-        if (glyphs.empty()) continue;
-        const point step = glyphs.back().origin - glyphs.front().origin;
-        const bool is_column = std::fabs(step.y) > std::fabs(step.x);
+        if (run.letters_of(line).empty()) continue;
         pens.add(em * line.origin);
-        pens.add(em * (line.origin + (is_column ? point{0.0, -line.advance} : point{line.advance, 0.0})));
+        pens.add(em * (line.origin + (run.is_column(line) ? point{0.0, -line.advance} : point{line.advance, 0.0})));
     }
     return pens;
 }
