@@ -26,8 +26,8 @@ struct wheels {
         const double digit = l.index - l.word.first;
         double below = std::fmod(digit - turn(l.words - 1 - l.letter.word) + 20.0, 10.0);  // digits below the front one
         if (below > 5.0) below -= 10.0;
-        if (std::fabs(below) > 2.0) return hidden_at(l.letter.pivot);
         constexpr float radius = 1.4f;
+        if (std::fabs(below) > 2.0) return hidden_at({0.8f * static_cast<float>(l.letter.word), 0.0f, -radius});
         const affine3 on_wheel = shifted({0.8f * static_cast<float>(l.letter.word) - l.letter.pivot.x,
                                           -l.letter.pivot.y, radius - l.letter.pivot.z});
         return shifted({0.0f, 0.0f, -radius}) * turned(l.frame.right, 0.6283185307179586 * below) * on_wheel;

@@ -168,7 +168,7 @@ await set("#option-features", "");
 await open();
 const straight = await hash();
 const at = name => `#option-${name.replace(".", "-")}`;
-for (const name of ["bend.cylinder", "bend.twist", "bend.wave", "warp.arc", "warp.flag", "inflate.height"]) {
+for (const name of ["bend.cylinder", "bend.twist", "bend.wave", "warp.arc", "warp.flag", "path.ring", "path.wave", "inflate.height"]) {
     await page.focus(at(name));
     await change(() => page.keyboard.press("ArrowRight"));
     const step = await page.$eval(at(name), e => [Number(e.value), Number(e.step), e.getAttribute("aria-valuetext")]);
@@ -275,6 +275,23 @@ check(await value("text") === "Hello world!" && await value("option-bevel-profil
 // Keys.
 const canvas = async () => (await (await page.$("#canvas")).screenshot({ encoding: "base64" }));
 const upright = await canvas();
+
+// Letters that move, and those of somebody who wants less motion.
+const rest = ms => new Promise(done => setTimeout(done, ms));
+for (const motion of ["wave", "reveal", "scatter", "typewriter"]) {
+    await open(`#page.motion=${motion}&text=They move`);
+    const early = await canvas();
+    await rest(900);
+    check(await canvas() !== early, `letters move: ${motion}`);
+    check(await message() === "" && await value("open-edges") === "0", `${motion}: ${await message()}`);
+}
+await page.emulateMediaFeatures([{ name: "prefers-reduced-motion", value: "reduce" }]);
+await open("#page.motion=wave&text=They move");
+const still = await canvas();
+await rest(900);
+check(await canvas() === still && /asks for less motion/.test(await value("notes")), "letters stay where less motion is asked for");
+await page.emulateMediaFeatures([]);
+await open();
 await page.focus("#canvas");
 for (let i = 0; i < 6; ++i) await page.keyboard.press("ArrowRight");
 const turned = await canvas();
