@@ -9,7 +9,9 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <filesystem>
 #include <string>
+#include <utility>
 #include <vector>
 
 using namespace typemesh;
@@ -79,20 +81,25 @@ TEST_CASE("each vertex has the letter, word and line that a reader finds", "[ada
         const char* font;
         std::string text;
         std::vector<read_letter> letters;
+        std::vector<read_letter> merged;  // where their headline makes one solid of them
     };
     const known all[] = {
         {"truetype/dejavu/DejaVuSans.ttf",
          "fix it,\noffice",
-         {{"fi", 0}, {"x", 0}, {"i", 1}, {"t", 1}, {",", 1}, {"o", 2}, {"ffi", 2}, {"c", 2}, {"e", 2}}},
-        {"truetype/dejavu/DejaVuSans.ttf",  // marks; a picture of several characters that the font does not have
-         "x\u0308y \U0001F469\u200D\U0001F680!",
-         {{"x\u0308", 0}, {"y", 0}, {"\U0001F469\u200D\U0001F680", 1}, {"!", 1}}},
+         {{"fi", 0}, {"x", 0}, {"i", 1}, {"t", 1}, {",", 1}, {"o", 2}, {"ffi", 2}, {"c", 2}, {"e", 2}},
+         {}},
+        {"truetype/dejavu/DejaVuSans.ttf",  // marks; a picture of two characters
+         "x\u0308y \u263A\uFE0F!",
+         {{"x\u0308", 0}, {"y", 0}, {"\u263A\uFE0F", 1}, {"!", 1}},
+         {}},
         {"opentype/fonts-hosny-amiri/Amiri-Regular.ttf",
          "\u0633\u0644\u0627\u0645 \u0639\u0644\u064A\u0643\u0645",
-         {{"\u0633\u0644\u0627", 0}, {"\u0645", 0}, {"\u0639\u0644\u064A\u0643\u0645", 1}}},
+         {{"\u0633\u0644\u0627", 0}, {"\u0645", 0}, {"\u0639\u0644\u064A\u0643\u0645", 1}},
+         {}},
         {"truetype/noto/NotoSansDevanagari-Regular.ttf",
          "\u0915\u094D\u0937\u0924\u094D\u0930\u093F\u092F \u0928\u092E",
-         {{"\u0915\u094D\u0937", 0}, {"\u0924\u094D\u0930\u093F", 0}, {"\u092F", 0}, {"\u0928", 1}, {"\u092E", 1}}},
+         {{"\u0915\u094D\u0937", 0}, {"\u0924\u094D\u0930\u093F", 0}, {"\u092F", 0}, {"\u0928", 1}, {"\u092E", 1}},
+         {{"\u0915\u094D\u0937\u0924\u094D\u0930\u093F\u092F", 0}, {"\u0928\u092E", 1}}},
     };
     for (const known& one : all) {
         const auto path = font_path(one.font);
@@ -104,7 +111,8 @@ TEST_CASE("each vertex has the letter, word and line that a reader finds", "[ada
             std::vector<named_vertex> vertices;
             std::vector<std::uint32_t> indices;
             REQUIRE(mesher.build(one.text, into(vertices, indices), {.merge = merge}));
-            CHECK(wrong_vertices(one.text, vertices, one.letters) == 0);
+            const bool fewer = merge && !one.merged.empty();
+            CHECK(wrong_vertices(one.text, vertices, fewer ? one.merged : one.letters) == 0);
         }
     }
 }
@@ -114,7 +122,7 @@ TEST_CASE("the letters of the workload's Latin texts are those of a walk along i
 {
     std::size_t checked = 0;
     for (const test::workload_font& file : test::workload_fonts()) {
-        if (!file.available() || !file.serves("latin")) continue;
+        if (!std::filesystem::exists(file.path) || !file.serves("latin")) continue;
         INFO(file.path);
         harfbuzz_font font = opened(file.path);
         text_mesher mesher{font, flat{}};

@@ -239,7 +239,7 @@ test('what is refused is said in a sentence', () => {
     bent('Hello', { bend: { twist: 360 }, bevel: { width: 0.06 } }, /^The text is bent too tightly for its bevels/);
     bent('Hello', { bend: { twist: 90, wave: 0.1 } }, /^A text bends in one way at a time/);
     bent('Hello', { bend: { cylinder: 90, radius: 2 } }, /^A cylinder has degrees or a radius/);
-    bent('Hello', { warp: { arc: 90, flag: 0.1 } }, /^A text has one warp at a time/);
+    bent('Hello', { warp: { arc: 90, flag: 0.1 } }, /^A text has one warp or path at a time/);
     bent('Hello', { bend: { twist: 90 }, outline: { width: 0.01 } }, /^Hollow letters cannot be bent/);
     bent('Hello', { bend: { twist: 90 }, inflate: { height: 1 } }, /^Inflated letters cannot be bent/);
     bent('Hello', { inflate: { height: 1 }, bevel: { width: 0.01 } }, /^Inflated letters have no bevels/);
