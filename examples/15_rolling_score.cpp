@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// A score whose digits roll like those of a mileage counter. Each wheel is a word of ten digits. Their meshes are written
+// A score whose digits roll like a mileage counter. Each wheel is a word of ten digits. Their meshes are written
 // once; a frame only gives each digit a map, which instanced drawing takes, and allocates nothing.
 //
 //     15_rolling_score FONT

@@ -5,7 +5,7 @@
 #include <cstdlib>
 #include <new>
 
-// Counts what a program asks the C++ heap for, to show that frames ask for nothing. typemesh asks for aligned memory.
+// Counts what a program requests from the C++ heap, to show that frames request nothing. typemesh requests aligned memory.
 inline std::size_t allocations = 0;
 
 void* operator new(std::size_t bytes)

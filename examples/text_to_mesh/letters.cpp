@@ -13,10 +13,7 @@ namespace {
 using namespace typemesh;
 
 /// As files have it: a bar has no letter and no word.
-float number_of(std::uint32_t number)
-{
-    return number == not_a_letter ? -1.0f : static_cast<float>(number);
-}
+float number_of(std::uint32_t number) { return number == not_a_letter ? -1.0f : static_cast<float>(number); }
 
 /// What of the text a letter shows, in one line.
 std::string shown(std::string_view text, const text_letter& l)

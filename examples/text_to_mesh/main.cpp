@@ -85,7 +85,7 @@ typemesh::result<void> write_model(const options& o, const chosen_plan& plan, mo
     return {};
 }
 
-/// Adds to the mesh of a plan what --letters and --per-letter ask for.
+/// Adds to the mesh of a plan what --letters and --per-letter request.
 typemesh::result<void> tell_letters(const options& o, const chosen_plan& plan, model& mesh)
 {
     if (!o.letters && !o.per_letter) return {};

@@ -76,7 +76,7 @@ struct model {
     std::vector<place> places;
     std::vector<vertex_letter> vertex_letters;  ///< one for each vertex, or none at all
     std::vector<std::string> letter_texts;      ///< what each letter of vertex_letters shows
-    std::string name;  ///< UTF-8, best effort: writers replace what their format cannot hold
+    std::string name;                           ///< UTF-8, best effort: writers replace what their format cannot hold
 };
 
 /// Lines and dots drawn over a picture, in the model's own space; a solid in front of them hides them.

@@ -686,7 +686,7 @@ std::string settle_levels(options& out, const raw_values& raw)
     return {};
 }
 
-/// Why letters cannot be told apart in the file, or an empty string.
+/// Why the file cannot distinguish letters, or an empty string.
 std::string refused_letters(const options& o)
 {
     const std::string option = o.per_letter ? "--per-letter" : "--letters";

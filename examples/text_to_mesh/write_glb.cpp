@@ -71,7 +71,8 @@ geometry add_geometry(tinygltf::Model& file, const model& mesh, const std::vecto
     for (const model::letter& l : letters)
         made.wide = made.wide || l.vertex_count > 65535;  // the index 65535 is not allowed: it restarts a strip
     const std::size_t index_bytes = made.wide ? 4 : 2, vertex_bytes = mesh.vertices.size() * geometry::stride;
-    out.reserve(vertex_bytes + mesh.vertex_letters.size() * geometry::letter_stride + mesh.indices.size() * index_bytes);
+    out.reserve(vertex_bytes + mesh.vertex_letters.size() * geometry::letter_stride +
+                mesh.indices.size() * index_bytes);
     for (const model_vertex& v : mesh.vertices) {
         for (const float f : v.position) out.f32(f);
         for (const float f : v.normal) out.f32(f);
@@ -96,8 +97,8 @@ geometry add_geometry(tinygltf::Model& file, const model& mesh, const std::vecto
     made.letter_view = letter_bytes == 0 ? -1
                                          : add_view(file, vertex_bytes, letter_bytes, geometry::letter_stride,
                                                     TINYGLTF_TARGET_ARRAY_BUFFER);
-    made.index_view =
-        add_view(file, vertex_bytes + letter_bytes, mesh.indices.size() * index_bytes, 0, TINYGLTF_TARGET_ELEMENT_ARRAY_BUFFER);
+    made.index_view = add_view(file, vertex_bytes + letter_bytes, mesh.indices.size() * index_bytes, 0,
+                               TINYGLTF_TARGET_ELEMENT_ARRAY_BUFFER);
     tinygltf::Buffer buffer;
     buffer.data = out.take();
     file.buffers.push_back(std::move(buffer));

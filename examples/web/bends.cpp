@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "bends.hpp"
 
-#include <typemesh/bend/plane_warp.hpp>
 #include <typemesh/bend/plane_path.hpp>
+#include <typemesh/bend/plane_warp.hpp>
 #include <typemesh/core/box.hpp>
 
 namespace typemesh_web {

@@ -49,7 +49,8 @@ result<void> name_letters(const web_plan& plan, mesh_arrays& out) noexcept
     if (out.vertices() != 0 && out.letter_of.append(out.vertices()) == nullptr) return error::out_of_memory;
     for (const auto& some : {rows.letters, rows.bars}) {
         for (const text_letter& l : some) {
-            const float row[] = {l.pivot.x, l.pivot.y, l.pivot.z, l.word == not_a_letter ? -1.0f : static_cast<float>(l.word),
+            const float row[] = {l.pivot.x, l.pivot.y, l.pivot.z,
+                                 l.word == not_a_letter ? -1.0f : static_cast<float>(l.word),
                                  static_cast<float>(l.line)};
             for (const float f : row)
                 if (!out.letter_rows.push_back(f)) return error::out_of_memory;

@@ -207,7 +207,8 @@ TEST_CASE("vertices of a GLB hold their letter, word, line and pivot in types th
     const char* names[] = {"_LETTER", "_WORD", "_LINE", "_PIVOT"};
     for (const tinygltf::Primitive& primitive : file.meshes.at(0).primitives) {
         for (std::size_t k = 0; k < 4; ++k) {
-            const tinygltf::Accessor& a = file.accessors.at(static_cast<std::size_t>(primitive.attributes.at(names[k])));
+            const tinygltf::Accessor& a =
+                file.accessors.at(static_cast<std::size_t>(primitive.attributes.at(names[k])));
             const tinygltf::BufferView& v = file.bufferViews.at(static_cast<std::size_t>(a.bufferView));
             CHECK(a.componentType == TINYGLTF_COMPONENT_TYPE_FLOAT);
             CHECK(a.type == (k < 3 ? TINYGLTF_TYPE_SCALAR : TINYGLTF_TYPE_VEC3));

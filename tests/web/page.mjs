@@ -289,7 +289,7 @@ await page.emulateMediaFeatures([{ name: "prefers-reduced-motion", value: "reduc
 await open("#page.motion=wave&text=They move");
 const still = await canvas();
 await rest(900);
-check(await canvas() === still && /asks for less motion/.test(await value("notes")), "letters stay where less motion is asked for");
+check(await canvas() === still && /prefers less motion/.test(await value("notes")), "letters stay where less motion is asked for");
 await page.emulateMediaFeatures([]);
 await open();
 await page.focus("#canvas");

@@ -129,7 +129,7 @@ function show() {
     at("triangles").value = number(s.triangles);
     const notes = [...controls.notes(), ...mesh.warnings];
     if (!stage) notes.unshift("This browser offers no WebGL, so the mesh is not drawn. It is made all the same and can be saved.");
-    if (controls.motion !== "still" && lessMotion.matches) notes.push("Your system asks for less motion, so letters stay still.");
+    if (controls.motion !== "still" && lessMotion.matches) notes.push("Your system prefers less motion, so letters stay still.");
     if (controls.motion !== "still" && view === "contours") notes.push("Contours stay still.");
     if (shown.trim() === "") notes.push("There is no text: type one.");
     at("notes").textContent = notes.join(" ");
