@@ -1,7 +1,7 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
 #
-# 14_clock, 15_rolling_score and 16_ticker move the words and digits of one text; no frame asks for memory.
+# 14_clock, 15_rolling_score and 16_ticker move the words and digits of one text; no frame requests memory.
 #
 #     moving_words.sh CLOCK SCORE TICKER
 set -eu
