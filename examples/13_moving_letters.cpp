@@ -5,28 +5,18 @@
 //
 //     13_moving_letters FONT [TEXT]
 
+#include "counted_allocations.hpp"
+
 #include <typemesh/adapt/harfbuzz.hpp>
 #include <typemesh/typemesh.hpp>
 
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
-#include <cstdlib>
-#include <new>
 #include <span>
 #include <vector>
 
 using namespace typemesh;
-
-static std::size_t allocations = 0;  // of this program, to show that frames have none
-void* operator new(std::size_t bytes)
-{
-    ++allocations;
-    if (void* block = std::malloc(bytes)) return block;
-    std::abort();
-}
-void operator delete(void* block) noexcept { std::free(block); }
-void operator delete(void* block, std::size_t) noexcept { std::free(block); }
 
 /// Digits roll in around the line's axis, one after another; nothing else moves.
 struct roll {

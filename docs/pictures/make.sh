@@ -186,4 +186,13 @@ convert -size 910x160 xc:white -draw "$("$scratch/selection" /usr/share/fonts/tr
 g++ -std=c++20 -O2 -I../../include curved.cpp -o "$scratch/curved" $(pkg-config --cflags --libs harfbuzz)
 "$scratch/curved" /usr/share/fonts/truetype/dejavu/DejaVuSerif.ttf 'g&' | convert ppm:- curved.png
 
+# Letters that move, drawn by a program of their own.
+g++ -std=c++20 -O2 -I../../include -I../../examples/text_to_mesh -I../../examples moving.cpp "$typemesh_root"/examples/text_to_mesh/picture/*.cpp \
+    -o "$scratch/moving" $(pkg-config --cflags --libs harfbuzz)
+for motion in wave ring score; do
+    mkdir "$scratch/$motion"
+    "$scratch/moving" $motion $serif-Bold.ttf "$scratch/$motion"
+    convert -delay 6 -loop 0 "$scratch/$motion"/*.ppm +dither -colors 96 -layers optimize $motion.gif
+done
+
 pngquant --quality 90-100 --speed 1 --force --ext .png beside.png paragraph.png normals.png bevels.png bevelled_scripts.png bent.png carved.png inflated.png markup.png meshing.png path.png warped.png bold_and_hollow.png refined.png styles.png textures.png

@@ -2,6 +2,7 @@
 #include "annotations.hpp"
 #include "atomic_file.hpp"
 #include "colour_names.hpp"
+#include "letters.hpp"
 #include "marked_text.hpp"
 #include "model.hpp"
 #include "options.hpp"
@@ -81,6 +82,21 @@ typemesh::result<void> write_model(const options& o, const chosen_plan& plan, mo
     if (const auto done = plan.write(typemesh::into(out.vertices, out.indices)); !done) return done.error();
     for (const typemesh::part p : plan.parts())
         for (const typemesh::style_id style : plan.styles()) add_part(o, out, p, plan.range(style, p), style);
+    return {};
+}
+
+/// Adds to the mesh of a plan what --letters and --per-letter request.
+typemesh::result<void> tell_letters(const options& o, const chosen_plan& plan, model& mesh)
+{
+    if (!o.letters && !o.per_letter) return {};
+    const bool down = o.direction == typemesh::direction::top_to_bottom;
+    if (const auto found = plan.find_letters(o.text, {.down = down}); !found) return found.error();
+    if (o.letters) name_vertices(plan, o.text, mesh);
+    if (o.per_letter)
+        part_letters(plan, o.text, mesh,
+                     [&o](model& to, typemesh::part p, const typemesh::mesh_range& r, typemesh::style_id style) {
+                         add_part(o, to, p, r, style);
+                     });
     return {};
 }
 
@@ -432,6 +448,7 @@ private:
                                                   : write_solids(of_file, font_, page_, how, mesh);
         clock(typemesh::stage::idle);
         if (!written) return in_words(written.error());
+        if (const auto told = tell_letters(o_, *plan, mesh); !told) return in_words(told.error());
         if (!lift(mesh, up)) return heights_lost(o_);
         facts_ = facts_of(mesh);
         if (o_.stats) stats_ = stats_of(*plan, quality_of_front(mesh), facts_, is_printed(o_.kind), clock);

@@ -56,6 +56,8 @@ std::string refused_solids(const options& o)
     const auto solids = o.marked->styles.solids();
     if (solids.size() < 2) return {};
     if (o.instances) return "[depth], [bevel], [b] and [mark] do not work with --instances";
+    if (o.letters || o.per_letter)
+        return "[depth], [bevel], [b] and [mark] do not work with --letters and --per-letter";
     if (o.carve.tool_angle > 0.0f || o.outline.width > 0.0f || o.inflate.height > 0.0f ||
         o.refine.refiner != refiner_name::none)
         return "[depth], [bevel], [b] and [mark] do not work with --carve, --outline, --inflate and --refine";

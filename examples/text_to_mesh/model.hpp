@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -58,6 +59,13 @@ struct model {
         float at[3];
         std::string text = {};
         float right[2] = {1.0f, 0.0f};  ///< where its x axis points; letters on a path are turned
+        std::optional<std::array<std::uint32_t, 3>> numbers = {};  ///< of the letter, its word and its line
+    };
+
+    /// What a vertex knows of its letter. A bar's letter and word are -1.
+    struct vertex_letter {
+        float letter, word, line;
+        float pivot[3];  ///< in the space of the vertices
     };
 
     std::vector<model_vertex> vertices;
@@ -66,7 +74,9 @@ struct model {
     std::vector<letter> letters;  ///< none: the model is one mesh, and stands where its vertices say
     bool has_levels = false;  ///< the letters are levels of detail of one mesh, the finest first; there are no places
     std::vector<place> places;
-    std::string name;  ///< UTF-8, best effort: writers replace what their format cannot hold
+    std::vector<vertex_letter> vertex_letters;  ///< one for each vertex, or none at all
+    std::vector<std::string> letter_texts;      ///< what each letter of vertex_letters shows
+    std::string name;                           ///< UTF-8, best effort: writers replace what their format cannot hold
 };
 
 /// Lines and dots drawn over a picture, in the model's own space; a solid in front of them hides them.

@@ -321,6 +321,10 @@ void add_mesh_options(CLI::App& app, options& out, raw_values& raw)
     app.add_flag("--instances", out.instances,
                  "in .glb, store each different letter once, unmerged, with a node for each place")
         ->excludes(merged);
+    app.add_flag("--letters", out.letters,
+                 "in .glb, give vertices the numbers of their letter, word and line, and the letter's pivot");
+    app.add_flag("--per-letter", out.per_letter,
+                 "in .glb, make each letter a node, named by its text, that turns about the letter's pivot");
     app.add_flag("--strict", out.strict, "treat every warning as an error, and write nothing");
 }
 
@@ -682,6 +686,17 @@ std::string settle_levels(options& out, const raw_values& raw)
     return {};
 }
 
+/// Why the file cannot distinguish letters, or an empty string.
+std::string refused_letters(const options& o)
+{
+    const std::string option = o.per_letter ? "--per-letter" : "--letters";
+    if (!o.letters && !o.per_letter) return {};
+    if (o.kind != file_kind::glb) return option + " needs --output FILE.glb";
+    if (!o.lod.empty()) return option + " does not work with --lod";
+    if (o.instances) return option + " does not work with --instances, whose meshes are shared by several letters";
+    return {};
+}
+
 /// Finds out what is to be written. Gives an empty string, or what is wrong.
 std::string settle_files(options& out, const raw_values& raw)
 {
@@ -808,6 +823,7 @@ std::string settle(options& out, const raw_values& raw)
     if (out.discretiser == discretiser_name::two_lines && out.quality_given)
         return "--quality does not work with --discretiser two_lines, which makes two lines of every curve";
     if (out.instances && out.kind != file_kind::glb) return "--instances needs --output FILE.glb";
+    if (std::string trouble = refused_letters(out); !trouble.empty()) return trouble;
     out.size = raw.size.value_or(is_printed(out.kind) ? 10.0 : 1.0);
     using typemesh::touching;
     out.keeps_apart = raw.no_merge;
@@ -851,6 +867,7 @@ std::optional<int> parse(int argc, char** argv, options& out)
         "  text_to_mesh \"Happy\\nbirthday\" -f Arial --align centre --fit 80x40 -o sign.stl    (millimetres)\n"
         "  text_to_mesh Rag -f F.ttf --bevel 0.03 --profile round --colour red -o rag.glb --picture rag.png\n"
         "  text_to_mesh --text-file page.txt -f F.ttf --width 30 --align justify -o page.glb --instances\n"
+        "  text_to_mesh \"Letters that move\" -f F.ttf --per-letter -o letters.glb\n"
         "  text_to_mesh --batch names.txt -f F.ttf --anchor centre,middle -o \"tags/{n} {text}.stl\"\n"
         "  fortune | text_to_mesh - --family \"Noto Sans\" -o - --format obj | less\n");
     app.set_version_flag("--version", version(), "print the version and exit");

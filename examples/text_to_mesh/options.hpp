@@ -129,6 +129,8 @@ struct options {
     bool merge = false;
     bool keeps_apart = false;  ///< by --no-merge
     bool instances = false;
+    bool letters = false;     ///< vertices know their letters
+    bool per_letter = false;  ///< each letter is a mesh, and has a node
     typemesh::touching corners = typemesh::touching::keep;
 
     std::string output;  ///< "-" is standard output; of a batch a pattern, as `picture` is: see file_name()

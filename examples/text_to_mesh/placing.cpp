@@ -110,6 +110,7 @@ bool lift(model& mesh, double by)
         corners.push_back({v.position[0], v.position[1], v.position[2]});
         v.position[2] = moved(v.position[2]);
     }
+    for (model::vertex_letter& l : mesh.vertex_letters) l.pivot[2] = moved(l.pivot[2]);
     std::sort(corners.begin(), corners.end());
     return std::adjacent_find(corners.begin(), corners.end(), [&](const corner& a, const corner& b) {
                return a[0] == b[0] && a[1] == b[1] && a[2] != b[2] && moved(a[2]) == moved(b[2]);

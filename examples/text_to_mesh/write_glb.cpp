@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <sstream>
 
 namespace text_to_mesh {
@@ -55,10 +56,11 @@ int material_of(tinygltf::Model& file, const model::part& part)
     return static_cast<int>(file.materials.size()) - 1;
 }
 
-/// The buffer and its two views: interleaved vertices, then the indices, each counted from its letter's first vertex.
+/// The buffer and its views: interleaved vertices, what they know of their letters, if that is wanted, then the indices,
+/// each counted from its letter's first vertex.
 struct geometry {
-    static constexpr std::size_t stride = sizeof(float) * 8;
-    int vertex_view, index_view;
+    static constexpr std::size_t stride = sizeof(float) * 8, letter_stride = sizeof(float) * 6;
+    int vertex_view, letter_view, index_view;
     bool wide;  // indices of 32 bits
 };
 
@@ -69,11 +71,16 @@ geometry add_geometry(tinygltf::Model& file, const model& mesh, const std::vecto
     for (const model::letter& l : letters)
         made.wide = made.wide || l.vertex_count > 65535;  // the index 65535 is not allowed: it restarts a strip
     const std::size_t index_bytes = made.wide ? 4 : 2, vertex_bytes = mesh.vertices.size() * geometry::stride;
-    out.reserve(vertex_bytes + mesh.indices.size() * index_bytes);
+    out.reserve(vertex_bytes + mesh.vertex_letters.size() * geometry::letter_stride +
+                mesh.indices.size() * index_bytes);
     for (const model_vertex& v : mesh.vertices) {
         for (const float f : v.position) out.f32(f);
         for (const float f : v.normal) out.f32(f);
         for (const float f : v.uv) out.f32(f);
+    }
+    for (const model::vertex_letter& l : mesh.vertex_letters) {
+        for (const float f : {l.letter, l.word, l.line}) out.f32(f);
+        for (const float f : l.pivot) out.f32(f);
     }
     for (const model::letter& l : letters) {
         if (l.again) continue;
@@ -86,8 +93,12 @@ geometry add_geometry(tinygltf::Model& file, const model& mesh, const std::vecto
         }
     }
     made.vertex_view = add_view(file, 0, vertex_bytes, geometry::stride, TINYGLTF_TARGET_ARRAY_BUFFER);
-    made.index_view =
-        add_view(file, vertex_bytes, mesh.indices.size() * index_bytes, 0, TINYGLTF_TARGET_ELEMENT_ARRAY_BUFFER);
+    const std::size_t letter_bytes = mesh.vertex_letters.size() * geometry::letter_stride;
+    made.letter_view = letter_bytes == 0 ? -1
+                                         : add_view(file, vertex_bytes, letter_bytes, geometry::letter_stride,
+                                                    TINYGLTF_TARGET_ARRAY_BUFFER);
+    made.index_view = add_view(file, vertex_bytes + letter_bytes, mesh.indices.size() * index_bytes, 0,
+                               TINYGLTF_TARGET_ELEMENT_ARRAY_BUFFER);
     tinygltf::Buffer buffer;
     buffer.data = out.take();
     file.buffers.push_back(std::move(buffer));
@@ -113,6 +124,18 @@ void add_mesh(tinygltf::Model& file, const model& mesh, const model::letter& l, 
     const int normal = add_accessor(file, in.vertex_view, start + 12, l.vertex_count, number, TINYGLTF_TYPE_VEC3);
     const int uv = add_accessor(file, in.vertex_view, start + 24, l.vertex_count, number, TINYGLTF_TYPE_VEC2);
 
+    std::map<std::string, int> attributes{{"POSITION", position}, {"NORMAL", normal}, {"TEXCOORD_0", uv}};
+    if (in.letter_view >= 0) {
+        const std::size_t from = l.first_vertex * geometry::letter_stride;
+        const auto add = [&](const char* name, std::size_t offset, int type) {
+            attributes[name] = add_accessor(file, in.letter_view, from + offset, l.vertex_count, number, type);
+        };
+        add("_LETTER", 0, TINYGLTF_TYPE_SCALAR);
+        add("_WORD", 4, TINYGLTF_TYPE_SCALAR);
+        add("_LINE", 8, TINYGLTF_TYPE_SCALAR);
+        add("_PIVOT", 12, TINYGLTF_TYPE_VEC3);
+    }
+
     tinygltf::Mesh made;
     made.name = well_formed(l.name);
     for (std::size_t p = l.first_part; p < l.first_part + l.part_count; ++p) {
@@ -120,7 +143,7 @@ void add_mesh(tinygltf::Model& file, const model& mesh, const model::letter& l, 
         if (part.index_count == 0) continue;
         tinygltf::Primitive primitive;
         primitive.mode = TINYGLTF_MODE_TRIANGLES;
-        primitive.attributes = {{"POSITION", position}, {"NORMAL", normal}, {"TEXCOORD_0", uv}};
+        primitive.attributes = attributes;
         primitive.indices =
             add_accessor(file, in.index_view, part.first_index * (in.wide ? 4 : 2), part.index_count,
                          in.wide ? TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT : TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT,
@@ -137,6 +160,30 @@ tinygltf::Value text_of(const std::string& text)
     return tinygltf::Value{tinygltf::Value::Object{{"text", tinygltf::Value{well_formed(text)}}}};
 }
 
+/// What a node keeps of the letter that it places.
+tinygltf::Value facts_of(const model::place& p)
+{
+    tinygltf::Value::Object facts;
+    if (!p.text.empty()) facts["text"] = tinygltf::Value{well_formed(p.text)};
+    if (p.numbers) {
+        constexpr const char* names[] = {"letter", "word", "line"};
+        for (std::size_t i = 0; i < 3; ++i) facts[names[i]] = tinygltf::Value{static_cast<int>((*p.numbers)[i])};
+    }
+    return facts.empty() ? tinygltf::Value{} : tinygltf::Value{std::move(facts)};
+}
+
+/// What the node of a whole text keeps of it.
+tinygltf::Value facts_of(const model& mesh)
+{
+    tinygltf::Value::Object facts{{"text", tinygltf::Value{well_formed(mesh.name)}}};
+    if (!mesh.letter_texts.empty()) {
+        tinygltf::Value::Array letters;
+        for (const std::string& one : mesh.letter_texts) letters.emplace_back(well_formed(one));
+        facts["letters"] = tinygltf::Value{std::move(letters)};
+    }
+    return tinygltf::Value{std::move(facts)};
+}
+
 /// A node of the text's name with a node for each place under it, named after its letter and counted.
 void add_places(tinygltf::Model& file, const model& mesh, const std::string& name)
 {
@@ -148,7 +195,7 @@ void add_places(tinygltf::Model& file, const model& mesh, const std::string& nam
     for (const model::place& p : mesh.places) {
         tinygltf::Node node;
         node.name = well_formed(mesh.letters[p.letter].name) + "_" + std::to_string(file.nodes.size());
-        if (!p.text.empty()) node.extras = text_of(p.text);
+        node.extras = facts_of(p);
         node.mesh = static_cast<int>(p.letter);
         node.translation = {double{p.at[0]}, double{p.at[1]}, double{p.at[2]}};
         if (p.right[1] != 0.0f || p.right[0] < 0.0f) {
@@ -187,7 +234,7 @@ void add_scene(tinygltf::Model& file, const model& mesh, const std::string& name
     if (!mesh.letters.empty()) return add_places(file, mesh, name);
     tinygltf::Node node;
     node.name = name;
-    node.extras = text_of(mesh.name);
+    node.extras = facts_of(mesh);
     node.mesh = 0;
     file.nodes.push_back(std::move(node));
 }

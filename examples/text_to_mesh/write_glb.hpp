@@ -11,7 +11,10 @@ namespace text_to_mesh {
 /// Writes a binary glTF 2.0: one mesh, one primitive and material per part, indices of 16 bits where they can number
 /// the vertices. An instanced model becomes a mesh for each letter (and each colour of it, over the same vertices) and,
 /// under one node, a node for each place, named after its letter and counted: "e_2". `extras` of the text's node and of
-/// the letters' hold what they show, as "text".
+/// the letters' hold what they show, as "text". Places with numbers have them as "letter", "word" and "line".
+///
+/// model::vertex_letters become the attributes _LETTER, _WORD, _LINE (numbers, as 32-bit floats, which hold them exactly
+/// up to 2^24) and _PIVOT (a place). The texts of the letters are "letters" in the extras of the text's node.
 ///
 /// Texture coordinates are written unchanged: glTF puts v = 0 at the top. A model without triangles gives a valid file
 /// whose scene is empty, since glTF knows no empty mesh.

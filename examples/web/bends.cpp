@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "bends.hpp"
 
+#include <typemesh/bend/plane_path.hpp>
 #include <typemesh/bend/plane_warp.hpp>
 #include <typemesh/core/box.hpp>
 
@@ -30,8 +31,27 @@ const char* bends::refused() const noexcept
     if (radius && cylinder != 0.0) return "A cylinder has degrees or a radius: leave out one of them.";
     const int ways = (cylinder != 0.0 || radius) + (twist != 0.0) + (wave != 0.0);
     if (ways > 1) return "A text bends in one way at a time: leave out all but one of cylinder, twist and wave.";
-    if (arc != 0.0 && flag != 0.0) return "A text has one warp at a time: leave out arc or flag.";
+    const int warps = (arc != 0.0) + (flag != 0.0) + (ring != 0.0) + (path_wave != 0.0);
+    if (warps > 1) return "A text has one warp or path at a time: leave out all but one of arc, flag, ring and wave.";
     return nullptr;
+}
+
+std::shared_ptr<const plane_path> bends::path() const
+{
+    if (ring == 0.0 && path_wave == 0.0) return nullptr;
+    auto way = std::make_shared<plane_path>();
+    constexpr double step = 3.0;  // em, half of a wave
+    if (ring > 0.0) way->circle({0.0, 0.0}, ring);
+    if (ring < 0.0) {  // inside, the other way round
+        way->move({0.0, -ring});
+        way->arc({0.0, 0.0}, 360.0);
+        way->close();
+    }
+    if (ring != 0.0) return way;
+    way->move({-16.0 * step, 0.0});
+    for (int i = -16; i < 16; ++i)
+        way->quadratic({(i + 0.5) * step, i % 2 == 0 ? 2.0 * path_wave : -2.0 * path_wave}, {(i + 1) * step, 0.0});
+    return way;
 }
 
 text_to_mesh::bend_options bends::choose(const glyph_run* run) const

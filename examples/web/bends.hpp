@@ -5,6 +5,7 @@
 
 #include <typemesh/layout/glyph_run.hpp>
 
+#include <memory>
 #include <optional>
 
 namespace typemesh_web {
@@ -18,10 +19,15 @@ struct bends {
     double wave = 0.0;             ///< the height of one wave towards the reader, in em; 0: none
     double arc = 0.0;              ///< degrees; in the plane; 0: none
     double flag = 0.0;             ///< the height of one wave in the plane, in em; 0: none
+    double ring = 0.0;             ///< the radius of a ring on which letters stand, in em; negative: inside it; 0: none
+    double path_wave = 0.0;        ///< the height of waves of 6 em on which letters stand, in em; 0: none
 
     [[nodiscard]] bool in_space() const noexcept { return cylinder != 0.0 || radius || twist != 0.0 || wave != 0.0; }
     /// Whether choose() needs the text.
     [[nodiscard]] bool fit_text() const noexcept { return in_space() && !radius; }
+
+    /// The path on which letters stand, or none.
+    [[nodiscard]] std::shared_ptr<const typemesh::plane_path> path() const;
 
     /// One sentence if they cannot be had together, else null.
     [[nodiscard]] const char* refused() const noexcept;

@@ -67,6 +67,9 @@ struct web_mesh {
     std::uint32_t missing, first_missing, refused, narrowed, invalid_units, unbroken;
     const char* first_refusal;
     float plan_microseconds;
+    const std::uint32_t* letter_of;
+    const float* letter_rows;
+    std::uint32_t letter_row_count;
 };
 
 struct web_mesher {
@@ -266,7 +269,10 @@ TYPEMESH_WEB_EXPORT const web_mesh* web_result(web_mesher* m)
                  r.invalid_units,
                  r.unbroken,
                  m->words,
-                 static_cast<float>(a.plan_microseconds)};
+                 static_cast<float>(a.plan_microseconds),
+                 a.letter_of.data(),
+                 a.letter_rows.data(),
+                 number(a.letter_rows.size() / 5)};
     return &m->result;
 }
 

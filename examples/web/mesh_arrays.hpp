@@ -33,6 +33,8 @@ struct mesh_arrays {
     typemesh::buffer<web_letter> letters;
     typemesh::buffer<std::uint32_t> instances;  ///< which letter each is
     typemesh::buffer<float> translations;       ///< three each
+    typemesh::buffer<std::uint32_t> letter_of;  ///< for each vertex the row of its letter, if that is wanted
+    typemesh::buffer<float> letter_rows;        ///< five each: pivot, word (-1: a bar has none), line
     typemesh::bounds3 bounds{};
     typemesh::text_report report;
     std::uint64_t contour_points = 0;
@@ -46,6 +48,7 @@ struct mesh_arrays {
     {
         position.clear(), normal.clear(), uv.clear(), index.clear();
         parts.clear(), letters.clear(), instances.clear(), translations.clear();
+        letter_of.clear(), letter_rows.clear();
         bounds = {}, report = {}, contour_points = 0, lines = 0, plan_microseconds = 0.0;
     }
 

@@ -32,7 +32,7 @@ typemesh::result<void> session::make(std::u16string_view text, bool instances)
     const auto begun = std::chrono::steady_clock::now();
     arrays_.clear();
     if (!how_.cached) cache_.clear();
-    text_job job{.text = text, .page = nullptr, .instances = instances, .begun = begun};
+    text_job job{.text = text, .page = nullptr, .instances = instances, .letters = how_.letters, .begun = begun};
     typemesh::layout_options lines = options_.lines;
     lines.ellipsis = how_.ellipsis;
     if (how_.bend.fit_text() || typemesh::refused_in_plain_text(lines) == typemesh::error::needs_paragraph) {

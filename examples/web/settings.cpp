@@ -126,6 +126,8 @@ constexpr option table[] = {
     {"bend.wave", kind::number, "", "0", set_bend<&bends::wave>},
     {"warp.arc", kind::number, "", "0", set_bend<&bends::arc>},
     {"warp.flag", kind::number, "", "0", set_bend<&bends::flag>},
+    {"path.ring", kind::number, "", "0", set_bend<&bends::ring>},
+    {"path.wave", kind::number, "", "0", set_bend<&bends::path_wave>},
     {"inflate.height", kind::number, "", "0", set_inner_number<&options::inflate, &inflate_options::height>},
     {"inflate.form", kind::choice, "balloon|dome", "", set_inner_choice<&options::inflate, &inflate_options::form>},
     {"merge", kind::boolean, "", "", [](settings& to, double n) { to.merge = n != 0.0; }},
@@ -147,6 +149,7 @@ constexpr option table[] = {
     {"features", kind::features},
     {"language", kind::string, "", "", nullptr, set_ascii<&options::language>},
     {"script", kind::string, "", "", nullptr, set_ascii<&options::script>},
+    {"letters", kind::boolean, "", "0", [](settings& to, double n) { to.letters = n != 0.0; }},
     {"cached", kind::boolean, "", "1", [](settings& to, double n) { to.cached = n != 0.0; }},
 };
 
@@ -224,6 +227,7 @@ options settings::settled() const
     for (std::size_t i = 0; i < profile.size(); i += 2)
         o.bevel.points.add(
             {profile[i], i + 1 < profile.size() ? profile[i + 1] : -1.0f});  // an odd number is no profile
+    o.path.curve = bend.path();
     o.bevel.depth = bevel_depth.value_or(o.bevel.width);
     using typemesh::outline_place;
     const double width = static_cast<double>(o.outline.width), bolder = static_cast<double>(o.embolden);

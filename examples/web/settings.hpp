@@ -22,6 +22,7 @@ struct settings {
     std::optional<double> letter_spacing;
     std::optional<bool> merge;
     bends bend;
+    bool letters = false;  ///< whether vertices know their letters
     bool cached = true;
 
     /// `chosen` with all that follows from the rest, as text_to_mesh has it: bevels are as deep as wide; letters with

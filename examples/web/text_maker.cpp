@@ -4,6 +4,8 @@
 #include "text_to_mesh/stages.hpp"
 #include "text_writer.hpp"
 
+#include <typemesh/text/on_path.hpp>
+
 namespace typemesh_web {
 namespace {
 
@@ -52,6 +54,7 @@ void text_maker::take(const text_to_mesh::options& o)
     options_ = o;
     mesher_.use(solid_of(options_));
     text_to_mesh::use_stages(options_, fonts_->units_per_em(), mesher_);
+    if (options_.path.curve) mesher_.use(on_path{options_.path.curve.get(), {.anchor = path_anchor::middle}});
 }
 
 result<void> text_maker::make(const text_job& job, mesh_arrays& out)
@@ -66,7 +69,12 @@ result<void> text_maker::make(const text_job& job, mesh_arrays& out)
     out.bounds = plan->bounds();
     out.contour_points = plan->contour_points();
     out.lines = static_cast<std::uint32_t>(plan->run().lines.size());
-    return job.instances ? write_letters(*plan, out) : write_whole(*plan, out);
+    if (job.instances) return write_letters(*plan, out);
+    if (const auto done = write_whole(*plan, out); !done || !job.letters) return done;
+    const bool down = options_.direction == direction::top_to_bottom;
+    if (const auto found = plan->find_letters(job.text, {.pivot = letter_pivot::centre, .down = down}); !found)
+        return found;
+    return name_letters(*plan, out);
 }
 
 }  // namespace typemesh_web

@@ -25,6 +25,7 @@ struct text_job {
     std::u16string_view text;
     const typemesh::glyph_run* page = nullptr;
     bool instances = false;  ///< each different letter once, and where they stand
+    bool letters = false;    ///< vertices know their letters
     std::chrono::steady_clock::time_point begun = {};
 };
 

@@ -43,6 +43,29 @@ result<void> write_whole(const web_plan& plan, mesh_arrays& out) noexcept
     return plan.write(sink_into(out));
 }
 
+result<void> name_letters(const web_plan& plan, mesh_arrays& out) noexcept
+{
+    const letter_rows rows = plan.letters();
+    if (out.vertices() != 0 && out.letter_of.append(out.vertices()) == nullptr) return error::out_of_memory;
+    for (const auto& some : {rows.letters, rows.bars}) {
+        for (const text_letter& l : some) {
+            const float row[] = {l.pivot.x, l.pivot.y, l.pivot.z,
+                                 l.word == not_a_letter ? -1.0f : static_cast<float>(l.word),
+                                 static_cast<float>(l.line)};
+            for (const float f : row)
+                if (!out.letter_rows.push_back(f)) return error::out_of_memory;
+        }
+    }
+    for (std::size_t g = 0; g < plan.glyphs().size(); ++g) {
+        const auto row = static_cast<std::uint32_t>(&plan.row_of(g) - rows.letters.data());  // bars lie behind letters
+        for (const part p : plan.parts()) {
+            const mesh_range r = plan.range(g, p);
+            for (std::uint32_t i = r.first_vertex; i < r.first_vertex + r.vertex_count; ++i) out.letter_of[i] = row;
+        }
+    }
+    return {};
+}
+
 result<void> write_letters(const web_plan& plan, mesh_arrays& out) noexcept
 {
     const mesh_size size = plan.meshes_size();

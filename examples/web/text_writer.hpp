@@ -10,6 +10,9 @@ namespace typemesh_web {
 /// size.
 [[nodiscard]] typemesh::result<void> write_whole(const web_plan& plan, mesh_arrays& out) noexcept;
 
+/// Tells each vertex of what write_whole() has written the row of its letter. Needs the plan's letters.
+[[nodiscard]] typemesh::result<void> name_letters(const web_plan& plan, mesh_arrays& out) noexcept;
+
 /// The same as different letters and where they stand.
 [[nodiscard]] typemesh::result<void> write_letters(const web_plan& plan, mesh_arrays& out) noexcept;
 

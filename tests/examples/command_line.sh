@@ -383,6 +383,15 @@ that "letters that come again are written once" [ "$(wc -c <instances.glb)" -lt 
 that "there is a node for each letter" [ "$(grep -ao '"translation"' instances.glb | wc -l)" = 13 ]
 expect 2 "--instances needs --output FILE.glb" x --font $sans --output x.obj --instances
 expect 2 "excludes" x --font $sans --output x.glb --instances --merge
+expect 0 "" "Hello" --font $sans --output apart.glb --per-letter
+that "each letter has a node" [ "$(grep -ao '"translation"' apart.glb | wc -l)" = 5 ]
+that "which is named after it" grep -aq '"name":"H_1"' apart.glb
+expect 0 "" "Hello" --font $sans --output numbered.glb --letters
+that "vertices know their letters" grep -aq '"_PIVOT"' numbered.glb
+that "and the text's node names them" grep -aq '"letters":\["H","e","l","l","o"\]' numbered.glb
+expect 2 "--per-letter needs --output FILE.glb" x --font $sans --output x.obj --per-letter
+expect 2 "--letters does not work with --instances" x --font $sans --output x.glb --letters --instances
+expect 2 "--letters does not work with --lod" x --font $sans --output x.glb --letters --lod 0.01
 
 # Bevels: five parts in every format, and letters that meet become one.
 expect 0 "" "Rag" --font $sans --output plain.obj

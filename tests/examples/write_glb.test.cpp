@@ -189,3 +189,60 @@ TEST_CASE("a letter in two colours is two meshes over the same vertices and indi
               file.materials[static_cast<std::size_t>(a.material)].name + "_red");
     }
 }
+
+TEST_CASE("vertices of a GLB hold their letter, word, line and pivot in types that glTF allows", "[write_glb]")
+{
+    scratch_folder folder;
+    model ring = extruded_ring(5);  // an odd number of 16-bit indices would put what follows them at an odd place
+    ring.name = "ab";
+    ring.letter_texts = {"a", "\xFF"};
+    for (std::size_t i = 0; i < ring.vertices.size(); ++i) {
+        const auto n = static_cast<float>(i);
+        ring.vertex_letters.push_back({i % 7 == 0 ? -1.0F : n, n + 0.5F, 16777216.0F - n, {n, 2.0F * n, -n}});
+    }
+    REQUIRE(written_alone(write_glb, ring, folder.file("letters.glb")) == "");
+    const tinygltf::Model file = reread(folder.file("letters.glb"));
+    CHECK(indices_of(file) == ring.indices);
+    const std::size_t offsets[] = {0, 1, 2, 3};
+    const char* names[] = {"_LETTER", "_WORD", "_LINE", "_PIVOT"};
+    for (const tinygltf::Primitive& primitive : file.meshes.at(0).primitives) {
+        for (std::size_t k = 0; k < 4; ++k) {
+            const tinygltf::Accessor& a =
+                file.accessors.at(static_cast<std::size_t>(primitive.attributes.at(names[k])));
+            const tinygltf::BufferView& v = file.bufferViews.at(static_cast<std::size_t>(a.bufferView));
+            CHECK(a.componentType == TINYGLTF_COMPONENT_TYPE_FLOAT);
+            CHECK(a.type == (k < 3 ? TINYGLTF_TYPE_SCALAR : TINYGLTF_TYPE_VEC3));
+            REQUIRE(a.count == ring.vertices.size());
+            const std::size_t width = k < 3 ? 1 : 3;
+            bool same = true;
+            for (std::size_t i = 0; i < a.count; ++i) {
+                float read[3];
+                std::memcpy(read, file.buffers[0].data.data() + v.byteOffset + a.byteOffset + i * v.byteStride,
+                            width * sizeof(float));
+                const auto* const wanted = reinterpret_cast<const float*>(&ring.vertex_letters[i]) + offsets[k];
+                same = same && std::memcmp(read, wanted, width * sizeof(float)) == 0;
+            }
+            CHECK(same);
+        }
+    }
+    const tinygltf::Value& texts = file.nodes.at(0).extras.Get("letters");
+    REQUIRE(texts.ArrayLen() == 2);
+    CHECK(texts.Get(0).Get<std::string>() == "a");
+    CHECK(texts.Get(1).Get<std::string>() == "\xEF\xBF\xBD");
+}
+
+TEST_CASE("the node of a letter has its numbers, that of a bar none", "[write_glb]")
+{
+    scratch_folder folder;
+    model o = extruded_ring(4);
+    o.letters = {{"o", 0, o.vertices.size(), 0, o.parts.size()}};
+    o.places = {{0, {0.0F, 0.0F, 0.0F}, "o"}, {0, {1.0F, 0.0F, 0.0F}}};
+    o.places[0].numbers = {{7, 3, 1}};
+    REQUIRE(written_alone(write_glb, o, folder.file("o.glb")) == "");
+    const tinygltf::Model file = reread(folder.file("o.glb"));
+    const tinygltf::Value& facts = file.nodes.at(1).extras;
+    CHECK(facts.Get("letter").GetNumberAsInt() == 7);
+    CHECK(facts.Get("word").GetNumberAsInt() == 3);
+    CHECK(facts.Get("line").GetNumberAsInt() == 1);
+    CHECK_FALSE(file.nodes.at(2).extras.Has("letter"));
+}

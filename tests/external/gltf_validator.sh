@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
 #
-# Khronos' glTF validator finds no error and no warning in the GLB of any text, its letters instanced or not, nor
+# Khronos' glTF validator finds no error and no warning in the GLB of any text, its letters instanced, numbered, apart or not, nor
 # in what the recipe examples/engines/gltf.hpp writes.
 . "$(dirname "${BASH_SOURCE[0]}")/common.bash"
 command -v node >/dev/null 2>&1 || { echo "node is not installed"; exit 77; }
@@ -10,7 +10,7 @@ count=0
 write() {  # write FONT TEXT OPTION...
     count=$((count + 1))
     local option
-    for option in "" --instances; do
+    for option in "" --instances --letters --per-letter; do
         # shellcheck disable=SC2086  # a word or none
         "$TYPEMESH_TEXT_TO_MESH" --font "$1" --output "$scratch/$count$option.glb" $option "${@:3}" -- "$2" >/dev/null 2>"$scratch/losses" ||
             fail "text_to_mesh failed: $*: $(cat "$scratch/losses")"

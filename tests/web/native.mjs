@@ -38,6 +38,8 @@ const options = [
     { width: 6, align: 'centre', letterSpacing: 0.1, features: { liga: 0 }, maxLines: 2, ellipsis: '...' },
     { direction: 'ttb', normals: 'cap' },
     { bend: { cylinder: 180 }, bevel: { width: 0.02, profile: 'round' }, quality: 'normal' },
+    { path: { ring: 3 }, bevel: { width: 0.02 } },
+    { path: { wave: 0.4 } },
     { bend: { twist: 120 }, warp: { flag: 0.2 }, merge: true },
     { bend: { wave: 0.2 }, warp: { arc: 60 }, depth: 0 },
     { inflate: { height: 1 }, warp: { arc: -60 } },

@@ -50,9 +50,10 @@ const measured = () => page.evaluate(() => Number(document.documentElement.datas
 async function settled(before) {
     await page.waitForFunction(n => Number(document.documentElement.dataset.measured ?? 0) > n || !document.getElementById("message").hidden, {}, before);
 }
-async function open(hash = "", { width = 1000, height = 640, dark = false } = {}) {
+async function open(hash = "", { width = 1000, height = 640, dark = false, still = false } = {}) {
     await page.setViewport({ width, height });
-    await page.emulateMediaFeatures([{ name: "prefers-color-scheme", value: dark ? "dark" : "light" }]);
+    await page.emulateMediaFeatures([{ name: "prefers-color-scheme", value: dark ? "dark" : "light" },
+        { name: "prefers-reduced-motion", value: still ? "reduce" : "no-preference" }]);
     await page.goto("about:blank");
     await page.goto(home + hash, { waitUntil: "domcontentloaded", timeout: 120000 });
     await settled(0);
@@ -168,7 +169,7 @@ await set("#option-features", "");
 await open();
 const straight = await hash();
 const at = name => `#option-${name.replace(".", "-")}`;
-for (const name of ["bend.cylinder", "bend.twist", "bend.wave", "warp.arc", "warp.flag", "inflate.height"]) {
+for (const name of ["bend.cylinder", "bend.twist", "bend.wave", "warp.arc", "warp.flag", "path.ring", "path.wave", "inflate.height"]) {
     await page.focus(at(name));
     await change(() => page.keyboard.press("ArrowRight"));
     const step = await page.$eval(at(name), e => [Number(e.value), Number(e.step), e.getAttribute("aria-valuetext")]);
@@ -272,8 +273,26 @@ check(await hash() === linked && await value("option-bevel-profile") === "round"
 await change(() => page.click("#reset"));
 check(await value("text") === "Hello world!" && await value("option-bevel-profile") === "chamfer", "Reset sets everything back");
 
-// Keys.
+// The canvas as it is now.
 const canvas = async () => (await (await page.$("#canvas")).screenshot({ encoding: "base64" }));
+
+// Letters that move, and those of somebody who wants less motion.
+const rest = ms => new Promise(done => setTimeout(done, ms));
+for (const motion of ["wave", "reveal", "scatter", "typewriter"]) {
+    await open(`#page.motion=${motion}&text=They move`);
+    const early = await canvas();
+    let moved = false;  // a typewriter waits when all is written
+    for (let i = 0; i < 8 && !moved; ++i, await rest(400)) moved = await canvas() !== early;
+    check(moved, `letters move: ${motion}`);
+    check(await message() === "" && await value("open-edges") === "0", `${motion}: ${await message()}`);
+}
+await open("#page.motion=wave&text=They move", { still: true });
+const still = await canvas();
+await rest(900);
+check(await canvas() === still && /prefers less motion/.test(await value("notes")), "letters stay where less motion is asked for");
+await open();
+
+// Keys.
 const upright = await canvas();
 await page.focus("#canvas");
 for (let i = 0; i < 6; ++i) await page.keyboard.press("ArrowRight");

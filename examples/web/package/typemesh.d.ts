@@ -154,6 +154,13 @@ export interface MeshOptions {
         /** Height of one wave up and down, as long as the text. */
         flag?: number;
     };
+    /** Letters stand on a curve, whose middle is the middle of the text; one of them, and without `warp`. Letters of joined scripts are bent along it. What does not fit is left out. */
+    path?: {
+        /** The radius of a ring in em, centred at the origin; negative: inside it. */
+        ring?: number;
+        /** Height of waves, each 6 em long. */
+        wave?: number;
+    };
     /** Letters like balloons. Not with bevels, rings or `bend`. */
     inflate?: {
         /** In halves of a stroke's width: 1 makes strokes round; 0, the default: not inflated. */
@@ -191,6 +198,8 @@ export interface MeshOptions {
     /** ISO 15924: "Arab"; by default as the text has it. */
     script?: string;
 
+    /** true tells each vertex its letter: `mesh.letter` and `mesh.letters`. */
+    letters?: boolean;
     /** false builds every letter of this mesh anew, for measurements; true by default. */
     cached?: boolean;
 }
@@ -245,6 +254,10 @@ export interface Mesh {
     readonly uv: Float32Array;
     /** Three a triangle. */
     readonly index: Uint32Array;
+    /** With the option `letters` the number of each vertex's letter in `letters`; else empty. */
+    readonly letter: Uint32Array;
+    /** With the option `letters` what can move alone: graphemes, ligatures, letters that are written together or were merged, in reading order. Then underlines and other bars, whose word is -1. */
+    readonly letters: readonly { readonly pivot: readonly [number, number, number]; readonly word: number; readonly line: number }[];
     /** Together all the triangles. Empty parts are left out. */
     readonly parts: readonly Part[];
     /** Of all positions. Of an empty mesh all are 0. */

@@ -453,6 +453,7 @@ const field = {
     position: 0, normal: 1, uv: 2, index: 3, vertices: 4, triangles: 5, parts: 6, partCount: 7, letters: 8, letterCount: 9,
     instances: 10, translations: 11, instanceCount: 12, bounds: 13, glyphs: 19, lines: 20, contourPoints: 21, missing: 22,
     firstMissing: 23, refused: 24, narrowed: 25, invalidUnits: 26, unbroken: 27, firstRefusal: 28, planMicroseconds: 29,
+    letterOf: 30, letterRows: 31, letterRowCount: 32,
 };
 
 /** What Mesh and Letters have in common. */
@@ -559,6 +560,18 @@ class Arrays {
 }
 
 class Mesh extends Arrays {
+    get letter() {
+        const count = this.number(field.letterRowCount) === 0 ? 0 : this.statistics.vertices;
+        return this.words('letter', field.letterOf, count);
+    }
+    get letters() {
+        const count = this.number(field.letterRowCount);
+        const rows = this.floats('letterRows', field.letterRows, 5 * count);
+        return Array.from({ length: count }, (_, i) => {
+            const [x, y, z, word, line] = rows.subarray(5 * i, 5 * i + 5);
+            return { pivot: [x, y, z], word, line };
+        });
+    }
     get parts() {
         return this.allParts;
     }

@@ -24,7 +24,12 @@ export const groups = [
         range("bend.wave", "Wave", 0, 0, 1, 0.02),
         range("warp.arc", "Arc", 0, -180, 180, 5, "°"),
         range("warp.flag", "Flag", 0, 0, 0.5, 0.01),
+        range("path.ring", "Ring", 0, -8, 8, 0.25),
+        range("path.wave", "Path wave", 0, 0, 1, 0.05),
         range("inflate.height", "Inflate", 0, 0, 2, 0.05),
+    ] },
+    { title: "Motion", open: true, controls: [
+        choice("page.motion", "Letters", "still", "wave", "reveal", "scatter", "typewriter"),
     ] },
     { title: "Lines", open: true, controls: [
         range("width", "Width", 0, 0, 40, 0.5),
@@ -54,7 +59,7 @@ const all = groups.flatMap(g => g.controls);
 const bends = ["bend.cylinder", "bend.twist", "bend.wave"];
 const rivals = [
     { names: [...bends, "inflate.height"], words: "Letters are bent, twisted, waved or inflated" },
-    { names: ["warp.arc", "warp.flag"], words: "Letters stand on an arc or a flag" },
+    { names: ["warp.arc", "warp.flag", "path.ring", "path.wave"], words: "Letters stand on an arc, a flag, a ring or a wave" },
 ];
 // What has no effect while one of `by` is not 0, and what is said if it would have had one.
 const idle = [
@@ -164,6 +169,9 @@ export class Controls {
         this.#show(c);
     }
 
+    /** How letters move. */
+    get motion() { return this.values["page.motion"]; }
+
     reset() {
         for (const c of all) this.set(c.name, c.start);
     }
@@ -173,12 +181,14 @@ export class Controls {
         const made = {};
         for (const c of all) {
             const value = this.values[c.name];
+            if (c.name.startsWith("page.")) continue;
             if (this.#isIdle(c) || (c.name === "width" ? value === 0 : c.kind === "words" && value.trim() === "")) continue;
             const [first, second] = c.name.split(".");
             const stored = c.name === "features" ? features(value) : value;
             if (second) (made[first] ??= {})[second] = stored;
             else made[first] = stored;
         }
+        if (this.motion !== "still") made.letters = true;
         if (made.bevel) made.bevel.depth = Math.min(made.bevel.width, made.depth / 2);  // two of them are no deeper than the solid
         return made;
     }

@@ -5,6 +5,7 @@ import load from "typemesh";
 import { Controls } from "./controls.js";
 import { saveGlb, savePng, saveStl } from "./downloads.js";
 import { Fonts } from "./fonts.js";
+import { lessMotion } from "./motion.js";
 import { materials, Stage, views } from "./stage.js";
 
 const at = id => document.getElementById(id);
@@ -122,12 +123,14 @@ function update() {
     lookFurther();
 }
 function show() {
-    stage?.show(mesh);
+    stage?.show(mesh, controls.motion);
     const s = mesh.statistics;
     at("vertices").value = number(s.vertices);
     at("triangles").value = number(s.triangles);
     const notes = [...controls.notes(), ...mesh.warnings];
     if (!stage) notes.unshift("This browser offers no WebGL, so the mesh is not drawn. It is made all the same and can be saved.");
+    if (controls.motion !== "still" && lessMotion.matches) notes.push("Your system prefers less motion, so letters stay still.");
+    if (controls.motion !== "still" && view === "contours") notes.push("Contours stay still.");
     if (shown.trim() === "") notes.push("There is no text: type one.");
     at("notes").textContent = notes.join(" ");
     for (const id of ["open-edges", "cold", "cached"]) at(id).value = "…";

@@ -2,6 +2,7 @@
 // Draws a mesh with three.js.
 
 import * as THREE from "three";
+import { Motion, movable } from "./motion.js";
 import { OrbitControls } from "three/addons/controls/OrbitControls.js";
 
 export const views = ["solid", "wireframe", "normals", "texture", "contours"];
@@ -23,12 +24,12 @@ function makeMaterials() {
     checker.colorSpace = THREE.SRGBColorSpace;
     checker.anisotropy = 8;
     const faint = { polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 1 };
-    const solid = name => new THREE.MeshStandardMaterial({ name, color: colours[name], roughness: 0.5, ...faint });
+    const solid = name => movable(new THREE.MeshStandardMaterial({ name, color: colours[name], roughness: 0.5, ...faint }));
     return {
         solid: Object.fromEntries(Object.keys(colours).map(name => [name, solid(name)])),
-        normals: new THREE.MeshNormalMaterial(),
-        texture: new THREE.MeshStandardMaterial({ map: checker, roughness: 0.6 }),
-        line: new THREE.LineBasicMaterial({ color: ink(), transparent: true, opacity: 0.75 }),
+        normals: movable(new THREE.MeshNormalMaterial()),
+        texture: movable(new THREE.MeshStandardMaterial({ map: checker, roughness: 0.6 })),
+        line: movable(new THREE.LineBasicMaterial({ color: ink(), transparent: true, opacity: 0.75 })),
         contour: new THREE.LineBasicMaterial({ color: 0x1a6fd0, depthTest: false }),
     };
 }
@@ -53,6 +54,7 @@ export class Stage {
         this.view = "solid";
         this.group = new THREE.Group();
         this.scene.add(this.group);
+        this.motion = new Motion(() => this.drawNow());
         canvas.addEventListener("keydown", event => this.#key(event));
         new ResizeObserver(() => this.#resize()).observe(canvas);
         matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => {
@@ -63,7 +65,7 @@ export class Stage {
     }
 
     /** Shows a mesh of typemesh. Its arrays go to the graphics card from where they are, and are not kept. */
-    show(mesh) {
+    show(mesh, motion = "still") {
         for (const child of this.group.children) child.geometry.dispose();
         this.group.clear();
         const { low, high } = mesh.bounds;
@@ -74,18 +76,31 @@ export class Stage {
             geometry.setAttribute("normal", this.#array(mesh.normal, 3));
             geometry.setAttribute("uv", this.#array(mesh.uv, 2));
             geometry.setIndex(this.#array(mesh.index, 1));
+            const letters = this.#letters(mesh);
+            for (const name in letters) geometry.setAttribute(name, letters[name]);
             for (const part of mesh.parts) geometry.addGroup(part.start, part.count, geometry.groups.length);
             const lone = this.view === "normals" ? materials.normals : this.view === "texture" ? materials.texture : null;
             this.group.add(this.#placed(new THREE.Mesh(geometry, mesh.parts.map(p => lone ?? materials.solid[p.name]))));
-            if (this.view === "wireframe") this.#lines(mesh.position, edges(mesh.index), materials.line);
+            if (this.view === "wireframe") this.#lines(mesh.position, edges(mesh.index), materials.line, letters);
             if (this.view === "contours") this.#lines(mesh.contours(), null, materials.contour);
         }
+        this.motion.set(this.view === "contours" ? "still" : motion, mesh.letters.length);
         if (!this.moved) this.fit();
         else this.draw();
     }
 
-    #lines(points, index, material) {
+    /** The letter and pivot of each vertex, if the mesh knows them. */
+    #letters(mesh) {
+        const { letter, letters } = mesh;
+        if (letter.length === 0) return {};
+        const pivots = new Float32Array(3 * letter.length);
+        letter.forEach((k, i) => pivots.set(letters[k].pivot, 3 * i));
+        return { letter: new THREE.BufferAttribute(Float32Array.from(letter), 1), pivot: new THREE.BufferAttribute(pivots, 3) };
+    }
+
+    #lines(points, index, material, letters = {}) {
         const geometry = this.#geometry();
+        for (const name in letters) geometry.setAttribute(name, letters[name]);
         geometry.setAttribute("position", this.#array(points, 3));
         if (index) geometry.setIndex(new THREE.BufferAttribute(index, 1));
         this.group.add(this.#placed(new THREE.LineSegments(geometry, material)));

@@ -65,6 +65,13 @@ public:
         return self().fresh().letter_of(glyph);
     }
 
+    /// The row of a glyph of the plan: one of letters().letters or of letters().bars. Needs find_letters().
+    [[nodiscard]] const text_letter& row_of(std::size_t glyph) const noexcept
+    {
+        const text_letters& found = known();
+        return found.rows[found.row_of[glyph]];
+    }
+
     /// Writes the mesh with moved letters: positions by the motion's map, normals by its inverse transpose, and the
     /// corners of triangles in the order that keeps them outside. Texture coordinates and letter data stay. Sizes and
     /// ranges stay as the plan says. Letters with the identity are written bit for bit as without a motion. A map that

@@ -50,6 +50,7 @@ test('every value of every option makes a mesh', () => {
         size: [0.5, 20], depth: [0, 0.5], tolerance: [0.01], crease: [120], 'bevel.width': [0.01], 'bevel.depth': [0.05],
         'bevel.points': [[0, 0, 0.2, 0.8, 1, 1]], 'bevel.steps': [3], embolden: [0.01, -0.005], 'outline.width': [0.01],
         'bend.cylinder': [180, -90], 'bend.radius': [3], 'bend.twist': [90], 'bend.wave': [0.1], 'warp.arc': [90], 'warp.flag': [0.1],
+        'path.ring': [3, -3], 'path.wave': [0.3],
         'inflate.height': [1, 0.5],
         width: [4], letterSpacing: [0.1], lineSpacing: [1.5], indent: [1], maxLines: [1], ellipsis: ['…'],
         features: [{ liga: 0 }, { smcp: true }], language: ['tr'], script: ['Latn'],
@@ -74,10 +75,39 @@ test('every value of every option makes a mesh', () => {
             if (option.name !== 'depth' || value > 0) assert.equal(mesh.openEdges(), 0, `${option.name} = ${value}`);
             hashes.add(mesh.hash());
         }
-        const indifferent = ['fill', 'direction', 'cached', 'features', 'language', 'script', 'justify', 'wrap', 'breaker', 'ellipsis', 'bevel.mode', 'merge', 'discretiser'];
+        const indifferent = ['fill', 'direction', 'letters', 'cached', 'features', 'language', 'script', 'justify', 'wrap', 'breaker', 'ellipsis', 'bevel.mode', 'merge', 'discretiser'];
         if (!indifferent.includes(option.name)) assert.ok(hashes.size > 1 || !hashes.has(plain), `${option.name} changes the mesh`);
     }
     assert.equal(typemesh.hash('Grün affix\ntwo', font), plain, 'options of one text are gone with the next');
+});
+
+test('vertices know their letters', () => {
+    const text = 'affix\nit', options = { letters: true, merge: false };
+    const mesh = typemesh.mesh(text, font, options);
+    const shared = mesh.letters.length < 7; // the font has a ligature
+    assert.equal(mesh.letters.length, shared ? mesh.letters.length : 7);
+    assert.equal(mesh.letter.length, mesh.statistics.vertices);
+    assert.deepEqual(mesh.letters.map((l) => l.line).sort(), [...Array(mesh.letters.length - 2).fill(0), 1, 1]);
+    const centre = mesh.letters.map(() => [Infinity, -Infinity]);
+    mesh.letter.forEach((letter, i) => {
+        const x = mesh.position[3 * i];
+        centre[letter] = [Math.min(centre[letter][0], x), Math.max(centre[letter][1], x)];
+    });
+    mesh.letters.forEach((l, i) => assert.ok(Math.abs(l.pivot[0] - (centre[i][0] + centre[i][1]) / 2) < 1e-4, 'a pivot is a centre'));
+    assert.equal(typemesh.mesh(text, font).letter.length, 0);
+    assert.equal(typemesh.hash(text, font, options), typemesh.hash(text, font, { merge: false }));
+});
+
+test('a ring of letters', () => {
+    const { bounds, statistics } = typemesh.mesh('round and round and', font, { path: { ring: 2 } });
+    for (const k of [0, 1]) {
+        assert.ok(bounds.high[k] < 3.1 && bounds.low[k] > -3.1, `letters stand on the ring: ${JSON.stringify(bounds)}`);
+        assert.ok(bounds.high[k] > 2, 'outside it');
+    }
+    const inside = typemesh.mesh('round and round and', font, { path: { ring: -4 } }).bounds;
+    assert.ok(inside.low[1] > -4.3 && inside.low[1] < -3, `inside it at its lower end: ${JSON.stringify(inside)}`);
+    assert.throws(() => typemesh.mesh('a', font, { path: { ring: 2 }, warp: { arc: 20 } }), /one warp or path at a time/);
+    assert.ok(statistics.triangles > 500);
 });
 
 test('bent, warped and inflated letters', () => {
@@ -209,7 +239,7 @@ test('what is refused is said in a sentence', () => {
     bent('Hello', { bend: { twist: 360 }, bevel: { width: 0.06 } }, /^The text is bent too tightly for its bevels/);
     bent('Hello', { bend: { twist: 90, wave: 0.1 } }, /^A text bends in one way at a time/);
     bent('Hello', { bend: { cylinder: 90, radius: 2 } }, /^A cylinder has degrees or a radius/);
-    bent('Hello', { warp: { arc: 90, flag: 0.1 } }, /^A text has one warp at a time/);
+    bent('Hello', { warp: { arc: 90, flag: 0.1 } }, /^A text has one warp or path at a time/);
     bent('Hello', { bend: { twist: 90 }, outline: { width: 0.01 } }, /^Hollow letters cannot be bent/);
     bent('Hello', { bend: { twist: 90 }, inflate: { height: 1 } }, /^Inflated letters cannot be bent/);
     bent('Hello', { inflate: { height: 1 }, bevel: { width: 0.01 } }, /^Inflated letters have no bevels/);
