@@ -221,10 +221,10 @@ private:
 /// Draws path data of SVG (the attribute `d` of a path) into a sink, with the numbers as they stand there: x to the
 /// right, y down. A contour that the data does not close gets no close().
 ///
-/// All commands are read: M L H V C S Q T A Z, absolute and relative. A command may be followed by the numbers of several
-/// segments. Numbers need no separators where they are unambiguous: "1.5.5-2" are three, and "a1 1 0 01.5.5" ends with
-/// the flags 0 and 1 and two numbers. Arcs become cubics. An arc to its own start is left out, one with a radius of 0 is
-/// a line, and radii that are too small are enlarged, as SVG 2 says.
+/// All commands are read: M L H V C S Q T A Z, absolute and relative. A command may be followed by the numbers of
+/// several segments. Numbers need no separators where they are unambiguous: "1.5.5-2" are three, and "a1 1 0 01.5.5"
+/// ends with the flags 0 and 1 and two numbers. Arcs become cubics. An arc to its own start is left out, one with a
+/// radius of 0 is a line, and radii that are too small are enlarged, as SVG 2 says.
 ///
 ///     tolerance    the distance between an arc and its cubics, in the data's unit; positive. An arc has at most 4,096
 ///                  cubics, one for each quarter of its ellipse at least

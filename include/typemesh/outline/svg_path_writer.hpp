@@ -27,8 +27,8 @@ namespace typemesh::inline TYPEMESH_ABI {
 /// Reading the text again (svg_path.hpp) gives the same points, rounded to that many digits.
 class svg_path_writer {
 public:
-    /// `map` is applied to each point. `decimals`, 0 to 9, is the number of digits after the point; zeros at the end are
-    /// left out.
+    /// `map` is applied to each point. `decimals`, 0 to 9, is the number of digits after the point; zeros at the end
+    /// are left out.
     explicit svg_path_writer(const affine& map = {.yy = -1.0}, int decimals = 3, memory source = heap()) noexcept
         : text_{source}, map_{map}
     {

@@ -16,7 +16,7 @@ inline constexpr double half_turn = 3.14159265358979323846;  // radians
 /// The number of equal cubics that keep an arc of a circle, or of an ellipse, within a tolerance: at least one for each
 /// quarter, at most 4,096.
 ///
-///     sweep    the arc's angle, in radians
+///     sweep    the arc's angle, in radians, up to a turn
 ///     radius   the circle's radius, or the ellipse's greater one
 ///
 /// A cubic over the angle a whose handles have the length 4/3 tan(a/4) lies outside of the unit circle, by at most
@@ -42,8 +42,8 @@ struct elliptical_arc {
     double sweep = 0.0;
     double radius = 0.0;  ///< the greater one; 0: the arc is a line
 
-    /// The arc from `from` to `to`, which are distinct. A radius of 0 gives a line; radii that are too small for the
-    /// chord are enlarged.
+    /// The arc from `from` to `to`, which are distinct. Radii that are too small for the chord are enlarged. A radius of
+    /// 0 gives a line, and so do numbers whose squares are too large or too small.
     [[nodiscard]] static elliptical_arc between(point from, point to, point radii, double degrees, bool large,
                                                 bool positive) noexcept
     {
@@ -72,6 +72,7 @@ struct elliptical_arc {
         arc.sweep = std::atan2(last.y, last.x) - arc.start;
         if (positive && arc.sweep < 0.0) arc.sweep += 2.0 * half_turn;
         if (!positive && arc.sweep > 0.0) arc.sweep -= 2.0 * half_turn;
+        if (!is_finite(arc.sweep)) return {};
         const point middle = lerp(from, to, 0.5);
         arc.map = {c * rx, -s * ry, 0.0, s * rx, c * ry, 0.0};
         const point shift = arc.map(centre) + middle;
