@@ -37,7 +37,7 @@ int main(int argc, char** argv)
                     ++refused;
                     continue;
                 }
-                const std::string broken = again.broken_again(2.0);
+                const std::string broken = again.broken_again(4.0);
                 if (!broken.empty()) {
                     ++wrong;
                     std::printf("%s at %g em: %s\n", name.c_str(), q.tolerance, broken.c_str());
