@@ -153,6 +153,47 @@ TEST_CASE("caps and joins have the areas of their shapes", "[outline][stroke]")
     CHECK(area("M50 50h0", stroke_cap::butt, stroke_join::mitre) < 1e-9);
 }
 
+TEST_CASE("dashes and gaps lie along the path as their lengths say", "[outline][stroke]")
+{
+    const auto lit = [](const char* data, std::initializer_list<double> dashes, double offset, stroke_cap cap, point p) {
+        const std::vector<double> lengths(dashes);
+        stroke_style style{0.04, cap};
+        style.dashes = lengths;
+        style.dash_offset = offset;
+        std::vector<bool> in;
+        (void)covered(stroke_of(data, style, 1e-3), {p}, in);
+        return bool(in[0]);
+    };
+    // Along a line of 80 with a corner, dashes of 10, gaps of 5.
+    for (int k = 0; k < 160; ++k) {
+        const double s = k / 2.0 + 0.25;
+        const point p = s < 40.0 ? point{20.0 + s, 60.0} : point{60.0, 60.0 + 40.0 - s};
+        for (const double offset : {0.0, 0.07, -0.04, 3.13}) {
+            double phase = std::fmod(s + 100.0 * offset, 15.0);
+            if (phase < 0.0) phase += 15.0;
+            INFO(s << " " << offset);
+            CHECK(lit("M20 40h40v40", {0.1, 0.05}, offset, stroke_cap::butt, p) == (phase < 10.0));
+        }
+    }
+    // Along a circle, measured by the angle.
+    const double radius = 30.0, around = 2.0 * 3.14159265358979 * radius;
+    for (int k = 0; k < 90; ++k) {
+        const double s = (k + 0.5) * around / 90.0, angle = s / radius;
+        const point p{50.0 + radius * std::cos(angle), 50.0 - radius * std::sin(angle)};
+        const double phase = std::fmod(s, 21.0);  // 7 on, 7 off, 7 on, and the other way round
+        if (std::fabs(std::remainder(phase, 7.0)) < 0.05) continue;
+        const bool on = std::fmod(s, 42.0) < 7.0 || (std::fmod(s, 42.0) > 14.0 && std::fmod(s, 42.0) < 21.0) ||
+                        (std::fmod(s, 42.0) > 28.0 && std::fmod(s, 42.0) < 35.0);
+        INFO(s);
+        CHECK(lit("M80 50A30 30 0 1 1 20 50A30 30 0 1 1 80 50z", {0.07}, 0.0, stroke_cap::butt, p) == on);
+    }
+    // Dashes of no length are dots, if their caps are.
+    CHECK(lit("M20 50h40", {0.0, 0.2}, 0.0, stroke_cap::round, {41.0, 51.0}));
+    CHECK_FALSE(lit("M20 50h40", {0.0, 0.2}, 0.0, stroke_cap::round, {45.0, 50.0}));
+    CHECK_FALSE(lit("M20 50h40", {0.0, 0.2}, 0.0, stroke_cap::butt, {40.0, 50.0}));
+    CHECK(lit("M20 50h40", {0.0, 0.0}, 0.0, stroke_cap::butt, {40.0, 50.0}));
+}
+
 TEST_CASE("strokes refuse options, and what their source refuses", "[outline][stroke]")
 {
     svg_path path{"M4 12l5 5L20 6", 24.0};
@@ -167,6 +208,10 @@ TEST_CASE("strokes refuse options, and what their source refuses", "[outline][st
     CHECK(refused({.width = std::nan("")}) == "width");
     CHECK(refused({.mitre_limit = 0.5}) == "mitre_limit");
     CHECK(refused({}, 0.0) == "tolerance");
+    const double negative[] = {0.1, -0.1}, tiny[] = {1e-9};
+    CHECK(refused({.dashes = negative}) == "dashes");
+    CHECK(refused({.dashes = tiny}) == "dashes");
+    CHECK(refused({.dash_offset = std::nan("")}) == "dash_offset");
     stroked_outlines lines{path};
     CHECK(record(lines, 5, out) == error::unknown_glyph);
     path.data = "M1 1L2";

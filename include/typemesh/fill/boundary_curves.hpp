@@ -8,6 +8,7 @@
 #include <typemesh/core/error.hpp>
 #include <typemesh/core/fill_rule.hpp>
 #include <typemesh/core/grid.hpp>
+#include <typemesh/core/impl/piece_of.hpp>
 #include <typemesh/core/memory.hpp>
 #include <typemesh/core/outline.hpp>
 #include <typemesh/core/point.hpp>

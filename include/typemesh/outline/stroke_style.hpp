@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <typemesh/core/array_view.hpp>
 #include <typemesh/core/error.hpp>
 #include <typemesh/core/finite.hpp>
 
@@ -29,11 +30,18 @@ struct stroke_style {
     stroke_join join = stroke_join::mitre;
     double mitre_limit = 4.0;  ///< the greatest length of a mitre, in widths; at least 1
 
+    array_view<const double> dashes = {};  ///< lengths of dashes and gaps in turn, in em, which the caller keeps; an odd
+                                           ///< number of them is repeated. Empty, or all 0: no gaps
+    double dash_offset = 0.0;              ///< where in the pattern a path begins, in em
+
     /// The error for options out of range, or none.
     [[nodiscard]] error refused() const noexcept
     {
         if (!is_finite(width) || !(width > 0.0)) return error::bad("width");
         if (!is_finite(mitre_limit) || !(mitre_limit >= 1.0)) return error::bad("mitre_limit");
+        if (!is_finite(dash_offset)) return error::bad("dash_offset");
+        for (const double length : dashes)
+            if (!is_finite(length) || !(length >= 0.0)) return error::bad("dashes");
         return {};
     }
 };

@@ -23,7 +23,7 @@ namespace typemesh::inline TYPEMESH_ABI {
 ///
 /// A quarter of the text's tolerance is for the sides of the strokes, the rest for flattening.
 ///
-/// Fails  error::bad_option: "width", "mitre_limit"; error::too_many_points: more curves than max_points
+/// Fails  error::bad_option: "width", "mitre_limit", "dashes", "dash_offset"; error::too_many_points: more curves than max_points
 /// Cost   about 20 evaluations of a curve for each cubic; the strokes overlap, so fill() resolves crossings
 struct stroked {
     stroke_style style = {};
@@ -43,9 +43,11 @@ struct stroked {
         if (error e = style.refused()) return e;
         outline_recorder to{out, most};
         const double units = 1.0 / at.em_per_unit;
-        detail::stroker draw{style, 0.5 * style.width * units, share * tolerance * units, to};
+        detail::stroker draw{style, units, share * tolerance * units, to};
         for (std::uint32_t c = 0; c < drawn.contour_count(); ++c)
-            draw.stroke(drawn.curves.view().subspan(drawn.starts[c], drawn.starts[c + 1] - drawn.starts[c]), true);
+            if (error e = draw.stroke(
+                    drawn.curves.view().subspan(drawn.starts[c], drawn.starts[c + 1] - drawn.starts[c]), true))
+                return e;
         if (error e = to.finish()) return e;
         return (1.0 - share) * tolerance;
     }

@@ -84,7 +84,7 @@ private:
     {
         if (!error_ && begun_) {
             if (!path_.empty())
-                draw_.stroke(path_.view(), closed);
+                error_ = draw_.stroke(path_.view(), closed);
             else if (drawn_)
                 draw_.dot_at(start_);
         }
@@ -111,7 +111,8 @@ private:
 /// A path is closed if its source calls close(), and open otherwise. A path that is only a point becomes a disc or a
 /// square, if its caps are. The strokes overlap; the fill rule is non_zero.
 ///
-/// Fails  in outline(): as the other source does; error::bad_option: "width", "mitre_limit", "tolerance";
+/// Fails  in outline(): as the other source does; error::bad_option: "width", "mitre_limit", "dashes",
+///        "dash_offset", "tolerance";
 ///        error::outline_not_finite, error::bad_outline, error::out_of_memory
 template <outline_source Source>
 class stroked_outlines {
@@ -133,7 +134,7 @@ public:
         if (!is_finite(tolerance_) || !(tolerance_ > 0.0)) return error::bad("tolerance");
         path_.clear();
         const double em = source_->units_per_em();
-        const detail::stroker<Sink> draw{style_, 0.5 * style_.width * em, tolerance_ * em, sink};
+        const detail::stroker<Sink> draw{style_, em, tolerance_ * em, sink};
         detail::stroking_sink<Sink> through{draw, path_};
         if (error e = source_->outline(id, through)) return e;
         return through.finish();

@@ -25,6 +25,7 @@ inline constexpr double half_turn = 3.14159265358979323846;  // radians
 {
     constexpr std::uint32_t most = 4096;
     const double turn = std::fabs(sweep);
+    if (!(turn <= 3.0 * half_turn)) return 1;  // no number
     auto count = static_cast<std::uint32_t>(std::ceil(turn / (0.5 * half_turn) - 1e-9));
     if (count == 0) count = 1;
     for (; count < most; count += 1 + count / 4) {

@@ -3,8 +3,10 @@
 
 #include <typemesh/core/array_view.hpp>
 #include <typemesh/core/curve.hpp>
+#include <typemesh/core/error.hpp>
 #include <typemesh/core/impl/tangent.hpp>
 #include <typemesh/core/point.hpp>
+#include <typemesh/outline/impl/dash_pattern.hpp>
 #include <typemesh/outline/impl/elliptical_arc.hpp>
 #include <typemesh/outline/outline_sink.hpp>
 #include <typemesh/outline/stroke_style.hpp>
@@ -31,31 +33,36 @@ namespace typemesh::inline TYPEMESH_ABI::detail {
 template <outline_sink Sink>
 class stroker {
 public:
-    /// Radius and tolerance in font units.
-    stroker(const stroke_style& style, double radius, double tolerance, Sink& sink) noexcept
-        : style_{style}, radius_{radius}, tolerance_{tolerance}, to_{sink}
+    /// The em and the tolerance in font units.
+    stroker(const stroke_style& style, double em, double tolerance, Sink& sink) noexcept
+        : style_{style}, em_{em}, radius_{0.5 * style.width * em}, tolerance_{tolerance}, to_{sink}
     {
     }
 
     /// Strokes a path of consecutive curves, none of which is a point.
-    void stroke(array_view<const curve> path, bool closed) noexcept
+    ///
+    /// Fails  error::bad_option: "dashes": more than 100,000 for one path
+    error stroke(array_view<const curve> path, bool closed) noexcept
     {
-        if (path.empty()) return;
-        side(path, true, closed, true);
-        if (closed) to_.close();
-        side(path, false, closed, closed);
-        to_.close();
-        for (const bool forwards : {true, false}) tight_sides(path, forwards);
+        if (path.empty()) return {};
+        dash_pattern pattern{style_.dashes, style_.dash_offset, em_};
+        if (!pattern.has_gaps()) return stroke_whole({path}, closed), error{};
+        if (!pattern.is_possible(path)) return error::bad("dashes");
+        pattern.each_dash(path, [this](const stretch& dash) noexcept {
+            if (!dash.is_point()) return stroke_whole(dash, false);
+            const station s = look(dash.curves[0], dash.t0);
+            dot_at(s.at, s.along);
+        });
+        return {};
     }
 
     /// Strokes a path that is only a point: SVG gives it a disc or an upright square, or nothing.
-    void dot_at(point p) noexcept
+    void dot_at(point p, point along = {1.0, 0.0}) noexcept
     {
         if (style_.cap == stroke_cap::butt) return;
-        const point right{1.0, 0.0};
-        to_.move(p + radius_ * point{0.0, 1.0});
-        cap(p, right);
-        cap(p, -1.0 * right);
+        to_.move(p + radius_ * left_of(along));
+        cap(p, along);
+        cap(p, -1.0 * along);
         to_.close();
     }
 
@@ -72,17 +79,23 @@ private:
 
     [[nodiscard]] static point left_of(point along) noexcept { return {-along.y, along.x}; }
     [[nodiscard]] static point unit(point p) noexcept { return (1.0 / length(p)) * p; }
-    [[nodiscard]] static curve turned(const curve& c) noexcept
+    /// A curve of a stretch, counted in the direction of a side.
+    [[nodiscard]] static curve nth(const stretch& path, std::size_t i, bool forwards) noexcept
     {
+        const curve c = path.nth(forwards ? i : path.curves.size() - 1 - i);
+        if (forwards) return c;
         curve back = c;
-        for (std::uint32_t i = 0; i <= c.degree; ++i) back.p[i] = c.p[c.degree - i];
+        for (std::uint32_t k = 0; k <= c.degree; ++k) back.p[k] = c.p[c.degree - k];
         return back;
     }
-    [[nodiscard]] static const curve& nth(array_view<const curve> path, std::size_t i, bool forwards, curve& room) noexcept
+
+    void stroke_whole(const stretch& path, bool closed) noexcept
     {
-        if (forwards) return path[i];
-        room = turned(path[path.size() - 1 - i]);
-        return room;
+        side(path, true, closed, true);
+        if (closed) to_.close();
+        side(path, false, closed, closed);
+        to_.close();
+        for (const bool forwards : {true, false}) tight_sides(path, forwards);
     }
 
     [[nodiscard]] station look(const curve& c, double t, bool arrives = false) const noexcept
@@ -109,32 +122,26 @@ private:
     }
 
     /// Draws the left side of the whole path, and what ends it.
-    void side(array_view<const curve> path, bool forwards, bool closed, bool begins) noexcept
+    void side(const stretch& path, bool forwards, bool closed, bool begins) noexcept
     {
-        curve room;
-        const station start = look(nth(path, 0, forwards, room), 0.0);
+        const station start = look(nth(path, 0, forwards), 0.0);
         if (begins) to_.move(start.rim);
         rim_ = start.rim;
         on_path_ = false;
-        point along = start.along;
-        for (std::size_t i = 0; i < path.size(); ++i) {
-            const curve& c = nth(path, i, forwards, room);
+        station last = start;
+        for (std::size_t i = 0; i < path.curves.size(); ++i) {
+            const curve c = nth(path, i, forwards);
             const station from = look(c, 0.0);
-            if (i != 0) join(from.at, along, from.along, style_.join);
-            const station last = look(c, 1.0);
+            if (i != 0) join(from.at, last.along, from.along, style_.join);
+            last = look(c, 1.0);
             add(c, from, last, 0, [this](const station& a, const station& b) noexcept { follow(a, b); });
-            along = last.along;
         }
-        const point end = forwards ? path[path.size() - 1].end() : path[0].start();
-        if (closed) {
-            join(end, along, start.along, style_.join);
-        } else {
-            line(rim_);
-            cap(end, along);
-        }
+        if (closed) return join(start.at, last.along, start.along, style_.join);
+        line(rim_);
+        cap(last.at, last.along);
     }
 
-    /// Goes to the rim if the side follows the path now.
+    /// Goes to a point of the side.
     void line(point p) noexcept
     {
         to_.line(p);
@@ -243,13 +250,12 @@ private:
 
     // --- where sides run backwards
 
-    void tight_sides(array_view<const curve> path, bool forwards) noexcept
+    void tight_sides(const stretch& path, bool forwards) noexcept
     {
         ignore_outline nowhere;
-        stroker<ignore_outline> silent{style_, radius_, tolerance_, nowhere};
-        for (std::size_t i = 0; i < path.size(); ++i) {
-            curve room;
-            const curve& c = nth(path, i, forwards, room);
+        stroker<ignore_outline> silent{style_, em_, tolerance_, nowhere};
+        for (std::size_t i = 0; i < path.curves.size(); ++i) {
+            const curve c = nth(path, i, forwards);
             if (c.degree > 1)
                 silent.each_tight(c, [this](point a, point b, point q, point p) noexcept { quadrangle(a, b, q, p); });
         }
@@ -291,6 +297,7 @@ private:
     static constexpr double least = 0x1p-6;  // below that growth, a side counts as running backwards
 
     stroke_style style_;
+    double em_;
     double radius_;
     double tolerance_;
     Sink& to_;
