@@ -41,7 +41,7 @@ public:
 
     /// Strokes a path of consecutive curves, none of which is a point.
     ///
-    /// Fails  error::bad_option: "dashes": more than 100,000 for one path
+    /// Fails  error::bad_option: "dashes": more than 10,000 for one path
     error stroke(array_view<const curve> path, bool closed) noexcept
     {
         if (path.empty()) return {};
