@@ -21,7 +21,8 @@ int main(int argc, char** argv)
     bool understood = true;
     for (int i = 1; i < argc; ++i) understood = understood && arguments.take(argc, argv, i);
     if (const int status = arguments.start(understood, "every_boundary", 2, 3); status != 0) return status;
-    std::size_t glyphs = 0, blank = 0, refused = 0, wrong = 0, meetings = 0, straight = 0, before = 0, after = 0, off = 0;
+    std::size_t glyphs = 0, blank = 0, refused = 0, wrong = 0, meetings = 0, straight = 0, before = 0, after = 0,
+                off = 0;
     for (const test::glyph_job& job : arguments.jobs()) {
         test::redrawn_glyph again;
         outline curves;
@@ -42,8 +43,7 @@ int main(int argc, char** argv)
                     ++wrong;
                     std::printf("%s at %g em: %s\n", name.c_str(), q.tolerance, broken.c_str());
                 }
-                const std::size_t places =
-                    again.wrong_places(curves, 20, again.filled.tolerance() + 4.0, glyphs);
+                const std::size_t places = again.wrong_places(curves, 20, again.filled.tolerance() + 4.0, glyphs);
                 if (places != 0) {
                     ++off;
                     std::printf("%s at %g em: %zu of 20 places wrong\n", name.c_str(), q.tolerance, places);
@@ -55,8 +55,9 @@ int main(int argc, char** argv)
             }
         });
     }
-    std::printf("glyphs %zu (%zu blank), refused %zu, wrong %zu, with wrong places %zu; meetings %zu, straight edges %zu, "
-                "curves %zu, pieces %zu\n",
-                glyphs, blank, refused, wrong, off, meetings, straight, before, after);
+    std::printf(
+        "glyphs %zu (%zu blank), refused %zu, wrong %zu, with wrong places %zu; meetings %zu, straight edges %zu, "
+        "curves %zu, pieces %zu\n",
+        glyphs, blank, refused, wrong, off, meetings, straight, before, after);
     return wrong + off + refused == 0 ? 0 : 1;
 }

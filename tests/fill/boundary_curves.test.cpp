@@ -144,8 +144,7 @@ TEST_CASE("glyphs that were moved and merged are pieces of moved curves", "[fill
     CHECK(curves.meetings() == 2);
     const point a{400, 400}, b = a + point{123456 / cells->cells, 20001 / cells->cells};
     for (const curve& c : drawn.curves)
-        for (int k = 0; k <= 8; ++k)
-            CHECK((off(c.at(k / 8.0), a, 300) < 0.2 || off(c.at(k / 8.0), b, 300) < 0.2));
+        for (int k = 0; k <= 8; ++k) CHECK((off(c.at(k / 8.0), a, 300) < 0.2 || off(c.at(k / 8.0), b, 300) < 0.2));
 }
 
 TEST_CASE("edges without curves become lines", "[fill][boundary]")

@@ -35,8 +35,7 @@ TEST_CASE("dashes and gaps add up to the path", "[outline][stroke]")
         int dashes = 0, whole = 0;
         pattern.each_dash(path, [&](const detail::stretch& dash) noexcept {
             double own = 0.0;
-            for (std::size_t i = 0; i < dash.curves.size(); ++i)
-                own += detail::length_between(dash.nth(i), 0.0, 1.0);
+            for (std::size_t i = 0; i < dash.curves.size(); ++i) own += detail::length_between(dash.nth(i), 0.0, 1.0);
             on += own;
             ++dashes;
             whole += own > 6.99 && own < 7.01;

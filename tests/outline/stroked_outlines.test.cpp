@@ -67,14 +67,14 @@ TEST_CASE("a round stroke is what is near the path, however tightly that turns",
         "M50 50C51 49 53 50 52 52S48 53 49 49S55 46 56 54",  // radii far below the width
         "M20 50Q50 -40 80 50T80 90",
         "M10 50C60 50 40 50 90 50.5",
-        "M10 50C90 50 10 50 60 50",           // turns back on itself
-        "M50 20Q50 80 50 20",                 // and without area
+        "M10 50C90 50 10 50 60 50",  // turns back on itself
+        "M50 20Q50 80 50 20",        // and without area
         "M50 50a20 20 0 1 1 0.1 0z",
         "M30 30h40v40h-40z",
         "M20 80C20 20 20 20 80 20",
-        "M10 10C10 10 50 60 90 10",           // a handle of no length
+        "M10 10C10 10 50 60 90 10",  // a handle of no length
         "M10 90C90 10 90 90 10 10",
-        "M20 20C80 80 20 80 80 20z",          // a cusp, nearly
+        "M20 20C80 80 20 80 80 20z",  // a cusp, nearly
         "M50 50m-30 0A30 10 30 1 0 80 50",
     };
     int looked = 0;
@@ -155,7 +155,8 @@ TEST_CASE("caps and joins have the areas of their shapes", "[outline][stroke]")
 
 TEST_CASE("dashes and gaps lie along the path as their lengths say", "[outline][stroke]")
 {
-    const auto lit = [](const char* data, std::initializer_list<double> dashes, double offset, stroke_cap cap, point p) {
+    const auto lit = [](const char* data, std::initializer_list<double> dashes, double offset, stroke_cap cap,
+                        point p) {
         const std::vector<double> lengths(dashes);
         stroke_style style{0.04, cap};
         style.dashes = lengths;

@@ -57,7 +57,8 @@ public:
         const auto second = fill(again_, fill_rule::non_zero, space_);
         if (!second) return "not filled";
         const double most = allowed * tolerance + 4.0;
-        if (const double far = farthest(*second, filled); far > most) return "too far: " + std::to_string(far / tolerance);
+        if (const double far = farthest(*second, filled); far > most)
+            return "too far: " + std::to_string(far / tolerance);
         if (const double far = farthest(filled, *second); far > most) return "lost: " + std::to_string(far / tolerance);
         return "";
     }
@@ -82,8 +83,7 @@ public:
         for (std::size_t i = 0; i < places; ++i) {
             const auto nth = static_cast<std::size_t>(fraction() * static_cast<double>(given.curves.size()));
             const double angle = 6.283185307179586 * fraction(), away = allowed + 30.0 * allowed * fraction();
-            const point q =
-                cells * given.curves[nth].at(fraction()) + away * point{std::cos(angle), std::sin(angle)};
+            const point q = cells * given.curves[nth].at(fraction()) + away * point{std::cos(angle), std::sin(angle)};
             if (is_filled(given.rule, before.winding(q)) == (after.winding(q) != 0)) continue;
             wrong += std::sqrt(inspect::curve_chords::squared_distance(q, before.all())) > allowed;
         }
@@ -102,8 +102,8 @@ private:
             for (std::uint32_t k = 0; k < to.loop_count(); ++k)
                 for (std::uint32_t i = to.starts()[k], end = to.starts()[k + 1]; i < end; ++i) {
                     const grid_point a = to.points()[i], b = to.points()[i + 1 < end ? i + 1 : to.starts()[k]];
-                    nearest = (std::min)(nearest,
-                                         inspect::curve_chords::squared_distance(exact(p), exact(a), exact(b)));
+                    nearest =
+                        (std::min)(nearest, inspect::curve_chords::squared_distance(exact(p), exact(a), exact(b)));
                 }
             most = (std::max)(most, nearest);
         }

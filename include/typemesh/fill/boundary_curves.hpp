@@ -24,10 +24,10 @@ namespace typemesh::inline TYPEMESH_ABI {
 /// The boundary of a region as Bezier curves again: the filled outline without overlaps, for files of drawings and for
 /// machines that cut curves.
 ///
-///       .---.                     .---.        Consecutive edges of one curve become one piece of it, from t0 to t1.
-///      /   .-+---.               /     '---.   Where two curves meet, the piece ends where the curves themselves cross,
-///     |   |   \   |   becomes   |           |  which Newton's method finds, not where their chords do.
-///      \   '-+---'               \     .---'
+///       .---.                     .---.        Consecutive edges of one curve become one piece of it, from t0
+///      /   .-+---.               /     '---.   to t1. Where two curves meet, the piece ends where the curves
+///     |   |   \   |   becomes   |           |  themselves cross, not where their chords do. Newton's method finds
+///      \   '-+---'               \     .---'   that place.
 ///       '---'                     '---'
 ///
 /// Curves that meet no other one are the font's own, unchanged. If curves do not cross next to their chords' crossing
@@ -171,7 +171,7 @@ private:
         if (!a.follows || !b.follows) return corner;
         const auto m = detail::meeting_of(of.curves[a.curve], a.shift, a.t1, of.curves[b.curve], b.shift, b.t0, cells_,
                                           corner, reach_);
-        const bool up = a.t0 < a.t1, down = b.t0 > b.t1;
+        const bool up = a.t0<a.t1, down = b.t0> b.t1;
         if (!m.found || (up ? !(a.t0 < m.s) : !(m.s < a.t0)) || (down ? !(m.t > b.t1) : !(m.t < b.t1))) return corner;
         a.t1 = m.s;
         b.t0 = m.t;
@@ -233,8 +233,8 @@ private:
 
     buffer<detail::curve_run> runs_;
     double cells_ = 1.0;
-    double slack_ = 0.0;  // of points between the ends of a run, in cells
-    double reach_ = 0.0;  // of its ends
+    double slack_ = 0.0;   // of points between the ends of a run, in cells
+    double reach_ = 0.0;   // of its ends
     bool failed_ = false;  // out of memory
     std::uint32_t meetings_ = 0, straight_ = 0;
 };

@@ -84,7 +84,8 @@ private:
 
     void begin() noexcept
     {
-        put("0\nSECTION\n2\nHEADER\n9\n$ACADVER\n1\nAC1015\n9\n$HANDSEED\n5\nFFFFFFF\n9\n$INSUNITS\n70\n4\n0\nENDSEC\n");
+        put("0\nSECTION\n2\nHEADER\n9\n$ACADVER\n1\nAC1015\n9\n$HANDSEED\n5\nFFFFFFF\n9\n$"
+            "INSUNITS\n70\n4\n0\nENDSEC\n");
         put("0\nSECTION\n2\nENTITIES\n");
     }
     void put(std::string_view words) noexcept

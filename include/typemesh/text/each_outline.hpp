@@ -19,8 +19,8 @@ namespace typemesh::inline TYPEMESH_ABI {
 ///     each_outline(plan, i, sink)         for one of plan.glyphs()
 ///     each_outline(plan, sink)            for all of them, in their order
 ///
-/// Outer loops run counter-clockwise and holes clockwise, in the plane that the text's frame gives, of which x and y are
-/// written. Each loop begins with move() and ends with close(). Letters that overlap do so in their outlines too, unless
+/// Outer loops run counter-clockwise and holes clockwise. Each loop begins with move() and ends with close(). If the
+/// text's frame turns it out of the plane, z is left out. Letters that overlap do so in their outlines too, unless
 /// text_options::merge joins them.
 ///
 /// Cost   O(curves); nothing is allocated

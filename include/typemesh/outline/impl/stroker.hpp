@@ -110,7 +110,8 @@ private:
         s.rim = s.at + radius_ * left_of(s.along);
         const point first = static_cast<double>(c.degree) * slopes.derivative(t);
         const double speed = length(first);
-        if (c.degree > 1 && !both.stops) s.growth = 1.0 - radius_ * cross(first, second(c, t)) / (speed * speed * speed);
+        if (c.degree > 1 && !both.stops)
+            s.growth = 1.0 - radius_ * cross(first, second(c, t)) / (speed * speed * speed);
         s.rim_along = both.stops ? point{} : s.growth * first;
         return s;
     }
@@ -265,8 +266,8 @@ private:
     {
         const point of_a = p - a, of_b = q - b, gap = b - a;
         const double turn = cross(of_a, of_b), s = cross(gap, of_b), t = cross(gap, of_a);
-        const bool crosses = turn > 0.0 ? s > 0.0 && s < turn && t > 0.0 && t < turn
-                                        : s < 0.0 && s > turn && t < 0.0 && t > turn;
+        const bool crosses =
+            turn > 0.0 ? s > 0.0 && s < turn && t > 0.0 && t < turn : s < 0.0 && s > turn && t < 0.0 && t > turn;
         if (!crosses) {
             const point corners[] = {a, p, q, b};
             return clockwise(corners);
