@@ -169,8 +169,8 @@ private:
             return !one ? corner : a.follows ? end : begin;
         }
         if (!a.follows || !b.follows) return corner;
-        const auto m = detail::meeting_of(of.curves[a.curve], a.shift, a.t1, of.curves[b.curve], b.shift, b.t0, cells_,
-                                          corner, reach_);
+        const auto m = detail::meeting_of({&of.curves[a.curve], a.shift, a.t1}, {&of.curves[b.curve], b.shift, b.t0},
+                                          cells_, corner, reach_);
         const bool up = a.t0<a.t1, down = b.t0> b.t1;
         if (!m.found || (up ? !(a.t0 < m.s) : !(m.s < a.t0)) || (down ? !(m.t > b.t1) : !(m.t < b.t1))) return corner;
         a.t1 = m.s;

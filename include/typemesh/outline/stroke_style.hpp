@@ -30,9 +30,9 @@ struct stroke_style {
     stroke_join join = stroke_join::mitre;
     double mitre_limit = 4.0;  ///< the greatest length of a mitre, in widths; at least 1
 
-    array_view<const double> dashes =
-        {};                    ///< lengths of dashes and gaps in turn, in em, which the caller keeps; an odd
-                               ///< number of them is repeated. Empty, or all 0: no gaps
+    /// The lengths of dashes and gaps in turn, in em, which the caller keeps. An odd number of them is repeated. Empty,
+    /// or all 0: no gaps.
+    array_view<const double> dashes = {};
     double dash_offset = 0.0;  ///< where in the pattern a path begins, in em
 
     /// The error for options out of range, or none.

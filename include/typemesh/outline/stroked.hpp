@@ -23,7 +23,8 @@ namespace typemesh::inline TYPEMESH_ABI {
 ///
 /// A quarter of the text's tolerance is for the sides of the strokes, the rest for flattening.
 ///
-/// Fails  error::bad_option: "width", "mitre_limit", "dashes", "dash_offset"; error::too_many_points: more curves than max_points
+/// Fails  error::bad_option: "width", "mitre_limit", "dashes", "dash_offset"
+///        error::too_many_points: more curves than max_points
 /// Cost   about 20 evaluations of a curve for each cubic; the strokes overlap, so fill() resolves crossings
 struct stroked {
     stroke_style style = {};

@@ -28,6 +28,13 @@ struct curve_run {
     return cells * c.at(t) + shift;
 }
 
+/// A curve, how far it is moved, in cells, and a parameter on it.
+struct moved_curve {
+    const curve* shape;
+    point shift;
+    double t = 0.0;
+};
+
 /// Two curves' parameters at a meeting.
 struct curve_meeting {
     double s = 0.0;
@@ -36,11 +43,14 @@ struct curve_meeting {
     bool found = false;
 };
 
-/// Looks for the meeting of two curves next to the parameters s and t, by Newton's method in both. It is found if the
-/// curves cross there, within a 32nd of a cell, not farther than `reach` from `near`.
-[[nodiscard]] inline curve_meeting meeting_of(const curve& a, point shift_a, double s, const curve& b, point shift_b,
-                                              double t, double cells, point near, double reach) noexcept
+/// Looks for the meeting of two curves next to their parameters, by Newton's method in both. It is found if the curves
+/// cross there, within a 32nd of a cell, not farther than `reach` from `near`.
+[[nodiscard]] inline curve_meeting meeting_of(const moved_curve& of_s, const moved_curve& of_t, double cells,
+                                              point near, double reach) noexcept
 {
+    const curve &a = *of_s.shape, &b = *of_t.shape;
+    const point shift_a = of_s.shift, shift_b = of_t.shift;
+    double s = of_s.t, t = of_t.t;
     constexpr int most_steps = 12;
     constexpr double close = 0x1p-10;  // a square
     const hodograph of_a{a}, of_b{b};

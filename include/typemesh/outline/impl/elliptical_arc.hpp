@@ -43,8 +43,8 @@ struct elliptical_arc {
     double sweep = 0.0;
     double radius = 0.0;  ///< the greater one; 0: the arc is a line
 
-    /// The arc from `from` to `to`, which are distinct. Radii that are too small for the chord are enlarged. A radius of
-    /// 0 gives a line, and so do numbers whose squares are too large or too small.
+    /// The arc from `from` to `to`, which are distinct. Radii that are too small for the chord are enlarged. A radius
+    /// of 0 gives a line, and so do numbers whose squares are too large or too small.
     [[nodiscard]] static elliptical_arc between(point from, point to, point radii, double degrees, bool large,
                                                 bool positive) noexcept
     {
