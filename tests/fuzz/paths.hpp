@@ -4,6 +4,7 @@
 #include "values.hpp"
 
 #include <typemesh/outline/outline_recorder.hpp>
+#include <typemesh/outline/stroked_outlines.hpp>
 #include <typemesh/outline/svg_path.hpp>
 #include <typemesh/outline/svg_path_writer.hpp>
 
@@ -14,7 +15,7 @@
 #include <string>
 #include <string_view>
 
-/// Path data of SVG -> calls of a sink; and written again.
+/// Path data of SVG -> calls of a sink; written again; stroked.
 namespace fuzz {
 
 namespace path_laws {
@@ -104,6 +105,29 @@ inline broken_law of_written(const outline& drawn)
     return next == drawn.curves.size() ? broken : "less is read than was written";
 }
 
+/// Strokes of all kinds are finite, or refused for numbers that are too large.
+inline broken_law of_strokes(const std::string& data)
+{
+    svg_path source{data, 24.0, fill_rule::non_zero, path_mistakes::draw_up_to_it};
+    const double dashes[] = {0.1, 0.0, 0.25};
+    for (std::uint32_t kind = 0; kind < 3; ++kind) {
+        stroke_style style{.width = kind == 0 ? 0.01 : 0.3,
+                           .cap = static_cast<stroke_cap>(kind),
+                           .join = static_cast<stroke_join>(kind)};
+        if (data.size() < 60 && data.size() % 3 == kind) style.dashes = dashes;
+        stroked_outlines lines{source, style, 0.01};
+        outline stroke;
+        const auto done = record(lines, 0, stroke, 1'000'000);
+        const bool refused =
+            done == error::outline_not_finite || done == error::bad_option || done == error::too_many_points;
+        if (!done && !refused) return "a stroke fails";
+        for (const curve& c : stroke.curves)
+            for (std::uint32_t i = 0; i <= c.degree && done; ++i)
+                if (!is_finite(c.p[i].x) || !is_finite(c.p[i].y)) return "a stroke is not finite";
+    }
+    return {};
+}
+
 inline broken_law of_data(const std::string& data)
 {
     counting_sink seen;
@@ -126,7 +150,9 @@ inline broken_law of_data(const std::string& data)
     (void)lenient.outline(0, to);
     const error recorded = to.finish();
     if (recorded != error::none && recorded != error::outline_not_finite) return "a path that cannot be recorded";
-    return recorded == error::none ? of_written(drawn) : broken_law{};
+    if (recorded != error::none) return {};
+    if (broken_law broken = of_written(drawn); !broken.empty()) return broken;
+    return of_strokes(data);
 }
 
 /// Takes out one byte at each mistake, which leaves data without any.
