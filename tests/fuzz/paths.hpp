@@ -110,21 +110,20 @@ inline broken_law of_strokes(const std::string& data)
 {
     svg_path source{data, 24.0, fill_rule::non_zero, path_mistakes::draw_up_to_it};
     const double dashes[] = {0.1, 0.0, 0.25};
-    for (std::uint32_t kind = 0; kind < 3; ++kind) {
-        stroke_style style{.width = kind == 0 ? 0.01 : 0.3,
-                           .cap = static_cast<stroke_cap>(kind),
-                           .join = static_cast<stroke_join>(kind)};
-        if (data.size() < 60 && data.size() % 3 == kind) style.dashes = dashes;
-        stroked_outlines lines{source, style, 0.01};
-        outline stroke;
-        const auto done = record(lines, 0, stroke, 1'000'000);
-        const bool refused =
-            done == error::outline_not_finite || done == error::bad_option || done == error::too_many_points;
-        if (!done && !refused) return "a stroke fails";
-        for (const curve& c : stroke.curves)
-            for (std::uint32_t i = 0; i <= c.degree && done; ++i)
-                if (!is_finite(c.p[i].x) || !is_finite(c.p[i].y)) return "a stroke is not finite";
-    }
+    if (data.size() > 80) return {};
+    const auto kind = static_cast<std::uint8_t>(data.size() % 3);
+    stroke_style style{
+        .width = kind == 0 ? 0.01 : 0.3, .cap = static_cast<stroke_cap>(kind), .join = static_cast<stroke_join>(kind)};
+    if (data.size() % 2 == 0) style.dashes = dashes;
+    stroked_outlines lines{source, style, 0.01};
+    outline stroke;
+    const auto done = record(lines, 0, stroke, 1'000'000);
+    if (!done && !(done == error::outline_not_finite) && !(done == error::outline_beyond_grid) &&
+        !(done == error::bad_option) && !(done == error::too_many_points))
+        return "a stroke fails";
+    for (const curve& c : stroke.curves)
+        for (std::uint32_t i = 0; i <= c.degree && done; ++i)
+            if (!is_finite(c.p[i].x) || !is_finite(c.p[i].y)) return "a stroke is not finite";
     return {};
 }
 

@@ -6,6 +6,7 @@
 #include <typemesh/inspect/closedness.hpp>
 #include <typemesh/inspect/mesh_measure.hpp>
 #include <typemesh/outline/stroked.hpp>
+#include <typemesh/outline/svg_path.hpp>
 #include <typemesh/typemesh.hpp>
 
 #include <cstdint>
@@ -52,4 +53,20 @@ TEST_CASE("a stroke's options are refused by the mesher, and long outlines too",
     const auto made = stroked{}(drawn, at, 1e-3, 1000, out);
     REQUIRE(made);
     CHECK(*made == Approx(0.75e-3));
+}
+
+TEST_CASE("a path becomes a solid of the right volume", "[outline][svg]")
+{
+    svg_path ring{"M0 12a12 12 0 1 1 24 0a12 12 0 1 1-24 0zm6 0a6 6 0 1 0 12 0a6 6 0 1 0-12 0z", 24.0};
+    glyph_run run;
+    REQUIRE(run.glyphs.push_back({}));
+    text_mesher mesher{ring, extruded<>{.depth = 1.0f}};
+    std::vector<vec3> points;
+    std::vector<std::uint32_t> indices;
+    constexpr auto position = [](const surface_point<attribute::position>& s) noexcept { return s.position; };
+    const auto made = mesher.build(run, into(points, indices, position), {.tolerance = 1e-4});
+    REQUIRE(made);
+    CHECK(made->refused == 0);
+    CHECK(inspect::measure(inspect::mesh_view{points, indices}).volume ==
+          Approx(3.14159265 * 0.25 * 0.75).epsilon(1e-3));
 }

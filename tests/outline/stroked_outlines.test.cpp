@@ -219,6 +219,8 @@ TEST_CASE("strokes refuse options, and what their source refuses", "[outline][st
     CHECK(record(lines, 0, out) == error::bad_path);
     path.data = "M1 1L1e308 2e308 -1e308 -1e308";
     CHECK_FALSE(record(lines, 0, out).has_value());
+    path.data = "M1 1C1e150 2e150 -1e150 1e150 3 3";
+    CHECK(record(lines, 0, out) == error::outline_beyond_grid);
     path.data = "M1 1L5 5L8 1Q3 3 9 9";
     test::counting_memory none{.fail_at = 1}, counted;
     stroked_outlines poor{path, {}, 1e-4, none.source()};

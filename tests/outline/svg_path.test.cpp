@@ -3,10 +3,8 @@
 // Paths that are drawn at random and printed in every way that SVG allows are read as they were drawn; arcs follow their
 // ellipses; what is wrong is refused at its place.
 
-#include <typemesh/inspect/mesh_measure.hpp>
 #include <typemesh/outline/outline_recorder.hpp>
 #include <typemesh/outline/svg_path.hpp>
-#include <typemesh/typemesh.hpp>
 
 #include <cmath>
 #include <cstdio>
@@ -358,19 +356,4 @@ TEST_CASE("a path is a font with one glyph, upright on its baseline", "[outline]
     CHECK(triangle.variation_key() != other.variation_key());
     CHECK(triangle.variation_key() != even.variation_key());
     CHECK(triangle.variation_key() == svg_path{"M0 20L20 20L0 0z", 20.0}.variation_key());
-}
-
-TEST_CASE("a path becomes a solid of the right volume", "[outline][svg]")
-{
-    svg_path ring{"M0 12a12 12 0 1 1 24 0a12 12 0 1 1-24 0zm6 0a6 6 0 1 0 12 0a6 6 0 1 0-12 0z", 24.0};
-    glyph_run run;
-    REQUIRE(run.glyphs.push_back({}));
-    text_mesher mesher{ring, extruded<>{.depth = 1.0f}};
-    std::vector<vec3> points;
-    std::vector<std::uint32_t> indices;
-    constexpr auto position = [](const surface_point<attribute::position>& s) noexcept { return s.position; };
-    const auto made = mesher.build(run, into(points, indices, position), {.tolerance = 1e-4});
-    REQUIRE(made);
-    CHECK(made->refused == 0);
-    CHECK(inspect::measure(inspect::mesh_view{points, indices}).volume == Approx(pi * 0.25 * 0.75).epsilon(1e-3));
 }

@@ -113,7 +113,8 @@ private:
 ///
 /// Fails  in outline(): as the other source does; error::bad_option: "width", "mitre_limit", "dashes",
 ///        "dash_offset", "tolerance";
-///        error::outline_not_finite, error::bad_outline, error::out_of_memory
+///        error::outline_not_finite, error::bad_outline, error::out_of_memory; error::outline_beyond_grid: a coordinate
+///        is more than 2^40 tolerances from 0
 template <outline_source Source>
 class stroked_outlines {
 public:

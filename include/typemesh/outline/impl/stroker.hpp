@@ -42,9 +42,14 @@ public:
     /// Strokes a path of consecutive curves, none of which is a point.
     ///
     /// Fails  error::bad_option: "dashes": more than 10,000 for one path
+    ///        error::outline_beyond_grid: numbers so large that rounding alone exceeds the tolerance
     error stroke(array_view<const curve> path, bool closed) noexcept
     {
         if (path.empty()) return {};
+        const double most = 0x1p40 * tolerance_;
+        for (const curve& c : path)
+            for (std::uint32_t i = 0; i <= c.degree; ++i)
+                if (!(std::fabs(c.p[i].x) < most) || !(std::fabs(c.p[i].y) < most)) return error::outline_beyond_grid;
         dash_pattern pattern{style_.dashes, style_.dash_offset, em_};
         if (!pattern.has_gaps()) return stroke_whole({path}, closed), error{};
         if (!pattern.is_possible(path)) return error::bad("dashes");
