@@ -39,7 +39,7 @@ public:
     {
     }
 
-    /// Strokes a path of consecutive curves, none of which is a point.
+    /// Strokes a path of consecutive curves. No curve may be a point.
     ///
     /// Fails  error::bad_option: "dashes": more than 10,000 for one path
     ///        error::outline_beyond_grid: numbers so large that rounding alone exceeds the tolerance
