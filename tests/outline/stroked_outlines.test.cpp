@@ -34,7 +34,7 @@ outline stroke_of(const char* data, const stroke_style& style, double tolerance)
 /// Whether a place is covered, by the rule non_zero; `places` may hold any.
 double covered(const outline& stroke, const std::vector<point>& places, std::vector<bool>& in)
 {
-    const inspect::curve_chords chords{stroke, 1.0, 1e-4};
+    const inspect::curve_chords chords{stroke, 1.0, 1e-3};
     in.clear();
     double most = 0.0;
     for (const point p : places) {
@@ -106,7 +106,7 @@ TEST_CASE("a round stroke is what is near the path, however tightly that turns",
                 std::vector<point> on;
                 for (const curve& c : own.all)
                     for (int k = 0; k <= 20; ++k) on.push_back(c.at(k / 20.0));
-                const auto places = around(on, 0.8 * width, 17, 1500);
+                const auto places = around(on, 0.8 * width, 17, 600);
                 std::vector<bool> in;
                 const double most = covered(stroke, places, in);
                 INFO(data << ", width " << width << ", tolerance " << tolerance);
@@ -122,32 +122,32 @@ TEST_CASE("a round stroke is what is near the path, however tightly that turns",
                 }
                 CHECK(wrong == 0);
             }
-    CHECK(looked > 50000);
+    CHECK(looked > 20000);
 }
 
 TEST_CASE("caps and joins have the areas of their shapes", "[outline][stroke]")
 {
     const auto area = [](const char* data, stroke_cap cap, stroke_join join, double limit = 4.0) {
         const outline stroke = stroke_of(data, {0.1, cap, join, limit}, 1e-3);
-        const inspect::curve_chords chords{stroke, 1.0, 1e-4};
+        const inspect::curve_chords chords{stroke, 1.0, 1e-3};
         double inside = 0.0;  // by counting: contours overlap
-        constexpr int n = 800;
+        constexpr int n = 400;
         for (int i = 0; i < n; ++i)
             for (int k = 0; k < n; ++k)
                 if (chords.winding({(i + 0.5) * 100.0 / n, (k + 0.5) * 100.0 / n}) != 0) inside += 1e4 / (n * n);
         return inside;
     };
     const double disc = 78.5398;  // of radius 5
-    CHECK(area("M20 50H80", stroke_cap::butt, stroke_join::mitre) == Approx(600.0).epsilon(2e-3));
-    CHECK(area("M20 50H80", stroke_cap::square, stroke_join::mitre) == Approx(700.0).epsilon(2e-3));
-    CHECK(area("M20 50H80", stroke_cap::round, stroke_join::mitre) == Approx(600.0 + disc).epsilon(2e-3));
+    CHECK(area("M20 50H80", stroke_cap::butt, stroke_join::mitre) == Approx(600.0).epsilon(3e-3));
+    CHECK(area("M20 50H80", stroke_cap::square, stroke_join::mitre) == Approx(700.0).epsilon(3e-3));
+    CHECK(area("M20 50H80", stroke_cap::round, stroke_join::mitre) == Approx(600.0 + disc).epsilon(3e-3));
     // A right angle: two strokes of 60, whose common quarter is counted once.
-    CHECK(area("M20 20H80V80", stroke_cap::butt, stroke_join::bevel) == Approx(1200.0 - 25 + 12.5).epsilon(2e-3));
-    CHECK(area("M20 20H80V80", stroke_cap::butt, stroke_join::mitre) == Approx(1200.0).epsilon(2e-3));
-    CHECK(area("M20 20H80V80", stroke_cap::butt, stroke_join::mitre, 1.4) == Approx(1187.5).epsilon(2e-3));
+    CHECK(area("M20 20H80V80", stroke_cap::butt, stroke_join::bevel) == Approx(1200.0 - 25 + 12.5).epsilon(3e-3));
+    CHECK(area("M20 20H80V80", stroke_cap::butt, stroke_join::mitre) == Approx(1200.0).epsilon(3e-3));
+    CHECK(area("M20 20H80V80", stroke_cap::butt, stroke_join::mitre, 1.4) == Approx(1187.5).epsilon(3e-3));
     CHECK(area("M20 20H80V80", stroke_cap::butt, stroke_join::round) ==
-          Approx(1200.0 - 25 + 0.25 * disc).epsilon(2e-3));
-    CHECK(area("M20 20H80V80H20z", stroke_cap::round, stroke_join::mitre) == Approx(2400.0).epsilon(2e-3));
+          Approx(1200.0 - 25 + 0.25 * disc).epsilon(3e-3));
+    CHECK(area("M20 20H80V80H20z", stroke_cap::round, stroke_join::mitre) == Approx(2400.0).epsilon(3e-3));
     CHECK(area("M50 50h0", stroke_cap::round, stroke_join::mitre) == Approx(disc).epsilon(1e-2));
     CHECK(area("M50 50z", stroke_cap::square, stroke_join::mitre) == Approx(100.0).epsilon(1e-2));
     CHECK(area("M50 50h0", stroke_cap::butt, stroke_join::mitre) < 1e-9);
