@@ -26,6 +26,9 @@
 #include <typemesh/layout/inline_box_place.hpp>
 #include <typemesh/layout/select_glyphs.hpp>
 #include <typemesh/markup/markup_styles.hpp>
+#include <typemesh/outline/stroked.hpp>
+#include <typemesh/outline/stroked_outlines.hpp>
+#include <typemesh/outline/svg_path.hpp>
 #include <typemesh/paragraph/fit_size.hpp>
 #include <typemesh/paragraph/paragraph.hpp>
 #include <typemesh/paragraph/highlight_writer.hpp>
@@ -140,6 +143,11 @@ auto fine_flat = typemesh::text_mesher{*font, typemesh::refined<typemesh::flat>{
     use(short_edges, fine_flat);
 auto carved_sign = typemesh::text_mesher{*font, typemesh::carved{.tool_angle = 60.0f, .max_depth = 0.05f}};
     use(carved_sign);
+auto tick = typemesh::svg_path{"M4 12l5 5L20 6", 24};   // the side of its view box: one em
+auto neon  = typemesh::stroked_outlines{tick, {.width = 0.1, .cap = typemesh::stroke_cap::round}};
+auto wired = typemesh::text_mesher{*font, typemesh::stroked{{.width = 0.03, .join = typemesh::stroke_join::round}}};
+    use(neon);
+    use(wired);
 auto balloon = typemesh::text_mesher{*font, typemesh::inflated{}};
 auto pillow = typemesh::text_mesher{*font, typemesh::inflated{.limit = 0.05f}};
 auto dome = typemesh::text_mesher{*font, typemesh::inflated{.height = 0.5f, .form = typemesh::inflated_form::dome, .depth = 0.1f}};

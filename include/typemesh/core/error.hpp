@@ -53,6 +53,7 @@ struct [[nodiscard]] error {
         bad_option,           ///< an option is outside its range; `option` names it
         overlapping_spans,    ///< two spans of a text's styles contain the same character
         bad_markup,           ///< a tag of a text's mark-up is wrong; `option` says what, cluster is its place
+        bad_path,             ///< path data has a mistake; `option` says what, count is its place (1: the first byte)
         needs_paragraph,      ///< plain text has no such option; `option` names it
         needs_shaping,        ///< the plain shaper cannot set this script correctly
         font_library_failed,  ///< FreeType, HarfBuzz or DirectWrite refused; count = its own error number, if any
@@ -146,6 +147,7 @@ struct [[nodiscard]] error {
         case bad_option: return "An option is outside its range: give a value within the documented range.";
         case overlapping_spans: return "Two spans of styles overlap: end one where the other begins.";
         case bad_markup: return "The mark-up has a mistake: correct the tag, or write [[ for a bracket of the text.";
+        case bad_path: return "The path data has a mistake: correct it at the place that is given.";
         case needs_paragraph: return "Plain text ends lines only at line breaks: give this option to a paragraph.";
         case needs_shaping:
             return "A character map and kerning cannot set this script: shape the text with HarfBuzz or DirectWrite.";
@@ -188,6 +190,7 @@ inline const char* describe(const error& e, std::span<char> out) noexcept
         if (e == error::index_overflow) return " (vertices: ";
         if (e == error::no_such_face) return " (faces: ";
         if (e == error::no_such_glyph_style) return " (glyph styles: ";
+        if (e == error::bad_path) return " (byte ";
         if (e == error::too_many_pieces || e == error::too_many_points) return " (the limit: ";
         return e == error::font_library_failed ? " (its error: " : " (";
     };
@@ -201,7 +204,7 @@ inline const char* describe(const error& e, std::span<char> out) noexcept
         put_number(before(), e.count);
     }
     if (*what != '\0') {
-        put(e.count != 0 ? " " : " (");
+        put(e.count == 0 ? " (" : e == error::bad_path ? ": " : " ");
         put(what);
     }
     if (e.count != 0 || *what != '\0') put(")");
