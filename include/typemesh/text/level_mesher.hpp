@@ -31,8 +31,8 @@ namespace typemesh::inline TYPEMESH_ABI {
 ///         if (level) level->write(into(vertices[k], indices[k]));
 ///     }
 ///
-/// The levels are those of coarsened.hpp, which says what they promise: no point moves, corners and normals stay, and
-/// so do holes, gaps and strokes. The mesher's policies make each level; a step before the solid, such as embolden,
+/// coarsened.hpp says what the levels promise: no point moves; corners and normals stay, and so do
+/// holes, gaps and strokes. The mesher's policies make each level; a step before the solid, such as embolden,
 /// changes the level's region. The mesher's cache is not used.
 ///
 /// It refers to a mesher, which must outlive it. The plans are plans of this mesher, so each ends the one before.

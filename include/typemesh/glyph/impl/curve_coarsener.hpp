@@ -489,7 +489,7 @@ private:
     double tolerance_ = 0.0;
     cyclic loop_{};
     curve curve_;                    // of the run, in cells
-    std::uint32_t examined_ = none;  // the curve of which may_stop_ is known
+    std::uint32_t examined_ = none;  // the curve that may_stop_ is about
     bool may_stop_ = false, is_convex_ = false;
     std::int64_t farthest_ = 0;  // the side of a convex run's farthest point, of the chord between its ends
     std::uint32_t others_ = 0;   // the points that look_around() has found; the first ones are in other_
