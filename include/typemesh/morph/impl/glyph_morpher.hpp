@@ -5,6 +5,7 @@
 #include <typemesh/core/buffer.hpp>
 #include <typemesh/core/orientation.hpp>
 #include <typemesh/core/result.hpp>
+#include <typemesh/morph/impl/contour_chords.hpp>
 #include <typemesh/morph/impl/keyed_outlines.hpp>
 #include <typemesh/morph/impl/morph_normals.hpp>
 #include <typemesh/morph/impl/morph_points.hpp>
@@ -23,6 +24,7 @@ public:
         : outlines_{source},
           points_{source},
           proof_{source},
+          chords_{source},
           members_{source},
           groups_{source},
           waiting_{source},
@@ -145,19 +147,32 @@ private:
     {
         const auto at = outlines_.coordinates();
         const stretch whole{at[0], at[at.size() - 1]};
+        glyph_pieces_ = false;
         if (error e = group_all()) return e;
         if (error e = prove(axis, id, whole)) return e;
-        if (crosses_ && points_.contours() > 1) {
-            bool good = false;
-            if (error e = group_by_contours(good)) return e;
-            if (good) {
-                glyph.overlapping = true;
-                found_.clear(), triangles_.clear();
-                if (error e = prove(axis, id, whole)) return e;
-            }
+        const axis_coordinate length = whole.last - whole.first;
+        if (crosses_ && covered() != length && points_.contours() > 1)
+            if (error e = prove_pieces(axis, id, whole, glyph)) return e;
+        if (crosses_ && covered() != length) {
+            bool divided = false;
+            if (error e = chords_.divide(points_, outlines_, grid_, divided)) return e;
+            if (divided)
+                if (error e = prove_pieces(axis, id, whole, glyph)) return e;
         }
-        glyph.refused = covered() != whole.last - whole.first;
+        glyph.refused = covered() != length;
         return {};
+    }
+
+    /// A solid for each outer contour.
+    template <variation_axis Axis>
+    error prove_pieces(Axis& axis, glyph_id id, stretch whole, morph_glyph& glyph) noexcept
+    {
+        bool good = false;
+        if (error e = group_by_contours(good)) return e;
+        if (!good) return {};
+        glyph.overlapping = glyph_pieces_ = true;
+        found_.clear(), triangles_.clear();
+        return prove(axis, id, whole);
     }
 
     [[nodiscard]] axis_coordinate covered() const noexcept
@@ -193,7 +208,7 @@ private:
                 continue;
             }
             triangles_.truncate(before);
-            if (hopeless || (groups_.size() == 2 && crosses_ && points_.contours() > 1)) continue;
+            if (hopeless || (!glyph_pieces_ && crosses_)) continue;
             if (error e = divide(axis, id, now, first, last)) return e;
         }
         return {};
@@ -322,6 +337,7 @@ private:
     keyed_outlines outlines_;
     morph_points points_;
     morph_proof proof_;
+    contour_chords chords_;
     buffer<std::uint32_t> members_;  // contours, group by group
     buffer<std::uint32_t> groups_;   // the first member of each group, and the end
     buffer<stretch> waiting_;
@@ -329,6 +345,7 @@ private:
     triangle_list triangles_;
     grid grid_;
     bool crosses_ = false;
+    bool glyph_pieces_ = false;  // the glyph is proven in pieces; before, it is not divided where it crosses
 };
 
 }  // namespace typemesh::inline TYPEMESH_ABI

@@ -31,16 +31,19 @@ public:
     error append(morph_store& out, morph_glyph& glyph) noexcept
     {
         const std::uint32_t n = points_.count();
-        const std::size_t keys = outlines_.keys(), first_normal = out.normals.size();
+        const std::size_t keys = outlines_.keys();
         morph_corner* const corners = out.corners.append(n);
         vec2* const normals = out.normals.append(2 * std::size_t{n} * keys);
         if (corners == nullptr || normals == nullptr) return error::out_of_memory;
-        static_cast<void>(first_normal);
+        next_ = corners;
+        for (std::uint32_t c = 0; c < points_.contours(); ++c)
+            for (std::uint32_t i = points_.starts[c]; i < points_.starts[c + 1]; ++i)
+                corners[i] = {i + 1 == points_.starts[c + 1] ? points_.starts[c] : i + 1};
         for (std::uint32_t c = 0; c < points_.contours(); ++c) {
             const std::uint32_t first = points_.starts[c], last = points_.starts[c + 1];
             for (std::uint32_t i = first; i < last; ++i) {
                 const std::uint32_t before = i == first ? last - 1 : i - 1;
-                corners[i] = {i + 1 == last ? first : i + 1, is_hard(before, i)};
+                corners[i].hard = is_hard(before, i);
                 glyph.hard += corners[i].hard ? 1u : 0u;
                 for (std::size_t k = 0; k < keys; ++k) {
                     point a = unit(normal_of(before, true, k)), b = unit(normal_of(i, false, k));
@@ -79,6 +82,11 @@ private:
     [[nodiscard]] point tangent_at(std::uint32_t edge, bool arrives, std::size_t key) const noexcept
     {
         const contour_edge& e = points_.edges[edge];
+        if (points_.is_chord(edge)) {
+            const grid_point* const at = points_.places.data() + key * points_.count();
+            const grid_point p = at[edge], q = at[next_[edge].next];
+            return {static_cast<double>(q.x) - p.x, static_cast<double>(q.y) - p.y};
+        }
         const bool forth = e.t0 <= e.t1;
         const hodograph h{outlines_.curves(key)[e.curve], forth ? 1.0 : -1.0};
         const tangents t = h.at(as_double(arrives ? e.t1 : e.t0));
@@ -104,7 +112,7 @@ private:
     {
         for (std::size_t k = 0; k + 1 < outlines_.keys(); ++k) {
             const point a = tangent_at(edge, arrives, k), b = tangent_at(edge, arrives, k + 1);
-            if (!(dot(a, a) > 0.0) || !(dot(b, b) > 0.0)) continue;
+            if (points_.is_chord(edge) || !(dot(a, a) > 0.0) || !(dot(b, b) > 0.0)) continue;
             const double angle = std::fabs(std::atan2(cross(a, b), dot(a, b)));
             double root = std::sqrt(length(b) / length(a));
             if (root < 1.0) root = 1.0 / root;
@@ -116,6 +124,7 @@ private:
     const keyed_outlines& outlines_;
     const morph_points& points_;
     double crease_;
+    const morph_corner* next_ = nullptr;
 };
 
 }  // namespace typemesh::inline TYPEMESH_ABI

@@ -26,7 +26,7 @@ struct morph_points {
     buffer<std::uint32_t> starts;  ///< as in contours
 
     explicit morph_points(memory source = heap()) noexcept
-        : places{source}, edges{source}, starts{source}, from_{source}, kept_{source}
+        : places{source}, edges{source}, starts{source}, from_{source}, kept_{source}, divided_{source}
     {
     }
 
@@ -39,7 +39,6 @@ struct morph_points {
     error divide(const keyed_outlines& outlines, double tolerance, const grid& g) noexcept
     {
         places.clear(), edges.clear(), starts.clear(), kept_.clear();
-        reversed_ = false;
         if (!starts.push_back(0)) return error::out_of_memory;
         const double rest = tolerance - g.snap_error() > g.snap_error() ? tolerance - g.snap_error() : g.snap_error();
         for (std::size_t c = 0; c + 1 < outlines.starts().size(); ++c)
@@ -80,12 +79,38 @@ struct morph_points {
                 e = {e.curve, e.t1, e.t0};
             }
         }
-        reversed_ = !reversed_;
     }
-    [[nodiscard]] bool is_reversed() const noexcept { return reversed_; }
+
+    /// Divides a contour by a chord between its points u < v, given as numbers within the contour: into the points from
+    /// u to v, and those from v to u, in this order. Call place_all() afterwards.
+    error split(std::uint32_t contour, std::uint32_t u, std::uint32_t v) noexcept
+    {
+        const std::uint32_t first = starts[contour], size = starts[contour + 1] - first;
+        divided_.clear();
+        bool stored = divided_.append(edges.view().first(first));
+        const auto put = [&](std::uint32_t from, std::uint32_t length) noexcept {
+            for (std::uint32_t i = 0; i <= length; ++i) {
+                contour_edge e = edges[first + (from + i) % size];
+                if (i == length) e.t1 = chord;
+                stored = stored && divided_.push_back(e);
+            }
+        };
+        put(u, v - u);
+        put(v, size - (v - u));
+        stored = stored && divided_.append(edges.view().subspan(first + size)) && starts.push_back(0);
+        if (!stored) return error::out_of_memory;
+        edges.swap(divided_);
+        for (std::size_t c = starts.size() - 1; c > contour + 1; --c) starts[c] = starts[c - 1] + 2;
+        starts[contour + 1] = first + (v - u) + 1;
+        return {};
+    }
+
+    /// Whether an edge is a chord that split() has made, and follows no curve.
+    [[nodiscard]] bool is_chord(std::uint32_t edge) const noexcept { return edges[edge].t1 < 0.0f; }
 
 private:
     static constexpr std::uint32_t most = 100000;  // points of one glyph
+    static constexpr float chord = -1.0f;          // instead of t1
 
     static std::uint32_t pieces(const keyed_outlines& outlines, std::uint32_t i, double tolerance) noexcept
     {
@@ -145,7 +170,7 @@ private:
     }
 
     buffer<grid_point> from_, kept_;
-    bool reversed_ = false;
+    buffer<contour_edge> divided_;
 };
 
 }  // namespace typemesh::inline TYPEMESH_ABI
