@@ -21,15 +21,16 @@ namespace typemesh::inline TYPEMESH_ABI {
 ///    |___|__v______|    |
 ///        |______________|
 ///
-/// Chords begin and end near crossings. A chord is chosen if it leaves fewest crossings, at all keys together; if none
-/// leaves fewer than before, the contour stays as it is. This only proposes contours: the proof comes later.
+/// Chords begin at the ends of edges that cross. A chord is chosen if it leaves fewest crossings, at all keys together,
+/// and among those the shortest; if none leaves fewer than before, the contour stays as it is. This only proposes
+/// contours: the proof comes later.
 class contour_chords {
 public:
-    explicit contour_chords(memory source = heap()) noexcept : pairs_{source}, piece_{source} {}
+    explicit contour_chords(memory source = heap()) noexcept : pairs_{source} {}
 
     /// Divides all contours of `points` that cross themselves at a key. Sets `changed` if there was one.
     ///
-    /// Cost   O(n^2) for each crossing of a contour of n points, with a factor of about 50
+    /// Cost   O((c + n) n c) for each chord, for c crossings of a contour of n points
     ///
     /// Fails  error::out_of_memory
     error divide(morph_points& points, const keyed_outlines& outlines, const grid& g, bool& changed) noexcept
@@ -40,11 +41,9 @@ public:
             keys_ = points.places.size() / points.count();
             points_ = &points;
             const std::uint32_t first = points.starts[c], size = points.starts[c + 1] - first;
-            std::uint32_t crossings = 0;
-            pairs_.clear();
-            if (!count(first, 0, size, size, crossings, true)) return error::out_of_memory;
+            if (!note(first, size)) return error::out_of_memory;
             ends best;
-            if (crossings == 0 || size > most_points || !find(first, size, crossings, best)) {
+            if (pairs_.empty() || size > most_points || !find(first, size, best)) {
                 ++c;
                 continue;
             }
@@ -59,61 +58,67 @@ public:
 private:
     static constexpr std::uint32_t most_pieces = 64;
     static constexpr std::uint32_t most_points = 1000;
-    static constexpr std::uint32_t most_pairs = 24;
+    static constexpr std::size_t most_pairs = 256;  // more are not used as ends of chords
 
     struct ends {
         std::uint32_t u = 0, v = 0;
     };
 
-    /// Tries chords near the crossings that were noted. Finds the one that leaves fewest.
-    [[nodiscard]] bool find(std::uint32_t first, std::uint32_t size, std::uint32_t crossings, ends& best) noexcept
+    /// Notes the pairs of edges that meet, at each key.
+    [[nodiscard]] bool note(std::uint32_t first, std::uint32_t size) noexcept
     {
-        std::uint32_t fewest = crossings;
-        for (const std::uint32_t reach : {1u, 3u}) {
-            const std::uint32_t back = reach == 1 ? 0 : 1;
-            for (std::size_t p = 0; p < pairs_.size() && p < most_pairs && fewest != 0; ++p)
-                for (std::uint32_t i = 0; i <= reach; ++i)
-                    for (std::uint32_t j = 0; j <= reach; ++j) {
-                        std::uint32_t u = (pairs_[p].u + size + i - back) % size,
-                                      v = (pairs_[p].v + size + j - back) % size;
-                        if (u > v) {
-                            const std::uint32_t other = u;
-                            u = v;
-                            v = other;
-                        }
-                        if (v - u < 2 || size - (v - u) < 2) continue;
-                        std::uint32_t left = 0;
-                        static_cast<void>(count(first, u, v - u + 1, size, left, false));
-                        if (left >= fewest) continue;
-                        static_cast<void>(count(first, v, size - (v - u) + 1, size, left, false));
-                        if (left >= fewest) continue;
-                        fewest = left;
-                        best = {u, v};
-                    }
-            if (fewest < crossings) return true;
-        }
-        return false;
+        pairs_.clear();
+        for (std::size_t k = 0; k < keys_; ++k)
+            for (std::uint32_t i = 0; i < size; ++i)
+                for (std::uint32_t j = i + 2; j < size; ++j)
+                    if (!(i == 0 && j + 1 == size) &&
+                        meet(at(k, first, i), at(k, first, i + 1), at(k, first, j), at(k, first, (j + 1) % size)) &&
+                        !pairs_.push_back({i, j}))
+                        return false;
+        return true;
+    }
+    [[nodiscard]] grid_point at(std::size_t key, std::uint32_t first, std::uint32_t i) const noexcept
+    {
+        return points_->places[key * points_->count() + first + i];
     }
 
-    /// Adds the number of pairs of edges that meet, at all keys, in the closed piece of `length` points from `begin` of
-    /// a contour. Notes the pairs on request; returns false when out of memory.
-    [[nodiscard]] bool count(std::uint32_t first, std::uint32_t begin, std::uint32_t length, std::uint32_t size,
-                             std::uint32_t& sum, bool noted) noexcept
+    /// Finds the best chord from an end of a noted edge to any point.
+    [[nodiscard]] bool find(std::uint32_t first, std::uint32_t size, ends& best) const noexcept
     {
-        const std::size_t n = points_->count();
-        for (std::size_t k = 0; k < keys_; ++k) {
-            piece_.clear();
-            for (std::uint32_t i = 0; i <= length; ++i)
-                if (!piece_.push_back(points_->places[k * n + first + (begin + i % length) % size])) return false;
-            for (std::uint32_t i = 0; i < length; ++i)
-                for (std::uint32_t j = i + 2; j < length; ++j) {
-                    if ((i == 0 && j + 1 == length) || !meet(piece_[i], piece_[i + 1], piece_[j], piece_[j + 1]))
-                        continue;
-                    ++sum;
-                    if (noted && !pairs_.push_back({i, j})) return false;
+        std::size_t fewest = pairs_.size();
+        std::int64_t shortest = 0;
+        for (std::size_t p = 0; p < pairs_.size() && p < most_pairs; ++p)
+            for (const std::uint32_t u : {pairs_[p].u, (pairs_[p].u + 1) % size, pairs_[p].v, (pairs_[p].v + 1) % size})
+                for (std::uint32_t v = 0; v < size; ++v) {
+                    const ends chord = u < v ? ends{u, v} : ends{v, u};
+                    if (chord.v - chord.u < 2 || size - (chord.v - chord.u) < 2) continue;
+                    const std::int64_t square = squared_distance(at(0, first, u), at(0, first, v));
+                    const std::size_t left = crossings_with(chord, first, size, fewest);
+                    if (left > fewest || (left == fewest && (square >= shortest || fewest == pairs_.size()))) continue;
+                    fewest = left;
+                    shortest = square;
+                    best = chord;
                 }
+        return fewest < pairs_.size();
+    }
+
+    /// The number of crossings in the two pieces of a contour: pairs of which both edges are in one piece, and edges
+    /// that meet the chord. The result is right up to `enough`.
+    [[nodiscard]] std::size_t crossings_with(ends chord, std::uint32_t first, std::uint32_t size,
+                                             std::size_t enough) const noexcept
+    {
+        const auto is_between = [chord](std::uint32_t edge) noexcept { return edge >= chord.u && edge < chord.v; };
+        std::size_t sum = 0;
+        for (const ends& pair : pairs_) sum += is_between(pair.u) == is_between(pair.v) ? 1u : 0u;
+        for (std::size_t k = 0; k < keys_; ++k) {
+            const grid_point a = at(k, first, chord.u), b = at(k, first, chord.v);
+            for (std::uint32_t i = 0; i < size && sum <= enough; ++i) {
+                const std::uint32_t next = i + 1 == size ? 0 : i + 1;
+                if (i == chord.u || i == chord.v || next == chord.u || next == chord.v) continue;
+                sum += meet(a, b, at(k, first, i), at(k, first, next)) ? 1u : 0u;
+            }
         }
-        return true;
+        return sum;
     }
 
     /// Whether two edges have a point in common.
@@ -132,7 +137,6 @@ private:
     const morph_points* points_ = nullptr;
     std::size_t keys_ = 0;
     buffer<ends> pairs_;
-    buffer<grid_point> piece_;
 };
 
 }  // namespace typemesh::inline TYPEMESH_ABI
