@@ -16,6 +16,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <cstdio>
+#include <map>
 #include <sstream>
 #include <vector>
 
@@ -101,7 +102,7 @@ public:
             if (file_.materials[i].name == name) return static_cast<int>(i);
         tinygltf::Material made;
         made.name = name;
-        const typemesh::vec3 colour = to_linear(colour_of(model::part{name, 0, 0}).rgb);
+        const auto colour = to_linear(colour_of(model::part{name, 0, 0}).rgb);
         made.pbrMetallicRoughness.baseColorFactor = {double{colour.x}, double{colour.y}, double{colour.z}, 1.0};
         made.pbrMetallicRoughness.metallicFactor = 0.0;
         made.pbrMetallicRoughness.roughnessFactor = 0.45;

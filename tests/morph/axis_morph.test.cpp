@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "support/catch.hpp"
-#include "support/failing_memory.hpp"
 #include "support/mesh_laws.hpp"
 #include "toy_axis.hpp"
 

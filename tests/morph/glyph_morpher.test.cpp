@@ -15,7 +15,7 @@ TEST_CASE("a glyph keeps the keys at which it bends, and sections cover the stre
     glyph_morpher morpher;
     morph_store store;
     const std::vector<axis_coordinate> masters = {-16384, 0, 16384};
-    for (const glyph_id id : {'o', 'x', '8', 'w', 'p', 'q', 's', ' '})
+    for (const char id : {'o', 'x', '8', 'w', 'p', 'q', 's', ' '})
         REQUIRE_FALSE(morpher.append(axis, static_cast<glyph_id>(id), masters, 1.0, 15.0, store));
     const auto& g = store.glyphs;
     REQUIRE(g.size() == 8);

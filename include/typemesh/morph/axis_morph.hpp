@@ -50,10 +50,12 @@ public:
           run_{source},
           other_{source},
           before_{source},
+          third_{source},
           masters_{source},
           changes_{source},
           ends_{source},
-          marks_{source}
+          marks_{source},
+          keys_{source}
     {
     }
 
@@ -332,8 +334,7 @@ private:
     memory source_;
     plain_layout layout_;
     glyph_morpher morpher_;
-    glyph_run run_, other_, before_;
-    glyph_run third_;
+    glyph_run run_, other_, before_, third_;
     buffer<axis_coordinate> masters_, changes_, ends_, marks_, keys_;
     axis_coordinate low_ = 0, high_ = 0;
 };

@@ -12,6 +12,7 @@
 #include <typemesh/morph/impl/morph_proof.hpp>
 #include <typemesh/morph/impl/morph_store.hpp>
 
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 
@@ -172,6 +173,9 @@ private:
         if (!good) return {};
         glyph.overlapping = glyph_pieces_ = true;
         found_.clear(), triangles_.clear();
+        for (std::size_t k = outlines_.keys() - 1; k-- > 1;)  // the glyph as one solid may have been divided in vain
+            if (outlines_.bend_at(k) * grid_.cells <= 0.5) outlines_.remove(k);
+        if (error e = points_.place_all(outlines_, grid_)) return e;
         return prove(axis, id, whole);
     }
 
