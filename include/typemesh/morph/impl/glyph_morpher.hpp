@@ -160,6 +160,12 @@ private:
             if (divided)
                 if (error e = prove_pieces(axis, id, whole, glyph)) return e;
         }
+        if (crosses_ && !glyph_pieces_) {  // a hole lies in no contour: as one solid, where that is possible
+            if (error e = group_all()) return e;
+            glyph_pieces_ = true;
+            found_.clear(), triangles_.clear();
+            if (error e = prove(axis, id, whole)) return e;
+        }
         glyph.refused = covered() != length;
         return {};
     }
@@ -349,7 +355,7 @@ private:
     triangle_list triangles_;
     grid grid_;
     bool crosses_ = false;
-    bool glyph_pieces_ = false;  // the glyph is proven in pieces; before, it is not divided where it crosses
+    bool glyph_pieces_ = false;  // the last attempt: stretches are divided also where contours cross
 };
 
 }  // namespace typemesh::inline TYPEMESH_ABI
