@@ -697,7 +697,8 @@ std::string settle_morph(options& out, const raw_values& raw)
     if (typemesh::is_finite(out.lines.width) || !raw.fit.empty() || out.merge || !out.picture.empty())
         return "--morph sets plain lines of letters: leave out --width, --fit, --merge and --picture";
     if (out.bevel.width > 0.0f || out.carve.tool_angle > 0.0f || out.embolden != 0.0f || out.outline.width > 0.0f ||
-        out.inflate.height > 0.0f || out.refine.refiner != refiner_name::none || !raw.bend.empty() || !raw.path.empty() || out.segments != 1)
+        out.inflate.height > 0.0f || out.refine.refiner != refiner_name::none || !raw.bend.empty() ||
+        !raw.path.empty() || out.segments != 1)
         return "--morph makes plain solids: leave out bevels and whatever else changes their form";
     return {};
 }

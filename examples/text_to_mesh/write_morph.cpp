@@ -206,7 +206,8 @@ typemesh::result<void> add_section(morph_file& file, typemesh::morph_plan& plan,
     tinygltf::Value::Array target_names;
     for (std::size_t k = 1; k < keys.size(); ++k) {
         if (const auto done = plan.write_target(s, k, into(vertices, none)); !done) return done.error();
-        targets.push_back({{"POSITION", file.add_vectors(vertices, false)}, {"NORMAL", file.add_vectors(vertices, true)}});
+        targets.push_back(
+            {{"POSITION", file.add_vectors(vertices, false)}, {"NORMAL", file.add_vectors(vertices, true)}});
         char name[32];
         std::snprintf(name, sizeof name, "%g", static_cast<double>(keys[k]) / 16384.0);
         target_names.emplace_back(std::string{name});
@@ -228,7 +229,8 @@ typemesh::result<void> add_section(morph_file& file, typemesh::morph_plan& plan,
         if (shown)
             if (const auto done = plan.weights(usual, weights); !done) return done.error();
         mesh.weights.assign(weights.begin(), weights.end());
-        mesh.extras = tinygltf::Value{tinygltf::Value::Object{{"targetNames", tinygltf::Value{std::move(target_names)}}}};
+        mesh.extras =
+            tinygltf::Value{tinygltf::Value::Object{{"targetNames", tinygltf::Value{std::move(target_names)}}}};
     }
     const int node = file.add_node(std::move(mesh), shown);
 

@@ -69,8 +69,8 @@ TEST_CASE("regions of a variation store begin, peak and end where the table says
 {
     made_face f;
     // HVAR: version, the store at 20; the store: format 1, its list of regions at 8; two axes, two regions
-    const std::vector<int> hvar = {1, 0, 0, 20, 0, 0, 0, 0, 0, 0, 1, 0, 8, 0, 2, 2,
-                                   0, 0x2000, 0x4000, -0x4000, -0x4000, 0, 0x1000, 0x2000, 0x2000, 0, 0, 0};
+    const std::vector<int> hvar = {1, 0, 0, 20,     0,      0,       0,       0, 0,      0,      1,      0, 8, 0,
+                                   2, 2, 0, 0x2000, 0x4000, -0x4000, -0x4000, 0, 0x1000, 0x2000, 0x2000, 0, 0, 0};
     f.tables = {{HB_TAG('H', 'V', 'A', 'R'), words(hvar)}};
     CHECK(f.masters(0) == std::vector<std::int32_t>{0, 0x1000, 0x2000, 0x2001, 0x4000});
     CHECK(f.masters(1) == std::vector<std::int32_t>{-0x4000, 0});
@@ -81,8 +81,8 @@ TEST_CASE("regions of gvar are shared, a glyph's own, or between two places", "[
 {
     made_face f;
     // One axis, one shared peak at 36, one glyph with data at 40: three tuples
-    std::vector<int> gvar = {1, 0, 1, 1, 0, 36, 1, 1, 0, 40, 0, 0, 0, 34, 0, 0, 0, 0, 0x3000, 0,
-                             3, 22, 4, 0x0000, 4, 0x8000, -0x2000, 4, 0xC000, 0x1800, 0x1400, 0x2800};
+    std::vector<int> gvar = {1, 0, 1,      1, 0, 36, 1, 1,      0, 40,     0,       0, 0,      34,     0,      0,
+                             0, 0, 0x3000, 0, 3, 22, 4, 0x0000, 4, 0x8000, -0x2000, 4, 0xC000, 0x1800, 0x1400, 0x2800};
     f.tables = {{HB_TAG('g', 'v', 'a', 'r'), words(gvar)}};
     CHECK(f.masters(0) == std::vector<std::int32_t>{-0x2001, -0x2000, 0, 0x1400, 0x1800, 0x2800, 0x3000, 0x3001});
 }

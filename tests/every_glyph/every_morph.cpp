@@ -29,12 +29,13 @@ int main(int argc, char** argv)
         return 57.29577951308232 *
                f.normal_errors[static_cast<std::size_t>(share * static_cast<double>(f.normal_errors.size() - 1))];
     };
-    std::printf("%s %s: %zu glyphs that are not blank: %zu whole, %zu of overlapping solids, %zu split, %zu partly refused, "
-                "%zu refused, %zu pinched; %zu meshes; a vertex at most %.3f cells off, the outline at most %.3f "
-                "tolerances off; %zu triangles turned; normals: half of the glyphs below %.2f degrees, 99 %% below %.2f, all "
-                "below %.2f\n",
-                argv[1], argv[2], f.glyphs, f.whole, f.overlapping, f.split, f.partly_refused, f.refused, f.pinched,
-                f.places, f.far, f.off, f.turned, quantile(0.5), quantile(0.99), quantile(1.0));
+    std::printf(
+        "%s %s: %zu glyphs that are not blank: %zu whole, %zu of overlapping solids, %zu split, %zu partly refused, "
+        "%zu refused, %zu pinched; %zu meshes; a vertex at most %.3f cells off, the outline at most %.3f "
+        "tolerances off; %zu triangles turned; normals: half of the glyphs below %.2f degrees, 99 %% below %.2f, all "
+        "below %.2f\n",
+        argv[1], argv[2], f.glyphs, f.whole, f.overlapping, f.split, f.partly_refused, f.refused, f.pinched, f.places,
+        f.far, f.off, f.turned, quantile(0.5), quantile(0.99), quantile(1.0));
     if (!f.wrong.empty()) std::puts(f.wrong.c_str());
     return f.wrong.empty() ? 0 : 1;
 }

@@ -55,7 +55,8 @@ public:
         {
             for (std::size_t i = item.first; i < item.last;) {
                 const typemesh::code_point c = decode(text, i, item.last);
-                if (!glyphs.push_back({static_cast<typemesh::glyph_id>(c.value - 0xF0000), static_cast<std::uint32_t>(i)}))
+                if (!glyphs.push_back(
+                        {static_cast<typemesh::glyph_id>(c.value - 0xF0000), static_cast<std::uint32_t>(i)}))
                     return typemesh::error::out_of_memory;
                 i = c.next;
             }
@@ -87,13 +88,13 @@ private:
 /// What was found in a font.
 struct morph_findings {
     std::size_t glyphs = 0, whole = 0, overlapping = 0, split = 0, partly_refused = 0, refused = 0, pinched = 0;
-    std::size_t places = 0;     ///< meshes that were compared
-    std::size_t turned = 0;     ///< triangles that do not face the reader, of the compared meshes
-    double far = 0.0;           ///< the greatest distance of a vertex from the font's outline, in cells
-    double off = 0.0;           ///< the greatest distance of the font's outline from the mesh, in tolerances
-    double normal_error = 0.0;  ///< radians, as reported
+    std::size_t places = 0;             ///< meshes that were compared
+    std::size_t turned = 0;             ///< triangles that do not face the reader, of the compared meshes
+    double far = 0.0;                   ///< the greatest distance of a vertex from the font's outline, in cells
+    double off = 0.0;                   ///< the greatest distance of the font's outline from the mesh, in tolerances
+    double normal_error = 0.0;          ///< radians, as reported
     std::vector<double> normal_errors;  ///< one for each glyph
-    std::string wrong;          ///< the first broken law
+    std::string wrong;                  ///< the first broken law
 };
 
 /// Compares morphs of the glyphs of one font with instances that were opened at values of the axis.
@@ -120,7 +121,8 @@ public:
     {
         const char32_t text[] = {static_cast<char32_t>(0xF0000 + id), 0};
         char utf8[5] = {static_cast<char>(0xF3), static_cast<char>(0x80 | ((text[0] >> 12) & 0x3F)),
-                        static_cast<char>(0x80 | ((text[0] >> 6) & 0x3F)), static_cast<char>(0x80 | (text[0] & 0x3F)), 0};
+                        static_cast<char>(0x80 | ((text[0] >> 6) & 0x3F)), static_cast<char>(0x80 | (text[0] & 0x3F)),
+                        0};
         const double em = font_.units_per_em();
         typemesh::morph_options how;
         how.size = em;
@@ -223,8 +225,8 @@ private:
         if (plan.size(section).triangles == 0) return;
         ++found_.places;
         if (!plan.write_at(c, into(vertices_, indices_))) return wrong(id, instance, "it is not written");
-        if (check_closedness(inspect::mesh_view{std::span<const morph_vertex>{vertices_},
-                                                std::span<const std::uint32_t>{indices_}})
+        if (check_closedness(
+                inspect::mesh_view{std::span<const morph_vertex>{vertices_}, std::span<const std::uint32_t>{indices_}})
                 .unmatched_edges != 0)
             return wrong(id, instance, "it is not closed");
 

@@ -34,7 +34,9 @@ struct sampled {
 TEST_CASE("an area that is proven positive is positive at all places, and few others are not proven", "[morph]")
 {
     std::mt19937 random{7};
-    const auto some = [&](int reach) { return static_cast<std::int32_t>(random() % static_cast<unsigned>(2 * reach)) - reach; };
+    const auto some = [&](int reach) {
+        return static_cast<std::int32_t>(random() % static_cast<unsigned>(2 * reach)) - reach;
+    };
     int proven = 0, close = 0;
     for (int i = 0; i < 20000; ++i) {
         const int reach = i % 2 == 0 ? 20 : 5000;
@@ -53,7 +55,8 @@ TEST_CASE("an area that is proven positive is positive at all places, and few ot
 
 TEST_CASE("an area may be zero only at the very ends of a way", "[morph]")
 {
-    const area_path::corners flat{{0, 0}, {10, 0}, {5, 0}}, high{{0, 0}, {10, 0}, {5, 8}}, low{{0, 0}, {10, 0}, {5, -8}};
+    const area_path::corners flat{{0, 0}, {10, 0}, {5, 0}}, high{{0, 0}, {10, 0}, {5, 8}},
+        low{{0, 0}, {10, 0}, {5, -8}};
     CHECK(area_path{flat, high}.is_positive());
     CHECK(area_path{high, flat}.is_positive());
     CHECK_FALSE(area_path{flat, flat}.is_positive());

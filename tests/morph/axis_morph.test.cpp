@@ -51,7 +51,8 @@ TEST_CASE("a report counts letters that are split, refused, overlapping or missi
     CHECK(morph.plan("o", {})->report().pinched == 0);
     CHECK(plan->section_count() > 1);
     std::uint64_t most = 0, last = plan->size(plan->section_count() - 1).triangles;
-    for (std::size_t s = 0; s < plan->section_count(); ++s) most = most > plan->size(s).triangles ? most : plan->size(s).triangles;
+    for (std::size_t s = 0; s < plan->section_count(); ++s)
+        most = most > plan->size(s).triangles ? most : plan->size(s).triangles;
     CHECK(last < most);  // without the refused letter
 }
 

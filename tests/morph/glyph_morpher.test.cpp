@@ -9,7 +9,8 @@
 
 using namespace typemesh;
 
-TEST_CASE("a glyph keeps the keys at which it bends, and sections cover the stretch or are told to be missing", "[morph]")
+TEST_CASE("a glyph keeps the keys at which it bends, and sections cover the stretch or are told to be missing",
+          "[morph]")
 {
     test::toy_axis axis;
     glyph_morpher morpher;
@@ -38,8 +39,8 @@ TEST_CASE("a glyph keeps the keys at which it bends, and sections cover the stre
     CHECK(store.section_over(g[3], -16384, -16000) != nullptr);
     for (const morph_glyph& glyph : g)
         for (const glyph_section& s : store.sections_of(glyph)) {
-            const moving_points moving{store.points.view().subspan(glyph.first_point, glyph.points * glyph.keys),
-                                       glyph.points, {}};
+            const moving_points moving{
+                store.points.view().subspan(glyph.first_point, glyph.points * glyph.keys), glyph.points, {}};
             for (const triangle& t : store.triangles_of(s))
                 for (std::size_t k = s.first_key; k < s.last_key; ++k) CHECK(moving.area(k, t).is_positive());
         }

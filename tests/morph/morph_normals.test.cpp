@@ -31,8 +31,9 @@ TEST_CASE("normals at keys are the curves', and between keys they are wrong by a
             for (int place = 0; place <= 64; ++place) {
                 const double s = place / 64.0;
                 const contour_edge& e = points.edges[i];
-                const point tangent = -1.0 * lerp(hodograph{outlines.curves(0)[e.curve]}.derivative(as_double(e.t0)),
-                                                  hodograph{outlines.curves(1)[e.curve]}.derivative(as_double(e.t0)), s);
+                const point tangent =
+                    -1.0 * lerp(hodograph{outlines.curves(0)[e.curve]}.derivative(as_double(e.t0)),
+                                hodograph{outlines.curves(1)[e.curve]}.derivative(as_double(e.t0)), s);
                 const vec2 a = store.normals[2 * i + 1], b = store.normals[2 * (points.count() + i) + 1];
                 const point mixed = lerp({as_double(a.x), as_double(a.y)}, {as_double(b.x), as_double(b.y)}, s);
                 const point right{tangent.y, -tangent.x};

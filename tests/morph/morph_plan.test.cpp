@@ -71,7 +71,8 @@ TEST_CASE("a morph is closed at every place and outside is outside, in any frame
             for (std::size_t t = 0; t < m.indices.size() && i != -8; t += 3) {
                 const morphed &a = m.vertices[m.indices[t]], &b = m.vertices[m.indices[t + 1]],
                               &c = m.vertices[m.indices[t + 2]];
-                const test::cross_product n{test::subtract(b.position, a.position), test::subtract(c.position, a.position)};
+                const test::cross_product n{test::subtract(b.position, a.position),
+                                            test::subtract(c.position, a.position)};
                 if (n.length() > 1e-6) CHECK(n.along(a.normal) * f.winding > 0.0);
             }
         }
@@ -154,7 +155,8 @@ TEST_CASE("parts of a morph are contiguous, and a flat one has only a front", "[
     const auto deep = morph.plan("o", {}), flat = morph.plan("o", {.depth = 0.0f});
     REQUIRE(deep);
     REQUIRE(flat);
-    const mesh_range front = deep->range(0, part::front), back = deep->range(0, part::back), side = deep->range(0, part::side);
+    const mesh_range front = deep->range(0, part::front), back = deep->range(0, part::back),
+                     side = deep->range(0, part::side);
     CHECK(back.first_vertex == front.vertex_count);
     CHECK(side.first_vertex == 2 * front.vertex_count);
     CHECK(side.first_vertex + side.vertex_count == deep->size(0).vertices);

@@ -50,7 +50,8 @@ TEST_CASE("chords of moving points keep the tolerance at every place", "[morph]"
                     };
                     for (int j = 0; j <= 8; ++j) {
                         const double u = j / 8.0, t = as_double(e.t0) + u * (as_double(e.t1) - as_double(e.t0));
-                        const point on = lerp(outlines.curves(k)[e.curve].at(t), outlines.curves(k + 1)[e.curve].at(t), s);
+                        const point on =
+                            lerp(outlines.curves(k)[e.curve].at(t), outlines.curves(k + 1)[e.curve].at(t), s);
                         most = std::max(most, length(on - lerp(at(i), at(next), u)));
                     }
                 }

@@ -33,7 +33,8 @@ struct tried {
 
 }  // namespace
 
-TEST_CASE("simple contours are proven, and their triangles are as many as Euler wants and positive throughout", "[morph]")
+TEST_CASE("simple contours are proven, and their triangles are as many as Euler wants and positive throughout",
+          "[morph]")
 {
     const tried ring{'o', {-16384, 0, 16384}, {0, 1}};
     CHECK(ring.found == morph_proof::finding::proven);

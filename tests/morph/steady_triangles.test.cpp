@@ -60,8 +60,8 @@ TEST_CASE("a quadrilateral whose diagonal fails is flipped, in one step or over 
     //  3 ---- 2       the corner 2 moves to the diagonal from 1 to 3 and beyond it: only the other diagonal holds
     //  |      |
     //  0 ---- 1
-    std::vector<grid_point> places = {{0, 0},   {100, 0}, {100, 100}, {0, 100}, {0, 0},
-                                      {100, 0}, {60, 60}, {0, 100},   {0, 0},   {100, 0}, {40, 40}, {0, 100}};
+    std::vector<grid_point> places = {{0, 0},   {100, 0}, {100, 100}, {0, 100}, {0, 0},   {100, 0},
+                                      {60, 60}, {0, 100}, {0, 0},     {100, 0}, {40, 40}, {0, 100}};
     const moving_points points{places, 4, {}};
     steady_triangles flips;
     std::vector<triangle> pair = {{0, 1, 3}, {1, 2, 3}};

@@ -29,7 +29,10 @@ public:
     public:
         [[nodiscard]] double units_per_em() const noexcept { return 1000.0; }
         [[nodiscard]] typemesh::fill_rule fill() const noexcept { return typemesh::fill_rule::non_zero; }
-        [[nodiscard]] typemesh::line_metrics metrics(typemesh::direction) const noexcept { return {800.0, -200.0, 0.0}; }
+        [[nodiscard]] typemesh::line_metrics metrics(typemesh::direction) const noexcept
+        {
+            return {800.0, -200.0, 0.0};
+        }
 
         typemesh::error shape(typemesh::text_view text, const typemesh::text_item& item, const typemesh::shape_options&,
                               typemesh::buffer<typemesh::shaped_glyph>& glyphs) noexcept
@@ -38,10 +41,14 @@ public:
             for (std::uint32_t i = item.first; i < item.last; ++i) {
                 char32_t c = text.unit(i);
                 if (c == 'r') c = at < 1000 ? 'o' : 'x';
-                const bool known = c == 'o' || c == 'x' || c == '8' || c == 'w' || c == 'p' || c == 'q' || c == 's' ||
-                                   c == ' ';
+                const bool known =
+                    c == 'o' || c == 'x' || c == '8' || c == 'w' || c == 'p' || c == 'q' || c == 's' || c == ' ';
                 const double v = static_cast<double>(at) / 16384.0;
-                if (!glyphs.push_back({known ? static_cast<glyph_id>(c) : 0u, i, 500.0 + (v < 0.0 ? 40.0 : 100.0) * v, {}, 0,
+                if (!glyphs.push_back({known ? static_cast<glyph_id>(c) : 0u,
+                                       i,
+                                       500.0 + (v < 0.0 ? 40.0 : 100.0) * v,
+                                       {},
+                                       0,
                                        known ? glyph_flags::none : glyph_flags::missing}))
                     return error::out_of_memory;
             }
@@ -63,8 +70,16 @@ public:
                 break;
             case '8': {
                 const double w = 60.0 + 30.0 * v;  // the stroke goes up, round to the right, and back across itself
-                polygon(pen, {{100, 0}, {100, 600}, {500, 600}, {500, 300}, {0, 300}, {0, 300 - w}, {500 + w, 300 - w},
-                              {500 + w, 600 + w}, {100 - w, 600 + w}, {100 - w, 0}});
+                polygon(pen, {{100, 0},
+                              {100, 600},
+                              {500, 600},
+                              {500, 300},
+                              {0, 300},
+                              {0, 300 - w},
+                              {500 + w, 300 - w},
+                              {500 + w, 600 + w},
+                              {100 - w, 600 + w},
+                              {100 - w, 0}});
                 break;
             }
             case 'w':
@@ -119,10 +134,22 @@ public:
         static void ring(Pen& pen, double middle, double r, bool ccw)
         {
             const double k = 0.41421356 * r, m = middle;
-            std::array<typemesh::point, 16> p = {{{r, 0}, {r, -k}, {r * 0.70710678, -r * 0.70710678}, {k, -r},
-                                                  {0, -r}, {-k, -r}, {-r * 0.70710678, -r * 0.70710678}, {-r, -k},
-                                                  {-r, 0}, {-r, k}, {-r * 0.70710678, r * 0.70710678}, {-k, r},
-                                                  {0, r}, {k, r}, {r * 0.70710678, r * 0.70710678}, {r, k}}};
+            std::array<typemesh::point, 16> p = {{{r, 0},
+                                                  {r, -k},
+                                                  {r * 0.70710678, -r * 0.70710678},
+                                                  {k, -r},
+                                                  {0, -r},
+                                                  {-k, -r},
+                                                  {-r * 0.70710678, -r * 0.70710678},
+                                                  {-r, -k},
+                                                  {-r, 0},
+                                                  {-r, k},
+                                                  {-r * 0.70710678, r * 0.70710678},
+                                                  {-k, r},
+                                                  {0, r},
+                                                  {k, r},
+                                                  {r * 0.70710678, r * 0.70710678},
+                                                  {r, k}}};
             for (typemesh::point& q : p) q = {m + q.x, m + (ccw ? -q.y : q.y)};
             pen.move(p[0]);
             for (std::size_t i = 0; i < 16; i += 2) pen.quadratic(p[i + 1], p[(i + 2) % 16]);

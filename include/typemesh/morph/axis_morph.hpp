@@ -113,7 +113,8 @@ private:
                           [](const axis_coordinate& a, const axis_coordinate& b) noexcept { return a < b; });
         std::size_t kept = 0;
         for (std::size_t i = 0; i < list.size(); ++i)
-            if (list[i] >= first && list[i] <= high_ && (kept == 0 || list[kept - 1] != list[i])) list[kept++] = list[i];
+            if (list[i] >= first && list[i] <= high_ && (kept == 0 || list[kept - 1] != list[i]))
+                list[kept++] = list[i];
         list.truncate(kept);
     }
 
@@ -240,9 +241,7 @@ private:
     error find_keys(text_view text, const morph_options& o, const morph_section& s, morph_plan& made) noexcept
     {
         keys_.clear();
-        const auto add = [&](axis_coordinate c) noexcept {
-            return c < s.first || c > s.last || keys_.push_back(c);
-        };
+        const auto add = [&](axis_coordinate c) noexcept { return c < s.first || c > s.last || keys_.push_back(c); };
         bool stored = add(s.first) && add(s.last);
         for (const axis_coordinate c : masters_) stored = stored && add(c);
         for (std::size_t j = s.first_letter; j < made.letters_.size(); ++j)

@@ -57,10 +57,9 @@ public:
     {
         read_gvar();
         read_cff2();
-        for (const auto& [tag, at, wide] : {stored{HB_TAG('G', 'D', 'E', 'F'), 14, true},
-                                            stored{HB_TAG('H', 'V', 'A', 'R'), 4, true},
-                                            stored{HB_TAG('V', 'V', 'A', 'R'), 4, true},
-                                            stored{HB_TAG('M', 'V', 'A', 'R'), 10, false}}) {
+        for (const auto& [tag, at, wide] :
+             {stored{HB_TAG('G', 'D', 'E', 'F'), 14, true}, stored{HB_TAG('H', 'V', 'A', 'R'), 4, true},
+              stored{HB_TAG('V', 'V', 'A', 'R'), 4, true}, stored{HB_TAG('M', 'V', 'A', 'R'), 10, false}}) {
             const font_table table{face_, tag};
             if (tag == HB_TAG('G', 'D', 'E', 'F') && table.u16(2) < 3) continue;
             const std::uint32_t store = wide ? table.u32(at) : table.u16(at);

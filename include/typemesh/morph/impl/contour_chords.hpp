@@ -128,9 +128,7 @@ private:
             return (p > q ? p : q) < (r < s ? r : s) || (r > s ? r : s) < (p < q ? p : q);
         };
         if (apart(a.x, b.x, c.x, d.x) || apart(a.y, b.y, c.y, d.y)) return false;
-        const auto sides = [](std::int64_t p, std::int64_t q) noexcept {
-            return (p > 0 && q > 0) || (p < 0 && q < 0);
-        };
+        const auto sides = [](std::int64_t p, std::int64_t q) noexcept { return (p > 0 && q > 0) || (p < 0 && q < 0); };
         return !sides(orientation(a, b, c), orientation(a, b, d)) && !sides(orientation(c, d, a), orientation(c, d, b));
     }
 

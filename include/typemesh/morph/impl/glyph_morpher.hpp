@@ -45,7 +45,9 @@ public:
     error append(Axis& axis, glyph_id id, array_view<const axis_coordinate> masters, double tolerance,
                  double crease_degrees, morph_store& out) noexcept
     {
-        morph_glyph glyph{.id = id, .first_key = out.keys.size(), .first_point = out.points.size(),
+        morph_glyph glyph{.id = id,
+                          .first_key = out.keys.size(),
+                          .first_point = out.points.size(),
                           .first_corner = out.corners.size(),
                           .first_section = static_cast<std::uint32_t>(out.sections.size())};
         found_.clear(), triangles_.clear();
@@ -205,9 +207,8 @@ private:
             const std::size_t first = key_at(now.first), last = key_at(now.last), before = triangles_.size();
             bool all = true, hopeless = false;
             for (std::size_t g = 0; g + 1 < groups_.size() && all; ++g) {
-                const auto found =
-                    proof_(points_, members_.view().subspan(groups_[g], groups_[g + 1] - groups_[g]),
-                           {first, last - first, 0, area_path::parts}, triangles_);
+                const auto found = proof_(points_, members_.view().subspan(groups_[g], groups_[g + 1] - groups_[g]),
+                                          {first, last - first, 0, area_path::parts}, triangles_);
                 if (!found) return found.error();
                 all = *found == morph_proof::finding::proven;
                 hopeless = hopeless || *found == morph_proof::finding::crossing;

@@ -30,12 +30,7 @@ namespace typemesh::inline TYPEMESH_ABI {
 class morph_proof {
 public:
     explicit morph_proof(memory source = heap()) noexcept
-        : space_{source},
-          loops_{source},
-          names_{source},
-          triangles_{source},
-          best_{source},
-          fixer_{source}
+        : space_{source}, loops_{source}, names_{source}, triangles_{source}, best_{source}, fixer_{source}
     {
     }
 

@@ -51,8 +51,8 @@ struct morph_glyph {
 struct morph_store {
     buffer<morph_glyph> glyphs;
     buffer<axis_coordinate> keys;
-    buffer<grid_point> points;     ///< of each glyph: all points at its first key, at its second key, ...
-    buffer<vec2> normals;          ///< likewise, two for each point: of the wall that arrives and of the one that leaves
+    buffer<grid_point> points;  ///< of each glyph: all points at its first key, at its second key, ...
+    buffer<vec2> normals;       ///< likewise, two for each point: of the wall that arrives and of the one that leaves
     buffer<morph_corner> corners;  ///< of each glyph: one for each point
     buffer<triangle> triangles;    ///< over the points of a glyph
     buffer<glyph_section> sections;

@@ -187,8 +187,7 @@ private:
         constexpr attribute wants = Sink::wants;
         surface_point<wants> v;
         if constexpr (has(wants, attribute::part)) v.part = p;
-        if constexpr (has(wants, attribute::normal))
-            v.normal = Differs ? vec3{} : form.frame(0.0f, 0.0f, facing);
+        if constexpr (has(wants, attribute::normal)) v.normal = Differs ? vec3{} : form.frame(0.0f, 0.0f, facing);
         std::size_t foot = 0;
         for (const morph_letter& l : letters) {
             const morph_glyph& g = store.glyphs[l.glyph];

@@ -78,8 +78,7 @@ private:
     {
         const std::size_t n = points_->size(), half_edges = 3 * triangles_.size();
         twins_.clear(), head_.clear(), next_.clear();
-        if (twins_.append(half_edges) == nullptr || next_.append(half_edges) == nullptr ||
-            head_.append(n) == nullptr)
+        if (twins_.append(half_edges) == nullptr || next_.append(half_edges) == nullptr || head_.append(n) == nullptr)
             return false;
         for (std::uint32_t& h : head_) h = none;
         for (std::uint32_t h = 0; h < half_edges; ++h) {
@@ -101,8 +100,7 @@ private:
         for (std::uint32_t h = 3 * t; h < 3 * t + 3; ++h) {
             const std::uint32_t g = twins_[h];
             if (g == none) continue;
-            const std::uint32_t a = corner(h), b = corner(g), c = corner(after(after(h))),
-                                d = corner(after(after(g)));
+            const std::uint32_t a = corner(h), b = corner(g), c = corner(after(after(h))), d = corner(after(after(g)));
             const std::uint32_t before = fault(triangles_[t]) + fault(triangles_[g / 3]);
             const std::uint32_t then = fault({a, d, c}) + fault({d, b, c});
             if (then < before && before - then > gain) {
