@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <typemesh/adapt/harfbuzz_axis.hpp>
 #include <typemesh/morph/axis_morph.hpp>
+#include <typemesh/outline/outline_recorder.hpp>
 #include <typemesh/vertex/growing_sink.hpp>
 
 #include <algorithm>

@@ -21,16 +21,16 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// Plans texts that move along an axis of a variable font, such as its weight, with the same triangles throughout: morph
-/// targets.
+/// Plans texts that move along an axis of a variable font, such as its weight, with the same triangles throughout:
+/// morph targets.
 ///
 ///     auto weight = harfbuzz_axis::open(*font, "wght");
 ///     axis_morph morph{*weight};
 ///     auto plan = morph.plan("breathe", {.depth = 0.1f});
 ///     plan->write_at(weight->coordinate(550), into(vertices, indices));    // each frame; allocates nothing
 ///
-/// Points lie at the same parameters of the curves at all places of the axis. Between two masters they move evenly along
-/// straight lines, exactly as the font's control points do. The triangles of a section are proven to stay
+/// Points lie at the same parameters of the curves at all places of the axis. Between two masters they move evenly
+/// along straight lines, exactly as the font's control points do. The triangles of a section are proven to stay
 /// counter-clockwise at every place, not only at samples, and outlines to stay simple: morph_proof.hpp. Advances and
 /// kerning move with the masters, too. Where the font replaces glyphs along the axis, a new section begins.
 ///

@@ -16,7 +16,7 @@ namespace typemesh::inline TYPEMESH_ABI {
 ///
 ///         ______________                 A chord joins two points of the contour, u and v. One piece goes from u to v
 ///        |   ______     |                and back along the chord, the other from v to u and back. The two ways along
-///     ___|__|__u   |    |                the chord cancel, so the winding numbers of the pieces add up to those of
+///     ___|__|__u   |    |                the chord cancel, so the winding numbers of the pieces add up to the one of
 ///    |   |  |      |    |                the contour: the pieces together fill what the contour fills. They overlap.
 ///    |___|__v______|    |
 ///        |______________|
@@ -102,7 +102,7 @@ private:
         return fewest < pairs_.size();
     }
 
-    /// The number of crossings in the two pieces of a contour: pairs of which both edges are in one piece, and edges
+    /// The number of crossings in the two pieces of a contour: pairs with both edges in one piece, and edges
     /// that meet the chord. The result is right up to `enough`.
     [[nodiscard]] std::size_t crossings_with(ends chord, std::uint32_t first, std::uint32_t size,
                                              std::size_t enough) const noexcept

@@ -13,12 +13,12 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// The normals of morphed walls: those of the curves, at each key, and how far normals between two keys are wrong.
+/// The normals of morphed walls: the curves' own normals, at each key, and how far normals between two keys are wrong.
 ///
 /// A tangent moves evenly like the control points. A mixture of unit normals has another direction than the normal of
 /// the mixed tangent if the tangents at the two keys differ in length. With an angle a between them, and lengths in the
-/// ratio r, the directions differ by at most 2 atan2(sqrt(r) sin a, 1 + sqrt(r) cos a) - a: a vector (1, q) in the basis
-/// of the two units turns fastest with log q at q = 1, so the largest turn by a factor r lies between 1/sqrt(r) and
+/// ratio r, the directions differ by at most 2 atan2(sqrt(r) sin a, 1 + sqrt(r) cos a) - a: a vector (1, q) in the
+/// basis of the two units turns fastest with log q at q = 1, so the largest turn by a factor r lies between 1/sqrt(r) and
 /// sqrt(r).
 class morph_normals {
 public:
@@ -66,7 +66,7 @@ private:
     }
 
     /// The direction in which an edge arrives at its end or leaves its start at a key, not of unit length. If its curve
-    /// is a point there, the direction is that of the nearest key at which it is none: it is the limit.
+    /// is a point there, the direction at the nearest key where it is none is the limit.
     [[nodiscard]] point tangent_of(std::uint32_t edge, bool arrives, std::size_t key) const noexcept
     {
         for (std::size_t far = 0; far < outlines_.keys(); ++far) {
