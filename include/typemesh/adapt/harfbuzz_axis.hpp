@@ -23,8 +23,8 @@ namespace typemesh::inline TYPEMESH_ABI {
 /// It has a font of its own, with the other axes where the given font has them. Positions of masters come from the
 /// font's tables. It shares the face, so it may outlive the given font. Move-only; used by one thread at a time.
 ///
-/// HarfBuzz before 11 rounds advances to whole font units, so pens between two masters equal HarfBuzz's only within half
-/// a unit per glyph.
+/// HarfBuzz 6.0 rounds advances to whole font units. Pens between two masters then differ from its pens by up to half a
+/// unit per glyph.
 class harfbuzz_axis {
 public:
     /// Fails  error::unknown_variation: the font has no such axis

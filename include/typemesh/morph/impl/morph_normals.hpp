@@ -18,8 +18,8 @@ namespace typemesh::inline TYPEMESH_ABI {
 /// A tangent moves evenly like the control points. A mixture of unit normals has another direction than the normal of
 /// the mixed tangent if the tangents at the two keys differ in length. With an angle a between them, and lengths in the
 /// ratio r, the directions differ by at most 2 atan2(sqrt(r) sin a, 1 + sqrt(r) cos a) - a: a vector (1, q) in the
-/// basis of the two units turns fastest with log q at q = 1, so the largest turn by a factor r lies between 1/sqrt(r) and
-/// sqrt(r).
+/// basis of the two units turns fastest with log q at q = 1, so the largest turn by a factor r lies between 1/sqrt(r)
+/// and sqrt(r).
 class morph_normals {
 public:
     morph_normals(const keyed_outlines& outlines, const morph_points& points, double crease_degrees) noexcept
