@@ -6,6 +6,8 @@
 #include <typemesh/core/buffer.hpp>
 #include <typemesh/core/curve.hpp>
 #include <typemesh/core/finite.hpp>
+#include <typemesh/core/glyph_id.hpp>
+#include <typemesh/core/result.hpp>
 #include <typemesh/layout/variation_axis.hpp>
 #include <typemesh/outline/outline_sink.hpp>
 

@@ -3,6 +3,7 @@
 
 #include <typemesh/core/array_view.hpp>
 #include <typemesh/core/buffer.hpp>
+#include <typemesh/core/error.hpp>
 #include <typemesh/core/glyph_id.hpp>
 #include <typemesh/core/point.hpp>
 #include <typemesh/core/triangle.hpp>
