@@ -17,6 +17,7 @@
 #include "text_source.hpp"
 #include "write_3mf.hpp"
 #include "write_glb.hpp"
+#include "write_morph.hpp"
 #include "write_obj.hpp"
 #include "write_ply.hpp"
 #include "write_png.hpp"
@@ -400,6 +401,7 @@ public:
 
     std::string make()
     {
+        if (!o_.morph.axis.empty()) return make_morph();
         tell_.begin("shaping the text and building its letters");
         typemesh::text_options how = text_options_of(o_);
         stage_clock clock{.tell = &tell_};
@@ -429,6 +431,18 @@ public:
     }
 
 private:
+    std::string make_morph()
+    {
+        tell_.begin("making the morph");
+        std::string said;
+        std::string trouble = write_morph(o_, font_.font(0), files_, said);
+        tell_.clear();
+        if (trouble.empty()) trouble = files_.finish();
+        if (!trouble.empty() || o_.output == standard_output) return trouble;
+        std::puts(said.c_str());
+        return {};
+    }
+
     std::string make_mesh(const options& of_file, chosen_mesher& mesher, typemesh::text_options& how,
                           stage_clock& clock)
     {

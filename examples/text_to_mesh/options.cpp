@@ -95,7 +95,7 @@ std::string version()
 /// Words of the command line that become something else after parsing.
 struct raw_values {
     std::vector<std::string> variations, features, show;
-    std::string uv, fill, fit, lod, profile = "chamfer", refine, bend, path, family, format, anchor, origin;
+    std::string uv, fill, fit, lod, morph, profile = "chamfer", refine, bend, path, family, format, anchor, origin;
     std::optional<typemesh::touching> corners;
     std::optional<double> size, bevel_depth, bevel_steps, letter_spacing;
     bool text_given = false, no_merge = false, tolerance_given = false, shading_given = false, normals_given = false,
@@ -137,6 +137,9 @@ void add_text_options(CLI::App& app, options& out, raw_values& raw)
         ->type_name("AXIS=VALUE")
         ->take_all()
         ->expected(1);
+    app.add_option("--morph", raw.morph,
+                   "in a .glb, move along an axis of a variable font, with morph targets: wght=100..900")
+        ->type_name("AXIS=FROM..TO");
     app.add_option("--feature", raw.features, "set an OpenType feature: smcp, liga=0, -kern; may be repeated")
         ->type_name("TAG[=N]")
         ->take_all()
@@ -697,6 +700,24 @@ std::string refused_letters(const options& o)
     return {};
 }
 
+/// Finishes a morph. Gives an empty string, or one sentence of what is wrong.
+std::string settle_morph(options& out, const raw_values& raw)
+{
+    if (raw.morph.empty()) return {};
+    if (const std::string trouble = read_morph(raw.morph, out.morph); !trouble.empty()) return "--morph " + trouble;
+    if (out.kind != file_kind::glb) return "--morph needs --output FILE.glb";
+    if (out.instances || !out.lod.empty()) return "--morph does not work with --instances or --lod";
+    if (out.family || !out.fallback.empty()) return "--morph needs one font: give it with --font";
+    if (out.markup || !out.styles.empty()) return "--morph does not work with --markup or --style";
+    if (typemesh::is_finite(out.lines.width) || !raw.fit.empty() || out.merge || !out.picture.empty())
+        return "--morph sets plain lines of letters: leave out --width, --fit, --merge and --picture";
+    if (out.bevel.width > 0.0f || out.carve.tool_angle > 0.0f || out.embolden != 0.0f || out.outline.width > 0.0f ||
+        out.inflate.height > 0.0f || out.refine.refiner != refiner_name::none || !raw.bend.empty() ||
+        !raw.path.empty() || out.segments != 1)
+        return "--morph makes plain solids: leave out bevels and whatever else changes their form";
+    return {};
+}
+
 /// Finds out what is to be written. Gives an empty string, or what is wrong.
 std::string settle_files(options& out, const raw_values& raw)
 {
@@ -813,6 +834,7 @@ std::string settle(options& out, const raw_values& raw)
 
     if (std::string trouble = settle_files(out, raw); !trouble.empty()) return trouble;
     if (std::string trouble = settle_levels(out, raw); !trouble.empty()) return trouble;
+    if (std::string trouble = settle_morph(out, raw); !trouble.empty()) return trouble;
     if (std::string trouble = settle_carving(out, raw); !trouble.empty()) return trouble;
     if (std::string trouble = settle_place(out, raw); !trouble.empty()) return trouble;
     if (out.picture.empty() && !raw.show.empty()) return "--show needs --picture";

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "chosen_bend.hpp"
+#include "chosen_morph.hpp"
 #include "chosen_path.hpp"
 #include "file_kind.hpp"
 #include "marked_text.hpp"
@@ -115,6 +116,7 @@ struct options {
     bend_options bend;
     chosen_path path;
     inflate_options inflate;
+    chosen_morph morph;
     preset quality = preset::high;
     double tolerance = typemesh::quality::high;
     std::vector<double> lod;     ///< em; the tolerances of coarser levels of detail, ascending

@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <typemesh/core/impl/tangent.hpp>
+#include <typemesh/core/point.hpp>
+#include <typemesh/morph/impl/keyed_outlines.hpp>
+#include <typemesh/morph/impl/morph_points.hpp>
+#include <typemesh/morph/impl/morph_store.hpp>
+
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+
+namespace typemesh::inline TYPEMESH_ABI {
+
+/// The normals of morphed walls: the curves' own normals, at each key, and how far normals between two keys are wrong.
+///
+/// A tangent moves evenly like the control points. A mixture of unit normals has another direction than the normal of
+/// the mixed tangent if the tangents at the two keys differ in length. With an angle a between them, and lengths in the
+/// ratio r, the directions differ by at most 2 atan2(sqrt(r) sin a, 1 + sqrt(r) cos a) - a: a vector (1, q) in the
+/// basis of the two units turns fastest with log q at q = 1, so the largest turn by a factor r lies between 1/sqrt(r)
+/// and sqrt(r).
+class morph_normals {
+public:
+    morph_normals(const keyed_outlines& outlines, const morph_points& points, double crease_degrees) noexcept
+        : outlines_{outlines}, points_{points}, crease_{std::cos(crease_degrees * 0.017453292519943295)}
+    {
+    }
+
+    /// Appends the corners and normals of the glyph, and fills in its numbers.
+    error append(morph_store& out, morph_glyph& glyph) noexcept
+    {
+        const std::uint32_t n = points_.count();
+        const std::size_t keys = outlines_.keys();
+        morph_corner* const corners = out.corners.append(n);
+        vec2* const normals = out.normals.append(2 * std::size_t{n} * keys);
+        if (corners == nullptr || normals == nullptr) return error::out_of_memory;
+        next_ = corners;
+        for (std::uint32_t c = 0; c < points_.contours(); ++c)
+            for (std::uint32_t i = points_.starts[c]; i < points_.starts[c + 1]; ++i)
+                corners[i] = {i + 1 == points_.starts[c + 1] ? points_.starts[c] : i + 1};
+        for (std::uint32_t c = 0; c < points_.contours(); ++c) {
+            const std::uint32_t first = points_.starts[c], last = points_.starts[c + 1];
+            for (std::uint32_t i = first; i < last; ++i) {
+                const std::uint32_t before = i == first ? last - 1 : i - 1;
+                corners[i].hard = is_hard(before, i);
+                glyph.hard += corners[i].hard ? 1u : 0u;
+                for (std::size_t k = 0; k < keys; ++k) {
+                    point a = unit(normal_of(before, true, k)), b = unit(normal_of(i, false, k));
+                    if (!corners[i].hard) a = b = unit(a + b);
+                    normals[2 * (k * n + i)] = {static_cast<float>(a.x), static_cast<float>(a.y)};
+                    normals[2 * (k * n + i) + 1] = {static_cast<float>(b.x), static_cast<float>(b.y)};
+                }
+                note_error(before, true, glyph);
+                note_error(i, false, glyph);
+            }
+        }
+        return {};
+    }
+
+private:
+    static point unit(point p) noexcept
+    {
+        const double size = length(p);
+        return size > 0.0 ? (1.0 / size) * p : p;
+    }
+
+    /// The direction in which an edge arrives at its end or leaves its start at a key, not of unit length. If its curve
+    /// is a point there, the direction at the nearest key where it is none is the limit.
+    [[nodiscard]] point tangent_of(std::uint32_t edge, bool arrives, std::size_t key) const noexcept
+    {
+        for (std::size_t far = 0; far < outlines_.keys(); ++far) {
+            for (const bool ahead : {true, false}) {
+                const std::size_t k = ahead ? key + far : key - far;
+                if (k >= outlines_.keys()) continue;
+                const point t = tangent_at(edge, arrives, k);
+                if (dot(t, t) > 0.0) return t;
+            }
+        }
+        return {0.0, 1.0};
+    }
+    [[nodiscard]] point tangent_at(std::uint32_t edge, bool arrives, std::size_t key) const noexcept
+    {
+        const contour_edge& e = points_.edges[edge];
+        if (points_.is_chord(edge)) {
+            const grid_point* const at = points_.places.data() + key * points_.count();
+            const grid_point p = at[edge], q = at[next_[edge].next];
+            return {static_cast<double>(q.x) - p.x, static_cast<double>(q.y) - p.y};
+        }
+        const bool forth = e.t0 <= e.t1;
+        const hodograph h{outlines_.curves(key)[e.curve], forth ? 1.0 : -1.0};
+        const tangents t = h.at(as_double(arrives ? e.t1 : e.t0));
+        return arrives == forth ? t.before : t.after;
+    }
+    [[nodiscard]] point normal_of(std::uint32_t edge, bool arrives, std::size_t key) const noexcept
+    {
+        const point t = tangent_of(edge, arrives, key);
+        return {t.y, -t.x};
+    }
+
+    /// Whether the curves meet at an angle above the crease angle, at any key.
+    [[nodiscard]] bool is_hard(std::uint32_t before, std::uint32_t at) const noexcept
+    {
+        for (std::size_t k = 0; k < outlines_.keys(); ++k) {
+            const point a = unit(tangent_of(before, true, k)), b = unit(tangent_of(at, false, k));
+            if (dot(a, b) < crease_) return true;
+        }
+        return false;
+    }
+
+    void note_error(std::uint32_t edge, bool arrives, morph_glyph& glyph) const noexcept
+    {
+        for (std::size_t k = 0; k + 1 < outlines_.keys(); ++k) {
+            const point a = tangent_at(edge, arrives, k), b = tangent_at(edge, arrives, k + 1);
+            if (points_.is_chord(edge) || !(dot(a, a) > 0.0) || !(dot(b, b) > 0.0)) continue;
+            const double angle = std::fabs(std::atan2(cross(a, b), dot(a, b)));
+            double root = std::sqrt(length(b) / length(a));
+            if (root < 1.0) root = 1.0 / root;
+            const double wrong = 2.0 * std::atan2(root * std::sin(angle), 1.0 + root * std::cos(angle)) - angle;
+            if (wrong > glyph.normal_error) glyph.normal_error = wrong;
+        }
+    }
+
+    const keyed_outlines& outlines_;
+    const morph_points& points_;
+    double crease_;
+    const morph_corner* next_ = nullptr;
+};
+
+}  // namespace typemesh::inline TYPEMESH_ABI
