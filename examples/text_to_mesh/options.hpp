@@ -9,6 +9,7 @@
 #include "placing.hpp"
 #include "styled_range.hpp"
 
+#include <typemesh/colour/layer_regions.hpp>
 #include <typemesh/extrude/bevelled.hpp>
 #include <typemesh/extrude/carved.hpp>
 #include <typemesh/extrude/inflated.hpp>
@@ -23,6 +24,8 @@
 #include <vector>
 
 namespace text_to_mesh {
+
+class colour_layers;
 
 enum class discretiser_name { certified, two_lines, adaptive };
 enum class triangulator_name { monotone, delaunay };
@@ -100,6 +103,8 @@ struct options {
     bool markup = false;                       ///< the text has tags
     std::shared_ptr<marked_text> marked;       ///< they have been read
     std::optional<rgb_colour> colour;          ///< of what no style has a colour for
+    std::optional<typemesh::layer_cut> colour_layers;       ///< colour glyphs are drawn as layers
+    std::shared_ptr<text_to_mesh::colour_layers> layers;  ///< they have been read
     bool even_lines = false;                   ///< by total_fit, else by first_fit
     double fit_width = 0.0, fit_height = 0.0;  ///< of the box that gives the size; 0: none
 
