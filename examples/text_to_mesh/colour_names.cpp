@@ -39,8 +39,8 @@ std::optional<rgb_colour> read_colour(std::string_view written)
 std::string name_of(const rgb_colour& colour)
 {
     for (const auto& [name, known] : named)
-        if (colour.alpha == 255 &&
-            std::equal(std::begin(known.rgb), std::end(known.rgb), colour.rgb)) return std::string{name};
+        if (colour.alpha == 255 && std::equal(std::begin(known.rgb), std::end(known.rgb), colour.rgb))
+            return std::string{name};
     std::string name;
     for (const unsigned char c : colour.rgb) {
         name += digits[c / 16];

@@ -224,8 +224,8 @@ bool is_stacked(const options& o) { return o.layers && o.colour_layers == typeme
 
 /// The whole mesh of a run with stacked layers. The lowest level is as deep as the text, and each further level a thin
 /// solid on the front of the level below it.
-typemesh::result<void> write_levels(const options& o, const typemesh::glyph_run& page, const typemesh::text_options& how,
-                                    model& out)
+typemesh::result<void> write_levels(const options& o, const typemesh::glyph_run& page,
+                                    const typemesh::text_options& how, model& out)
 {
     auto& source = o.layers->source();
     chosen_mesher mesher{source};

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "marked_text.hpp"
 
-#include "option_values.hpp"
 #include "colour_layers.hpp"
+#include "option_values.hpp"
 #include "options.hpp"
 
 #include <algorithm>

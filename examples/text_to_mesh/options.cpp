@@ -95,7 +95,8 @@ std::string version()
 /// Words of the command line that become something else after parsing.
 struct raw_values {
     std::vector<std::string> variations, features, show;
-    std::string uv, fill, fit, lod, colour_layers, profile = "chamfer", refine, bend, path, family, format, anchor, origin;
+    std::string uv, fill, fit, lod, colour_layers, profile = "chamfer", refine, bend, path, family, format, anchor,
+                                                   origin;
     std::optional<typemesh::touching> corners;
     std::optional<double> size, bevel_depth, bevel_steps, letter_spacing;
     bool text_given = false, no_merge = false, tolerance_given = false, shading_given = false, normals_given = false,
@@ -693,7 +694,8 @@ std::string settle_colour_layers(options& out, const raw_values& raw)
         return "--colour-layers must be visible or stacked, not " + raw.colour_layers;
     const bool stacked = raw.colour_layers == "stacked";
     out.colour_layers = stacked ? typemesh::layer_cut::stacked : typemesh::layer_cut::visible;
-    if (!out.output.empty() && !holds_colours(out.kind)) return "--colour-layers needs a file with colours: .glb, .obj or .3mf";
+    if (!out.output.empty() && !holds_colours(out.kind))
+        return "--colour-layers needs a file with colours: .glb, .obj or .3mf";
     if (out.markup) return "--colour-layers does not work with --markup";
     if (out.discretiser != discretiser_name::certified) return "--colour-layers needs --discretiser certified";
     if (out.show_contours || out.show_points || out.show_control) return "--colour-layers does not work with --show";

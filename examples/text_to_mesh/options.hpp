@@ -100,13 +100,13 @@ struct options {
     typemesh::layout_options lines;
     std::string ellipsis;
     std::vector<styled_range> styles;
-    bool markup = false;                       ///< the text has tags
-    std::shared_ptr<marked_text> marked;       ///< they have been read
-    std::optional<rgb_colour> colour;          ///< of what no style has a colour for
-    std::optional<typemesh::layer_cut> colour_layers;       ///< colour glyphs are drawn as layers
+    bool markup = false;                                  ///< the text has tags
+    std::shared_ptr<marked_text> marked;                  ///< they have been read
+    std::optional<rgb_colour> colour;                     ///< of what no style has a colour for
+    std::optional<typemesh::layer_cut> colour_layers;     ///< colour glyphs are drawn as layers
     std::shared_ptr<text_to_mesh::colour_layers> layers;  ///< they have been read
-    bool even_lines = false;                   ///< by total_fit, else by first_fit
-    double fit_width = 0.0, fit_height = 0.0;  ///< of the box that gives the size; 0: none
+    bool even_lines = false;                              ///< by total_fit, else by first_fit
+    double fit_width = 0.0, fit_height = 0.0;             ///< of the box that gives the size; 0: none
 
     double size = 1.0;  ///< of an em in the file
     placing place;

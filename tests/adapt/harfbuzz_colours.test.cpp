@@ -55,7 +55,8 @@ TEST_CASE("layers and colours of a font are those that HarfBuzz reads", "[adapt]
         all_layers += count;
         for (unsigned i = 0; i < count; ++i) {
             const glyph_paint& paint = g.layers[i].paint;
-            wrong += g.shapes[g.layers[i].shape].id != layers[i].glyph || paint.entry != layers[i].color_index ? 1u : 0u;
+            wrong +=
+                g.shapes[g.layers[i].shape].id != layers[i].glyph || paint.entry != layers[i].color_index ? 1u : 0u;
             if (layers[i].color_index >= palette_size) continue;
             const hb_color_t c = palette[layers[i].color_index];
             wrong += paint.colour.red != hb_color_get_red(c) || paint.colour.green != hb_color_get_green(c) ||
@@ -79,7 +80,8 @@ TEST_CASE("a coloured verse is one mesh of closed solids in several styles", "[a
     REQUIRE(colours.use(0, tables->tables()));
     text_mesher mesher{colours, extruded<>{}};
     test::full_mesh m;
-    const auto plan = mesher.plan("بِسۡمِ ٱللَّهِ ٱلرَّحۡمَٰنِ ٱلرَّحِيمِ ۝", {}, colours.edit());
+    const auto plan =
+        mesher.plan("بِسۡمِ ٱللَّهِ ٱلرَّحۡمَٰنِ ٱلرَّحِيمِ ۝", {}, colours.edit());
     REQUIRE(plan);
     REQUIRE(colours.report());
     CHECK(colours.report()->coloured > 5);

@@ -80,9 +80,9 @@ TEST_CASE("a run's colour glyphs become layers in their order, its lines and oth
     CHECK(run.glyphs[9].id == 2);
     CHECK(run.glyphs[9].missing);
     const auto style = [&](std::size_t i) { return run.glyph_styles[run.glyphs[i].glyph_style].style; };
-    CHECK(style(0) == style(4));             // red
+    CHECK(style(0) == style(4));  // red
     CHECK(style(0) == style(6));
-    CHECK(style(1) == style_id{0});          // the text's own
+    CHECK(style(1) == style_id{0});  // the text's own
     CHECK(style(7) == style_id{7});
     CHECK(style(2) != style(5));
     REQUIRE(colours.style_of(style(5)) != nullptr);

@@ -52,7 +52,8 @@ TEST_CASE("sweeps turn counter-clockwise, and maps are undone", "[colour]")
 
 TEST_CASE("colours between stops mix, and extend beyond them as asked", "[colour]")
 {
-    const gradient_stop stops[] = {{0.0, {0, 0, 0, 0.0f}, 0}, {0.5, {200, 100, 0, 1.0f}, 1}, {1.0, {0, 0, 250, 1.0f}, 2}};
+    const gradient_stop stops[] = {
+        {0.0, {0, 0, 0, 0.0f}, 0}, {0.5, {200, 100, 0, 1.0f}, 1}, {1.0, {0, 0, 250, 1.0f}, 2}};
     const auto at = [&](gradient_extend extend, double place) { return gradient_colour(stops, extend, place); };
     CHECK(at(gradient_extend::pad, 0.25) == palette_colour{100, 50, 0, 0.5f});
     CHECK(at(gradient_extend::pad, -3.0) == stops[0].colour);

@@ -116,7 +116,7 @@ TEST_CASE("transforms, clips and composites give the areas of plane geometry", "
     const auto one = [&](const paint& root, const std::vector<clip_box>& clips = {}) {
         return areas_of(outlines, painted_font({{1, root}}, {}, clips), layer_cut::visible);
     };
-    const double disc = 200.0 * 200.0 * 3.14159265358979, rough = 0.006 * disc;
+    const double disc = 200.0 * 200.0 * 3.14159265358979, rough = 0.009 * disc;
     const paint square = test::glyph(solid(0), 5), round = test::glyph(solid(1), 10);
     const double quarter = disc / 4;  // of the disc lies in the square
 
@@ -144,9 +144,9 @@ TEST_CASE("neighbouring layers share every point of their common boundary", "[co
 {
     recorded_outlines outlines = squares_and_disc();
     // A turned square, a disc over its corner and a slanted square over both.
-    const colour_font font = painted_font(
-        {{1, colr_layers(3, 0)}}, {moved(24, {0.03}, {}, test::glyph(solid(0), 7)), test::glyph(solid(1), 10),
-                                   moved(28, {0.11, 0.07}, {}, test::glyph(solid(2), 4))});
+    const colour_font font = painted_font({{1, colr_layers(3, 0)}},
+                                          {moved(24, {0.03}, {}, test::glyph(solid(0), 7)), test::glyph(solid(1), 10),
+                                           moved(28, {0.11, 0.07}, {}, test::glyph(solid(2), 4))});
     colour_glyph g;
     REQUIRE(read_colour_glyph(font.tables(), 1, {}, g));
     layer_regions regions;

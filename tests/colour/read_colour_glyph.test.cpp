@@ -176,12 +176,13 @@ TEST_CASE("composites keep what their mode says, in its order", "[colour]")
         unsigned mode;
         const char* layers;  // S, B: whole; s, b: within the other; -: without the other
     };
-    const expected all[] = {{0, ""},    {1, "S"},    {2, "B"},       {3, "B S"},  {4, "S B"},  {5, "s"},       {6, "b"},
-                            {7, "-S"},  {8, "-B"},   {9, "B s"},     {10, "S b"}, {11, "-B -S"}, {12, "B S"}, {23, "B S"},
-                            {27, "B S"}};
+    const expected all[] = {{0, ""},     {1, "S"},      {2, "B"},    {3, "B S"},  {4, "S B"},
+                            {5, "s"},    {6, "b"},      {7, "-S"},   {8, "-B"},   {9, "B s"},
+                            {10, "S b"}, {11, "-B -S"}, {12, "B S"}, {23, "B S"}, {27, "B S"}};
     for (const expected& e : all) {
         INFO("mode " << e.mode);
-        const colour_font font = painted_font({{1, composite(test::glyph(solid(0), 5), e.mode, test::glyph(solid(1), 6))}});
+        const colour_font font =
+            painted_font({{1, composite(test::glyph(solid(0), 5), e.mode, test::glyph(solid(1), 6))}});
         colour_glyph g;
         REQUIRE(read_colour_glyph(font.tables(), 1, {}, g));
         std::string found;
@@ -229,9 +230,9 @@ TEST_CASE("variable paints are read at the place on the axes", "[colour]")
     store.u16(1).u16(1).fraction(0.0).fraction(1.0).fraction(1.0);
     store.u16(3).u16(1).u16(1).u16(0).i16(100).i16(-50).i16(4096);
     const paint inner = test::glyph(solid(0), 4);
-    colour_font font =
-        painted_font({{1, moved(15, {}, {10, 20}, inner, 0)}, {2, test::glyph(paint{}.u8(3).u16(0).fraction(0.5).u32(2), 4)}},
-                     {}, {}, store);
+    colour_font font = painted_font(
+        {{1, moved(15, {}, {10, 20}, inner, 0)}, {2, test::glyph(paint{}.u8(3).u16(0).fraction(0.5).u32(2), 4)}}, {},
+        {}, store);
     const auto place = [&](double axis) {
         font.axes = {static_cast<std::int32_t>(axis * 16384)};
         colour_glyph g;
@@ -297,7 +298,8 @@ TEST_CASE("damaged colour tables end in layers or in one error", "[colour]")
         for (int round = 0; round < 4000; ++round) {
             colour_font font = whole;
             for (unsigned n = random() % 4 + 1; n-- > 0;)
-                font.colr.bytes[random() % font.colr.size()] = static_cast<std::byte>(random() % 3 == 0 ? 0xFF : random());
+                font.colr.bytes[random() % font.colr.size()] =
+                    static_cast<std::byte>(random() % 3 == 0 ? 0xFF : random());
             if (round % 4 == 0) font.colr.bytes.resize(random() % font.colr.size());
             if (round % 5 == 0) font.cpal.bytes.resize(random() % font.cpal.size());
             for (const glyph_id id : {3u, 6u}) {
@@ -321,8 +323,9 @@ TEST_CASE("damaged colour tables end in layers or in one error", "[colour]")
 
 TEST_CASE("colour glyphs are read with failing memory", "[colour]")
 {
-    const colour_font font = painted_font({{1, composite(test::glyph(solid(0), 5), 5, colr_layers(1, 0))}},
-                                          {test::glyph(linear({0, 0, 1, 1, 2, 2}, colour_line(0, {{0, 1}, {1, 2}})), 2)});
+    const colour_font font =
+        painted_font({{1, composite(test::glyph(solid(0), 5), 5, colr_layers(1, 0))}},
+                     {test::glyph(linear({0, 0, 1, 1, 2, 2}, colour_line(0, {{0, 1}, {1, 2}})), 2)});
     const std::size_t requests = check_each_failure([&](memory source) {
         colour_glyph g{source};
         const auto found = read_colour_glyph(font.tables(), 1, {}, g);

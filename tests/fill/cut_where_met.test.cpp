@@ -44,8 +44,8 @@ std::vector<edge> edges_of(const contours& loops)
 
 bool lies_inside(grid_point p, const edge& e)
 {
-    return !(p == e.a) && !(p == e.b) && orientation(e.a, e.b, p) == 0 && (p.x - e.a.x) * std::int64_t{p.x - e.b.x} <= 0 &&
-           (p.y - e.a.y) * std::int64_t{p.y - e.b.y} <= 0;
+    return !(p == e.a) && !(p == e.b) && orientation(e.a, e.b, p) == 0 &&
+           (p.x - e.a.x) * std::int64_t{p.x - e.b.x} <= 0 && (p.y - e.a.y) * std::int64_t{p.y - e.b.y} <= 0;
 }
 bool cross(const edge& e, const edge& f)
 {
@@ -170,7 +170,8 @@ TEST_CASE("regions that were cut together are joined and cut without moving a po
 
 TEST_CASE("too many pieces and failing memory are refused", "[cut]")
 {
-    const polyline comb{{0, 0}, {1000, 7}, {0, 11}, {1000, 17}, {0, 23}, {1000, 31}}, bars{{100, -50}, {137, 60}, {171, -50}, {223, 60}};
+    const polyline comb{{0, 0}, {1000, 7}, {0, 11}, {1000, 17}, {0, 23}, {1000, 31}},
+        bars{{100, -50}, {137, 60}, {171, -50}, {223, 60}};
     contours loops;
     workspace space;
     REQUIRE(put(loops, {comb, bars}));

@@ -107,8 +107,8 @@ struct colour_font {
 inline table_writer two_palettes()
 {
     table_writer t = table_writer{}.u16(0).u16(4).u16(2).u16(8).u32(16).u16(0).u16(4);
-    for (const std::uint32_t bgra : {0x0000FFFFu, 0x00FF00FFu, 0xFF0000FFu, 0xFFFFFF80u, 0xFFFF00FFu, 0xFF00FFFFu,
-                                     0x00FFFFFFu, 0x000000FFu})
+    for (const std::uint32_t bgra :
+         {0x0000FFFFu, 0x00FF00FFu, 0xFF0000FFu, 0xFFFFFF80u, 0xFFFF00FFu, 0xFF00FFFFu, 0x00FFFFFFu, 0x000000FFu})
         t.u32(bgra);
     return t;
 }

@@ -37,10 +37,10 @@ struct colour_options {
 
 /// What split() found in a run.
 struct colour_report {
-    std::uint32_t coloured = 0;  ///< glyphs that were replaced by their layers
-    std::uint32_t refused = 0;   ///< glyphs whose colours cannot be read or cut, which stay as they were
-    error first_refusal = {};    ///< the reason for the first of them, with the glyph and its cluster
-    std::uint32_t blended = 0;   ///< glyphs with composites whose colours should mix: see colour_glyph::blended
+    std::uint32_t coloured = 0;     ///< glyphs that were replaced by their layers
+    std::uint32_t refused = 0;      ///< glyphs whose colours cannot be read or cut, which stay as they were
+    error first_refusal = {};       ///< the reason for the first of them, with the glyph and its cluster
+    std::uint32_t blended = 0;      ///< glyphs with composites whose colours should mix: see colour_glyph::blended
     std::uint32_t translucent = 0;  ///< glyphs with a translucent layer above others, which hides these in
                                     ///< layer_cut::visible, or that cuts others
     std::uint32_t unbounded = 0;    ///< glyphs that lack a layer without bounds
@@ -167,7 +167,7 @@ public:
         const auto found = built(face, detail::glyph_of_layer(id));
         if (!found) return found.error();
         return layers_.draw(*found, detail::number_of_layer(id), sink) ? error{}
-                                                                      : error{error::unknown_glyph}.at(id, no_cluster);
+                                                                       : error{error::unknown_glyph}.at(id, no_cluster);
     }
     template <outline_sink Sink>
     error outline(glyph_id id, Sink& sink) noexcept
@@ -230,8 +230,8 @@ private:
             glyph_.clear();
         }
         if (refusal == error::out_of_memory) return refusal;
-        return layers_.add(face, id, glyph_, regions_, options_.layers == layer_cut::stacked, coloured && !refusal,
-                           refusal);
+        return layers_.add({.face = face, .id = id, .coloured = coloured && !refusal, .refusal = refusal}, glyph_,
+                           regions_, options_.layers == layer_cut::stacked);
     }
 
     /// Whether a glyph of a face has no outline.

@@ -33,8 +33,8 @@ enum class layer_cut : std::uint8_t { stacked, visible };
 
 /// The regions of all layers of one colour glyph, on one grid. All outlines are cut in the points where they meet, once,
 /// before anything else; then shapes and layers are joined and cut without moving a point. So two layers have each
-/// stretch of their common boundary in the same points, and the doubled areas of the visible layers add up to that of
-/// the silhouette, as integers.
+/// stretch of their common boundary in the same points, and the doubled areas of the visible layers add up to the
+/// area of the silhouette, as integers.
 ///
 ///     auto done = regions.build(font, 0, drawn, quality::normal, layer_cut::visible);
 ///     contours loops;
@@ -44,7 +44,13 @@ enum class layer_cut : std::uint8_t { stacked, visible };
 class layer_regions {
 public:
     explicit layer_regions(memory source = heap()) noexcept
-        : one_{source}, whole_{source}, flat_{source}, pool_{source}, parts_{source}, shapes_{source}, layers_{source},
+        : one_{source},
+          whole_{source},
+          flat_{source},
+          pool_{source},
+          parts_{source},
+          shapes_{source},
+          layers_{source},
           space_{source}
     {
     }
@@ -214,7 +220,7 @@ private:
     }
 
     outline one_;    // the outline of a shape
-    outline whole_;  // those of all shapes
+    outline whole_;  // the outlines of all shapes
     contours flat_;
     detail::region_pool pool_;
     buffer<part> parts_;

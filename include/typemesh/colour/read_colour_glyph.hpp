@@ -14,9 +14,9 @@ namespace typemesh::inline TYPEMESH_ABI {
 
 /// The choices in reading colour glyphs, and the limits against hostile tables.
 struct colour_choice {
-    std::uint32_t palette = 0;         ///< the number of the palette; numbers that the font does not have mean palette 0
-    palette_colour foreground = {};    ///< the colour of the text, for stops of gradients and means
-    std::uint32_t max_layers = 4096;   ///< the greatest number of layers of a glyph; at most 32,767 count
+    std::uint32_t palette = 0;        ///< the number of the palette; numbers that the font does not have mean palette 0
+    palette_colour foreground = {};   ///< the colour of the text, for stops of gradients and means
+    std::uint32_t max_layers = 4096;  ///< the greatest number of layers of a glyph; at most 32,767 count
     std::uint32_t max_paints = 65536;  ///< the greatest number of paints read for a glyph, each repetition counted
 };
 

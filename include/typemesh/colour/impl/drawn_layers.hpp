@@ -60,8 +60,16 @@ public:
     };
 
     explicit drawn_layers(memory source) noexcept
-        : glyphs_{source}, layers_{source}, curves_{source}, starts_{source}, styles_{source}, stops_{source},
-          scratch_{source}, loops_{source}, drawn_{source}, index_{source}
+        : glyphs_{source},
+          layers_{source},
+          curves_{source},
+          starts_{source},
+          styles_{source},
+          stops_{source},
+          scratch_{source},
+          loops_{source},
+          drawn_{source},
+          index_{source}
     {
     }
 
@@ -86,16 +94,17 @@ public:
     [[nodiscard]] array_view<const gradient_stop> stops() const noexcept { return stops_.view(); }
     [[nodiscard]] buffer<std::uint32_t>& scratch() noexcept { return scratch_; }
 
-    /// Keeps a glyph, with its layers if it is `coloured`.
-    [[nodiscard]] result<std::size_t> add(std::uint32_t face, glyph_id id, const colour_glyph& from,
-                                          const layer_regions& regions, bool stacked, bool coloured,
-                                          const error& refusal) noexcept
+    /// Keeps a glyph, with its layers if it is coloured.
+    [[nodiscard]] result<std::size_t> add(glyph g, const colour_glyph& from, const layer_regions& regions,
+                                          bool stacked) noexcept
     {
-        glyph g{face, id, layers_.size(), 0, coloured, from.blended != 0, from.translucent != 0, from.unbounded != 0,
-                refusal};
+        g.first = layers_.size();
+        g.blended = from.blended != 0;
+        g.translucent = from.translucent != 0;
+        g.unbounded = from.unbounded != 0;
         const std::size_t curves = curves_.size(), starts = starts_.size(), stops = stops_.size();
         error e;
-        for (std::size_t i = 0; coloured && i < from.layers.size() && !e; ++i) {
+        for (std::size_t i = 0; g.coloured && i < from.layers.size() && !e; ++i) {
             e = add_layer(from, i, regions, stacked);
             const bool hides = i != 0 && from.layers[i].paint.colour.alpha < 1.0f && !stacked;
             g.translucent = g.translucent || hides;
@@ -166,8 +175,8 @@ private:
 
     [[nodiscard]] static bool are_alike(const colour_style& a, const colour_style& b) noexcept
     {
-        return a.paint.kind == paint_kind::solid && a.paint.entry == b.paint.entry && a.paint.colour == b.paint.colour &&
-               a.face == b.face && a.own == b.own && a.level == b.level;
+        return a.paint.kind == paint_kind::solid && a.paint.entry == b.paint.entry &&
+               a.paint.colour == b.paint.colour && a.face == b.face && a.own == b.own && a.level == b.level;
     }
 
     [[nodiscard]] error add_layer(const colour_glyph& from, std::size_t i, const layer_regions& regions,
@@ -194,7 +203,7 @@ private:
     buffer<glyph> glyphs_;
     buffer<drawn> layers_;
     buffer<curve> curves_;
-    buffer<std::uint32_t> starts_;  // the first curve of each contour, from that of the layer
+    buffer<std::uint32_t> starts_;  // the first curve of each contour, from the layer's first
     buffer<colour_style> styles_;
     buffer<gradient_stop> stops_;
     buffer<std::uint32_t> scratch_;

@@ -28,8 +28,20 @@ public:
     [[nodiscard]] bool apply(std::uint32_t mode) noexcept
     {
         enum : std::uint32_t {
-            clear, source, backdrop, over, backdrop_over, in, backdrop_in, out, backdrop_out, atop, backdrop_atop, exclusive,
-            plus, last = 27
+            clear,
+            source,
+            backdrop,
+            over,
+            backdrop_over,
+            in,
+            backdrop_in,
+            out,
+            backdrop_out,
+            atop,
+            backdrop_atop,
+            exclusive,
+            plus,
+            last = 27
         };
         if (mode > last) return false;
         if (mode >= plus) {

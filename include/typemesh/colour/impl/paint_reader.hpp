@@ -50,7 +50,8 @@ public:
             found = read_flat(id);
         }
         if (shapes_.is_out_of_memory()) failed_ = error::out_of_memory;
-        if (!failed_ && (shapes_.is_full() || deltas_.is_exhausted() || (found && (colr_.is_short() || cpal_.is_short()))))
+        if (!failed_ &&
+            (shapes_.is_full() || deltas_.is_exhausted() || (found && (colr_.is_short() || cpal_.is_short()))))
             failed_ = error::bad_colours;
         if (failed_) return failed_;
         return found;
@@ -195,13 +196,7 @@ private:
         --paints_left_;
         const auto inner = [&](std::size_t field) noexcept { return at + colr_.u24(field); };
         switch (format) {
-        case 1: {
-            const std::size_t count = colr_.u8(at + 1), first = colr_.u32(at + 2), all = colr_.u32(layer_list_);
-            if (layer_list_ == 0 || first > all || count > all - first) failed_ = error::bad_colours;
-            for (std::size_t i = first; i < first + count && !failed_; ++i)
-                paint_at(layer_list_ + colr_.u32(layer_list_ + 4 + 4 * i), map, clip, depth + 1);
-            return;
-        }
+        case 1: read_layers(at, map, clip, depth); return;
         case 2:
         case 3: {
             glyph_paint paint;
@@ -229,23 +224,7 @@ private:
                 paint_at(root, map, clip, depth + 1);
             return;
         }
-        case 32: {
-            const std::size_t source = inner(at + 1), backdrop = inner(at + 5);
-            const std::uint32_t mode = colr_.u8(at + 4);
-            const std::size_t first = out_.layers.size();
-            ++depth_of_groups_;
-            paint_at(backdrop, map, clip, depth + 1);
-            const std::size_t middle = out_.layers.size();
-            paint_at(source, map, clip, depth + 1);
-            --depth_of_groups_;
-            if (failed_) return;
-            layer_composite group{out_, shapes_, first, middle};
-            if (!group.apply(mode))
-                failed_ = error::bad_colours;
-            else if (depth_of_groups_ == 0)
-                settle(first);
-            return;
-        }
+        case 32: read_composite(at, map, clip, depth); return;
         default:
             if (format < 12 || format > 31) {
                 failed_ = error::bad_colours;
@@ -253,6 +232,32 @@ private:
             }
             paint_at(inner(at + 1), read_transform(at, format, map), clip, depth + 1);
         }
+    }
+
+    void read_layers(std::size_t at, const affine& map, std::uint32_t clip, std::uint32_t depth) noexcept
+    {
+        const std::size_t count = colr_.u8(at + 1), first = colr_.u32(at + 2), all = colr_.u32(layer_list_);
+        if (layer_list_ == 0 || first > all || count > all - first) failed_ = error::bad_colours;
+        for (std::size_t i = first; i < first + count && !failed_; ++i)
+            paint_at(layer_list_ + colr_.u32(layer_list_ + 4 + 4 * i), map, clip, depth + 1);
+    }
+
+    void read_composite(std::size_t at, const affine& map, std::uint32_t clip, std::uint32_t depth) noexcept
+    {
+        const std::size_t source = at + colr_.u24(at + 1), backdrop = at + colr_.u24(at + 5);
+        const std::uint32_t mode = colr_.u8(at + 4);
+        const std::size_t first = out_.layers.size();
+        ++depth_of_groups_;
+        paint_at(backdrop, map, clip, depth + 1);
+        const std::size_t middle = out_.layers.size();
+        paint_at(source, map, clip, depth + 1);
+        --depth_of_groups_;
+        if (failed_) return;
+        layer_composite group{out_, shapes_, first, middle};
+        if (!group.apply(mode))
+            failed_ = error::bad_colours;
+        else if (depth_of_groups_ == 0)
+            settle(first);
     }
 
     /// Layers of a finished group that still fill the whole plane fill the clip box.
@@ -376,8 +381,8 @@ private:
     shape_builder shapes_;
     variation_deltas deltas_;
     std::size_t base_list_ = 0, layer_list_ = 0, clip_list_ = 0;
-    std::uint32_t entries_ = 0;   // of the palette
-    std::size_t colours_ = 0;     // the place of its first colour
+    std::uint32_t entries_ = 0;  // of the palette
+    std::size_t colours_ = 0;    // the place of its first colour
     std::uint32_t depth_of_groups_ = 0;
     error failed_;
 };

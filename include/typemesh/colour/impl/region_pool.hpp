@@ -28,7 +28,8 @@ struct pooled_region {
 /// and cut exactly: a point that both bound is never moved.
 class region_pool {
 public:
-    explicit region_pool(memory source = heap()) noexcept : points_{source}, edges_{source}, ends_{source}, work_{source}
+    explicit region_pool(memory source = heap()) noexcept
+        : points_{source}, edges_{source}, ends_{source}, work_{source}
     {
     }
 

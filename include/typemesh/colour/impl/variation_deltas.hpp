@@ -18,7 +18,8 @@ namespace typemesh::inline TYPEMESH_ABI::detail {
 class variation_deltas {
 public:
     /// `store` and `map` are the places of both in the table; 0: there is none.
-    void open(const table_bytes& table, std::size_t store, std::size_t map, array_view<const std::int32_t> axes) noexcept
+    void open(const table_bytes& table, std::size_t store, std::size_t map,
+              array_view<const std::int32_t> axes) noexcept
     {
         table_ = &table;
         store_ = store;

@@ -183,8 +183,8 @@ private:
     std::uint32_t count_ = 0;           // of edges
     grid_point* points_ = nullptr;      // the hot points, in sweep order
     std::size_t point_count_ = 0;
-    std::uint32_t* cuts_ = nullptr;     // the numbers of hot points
-    std::size_t* cut_ends_ = nullptr;   // for each edge, the end of its cuts
+    std::uint32_t* cuts_ = nullptr;    // the numbers of hot points
+    std::size_t* cut_ends_ = nullptr;  // for each edge, the end of its cuts
     std::size_t cut_count_ = 0;
 };
 
