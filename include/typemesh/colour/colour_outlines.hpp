@@ -62,8 +62,8 @@ struct colour_report {
 /// sort by colour as by any other style. Layers of the text's own colour keep the style of the glyph. Other glyphs stay
 /// as they are.
 ///
-/// The layers of layer_cut::visible tile the glyph: each is a closed solid, and solids that meet have common edges. They
-/// do only if the text is meshed with the discretiser `certified`, with the same tolerance, at the glyphs' own scale
+/// The layers of layer_cut::visible tile the glyph: each is a closed solid, and solids that meet have common edges.
+/// They do only if the text is meshed with the discretiser `certified`, with the same tolerance, at the glyphs' own scale
 /// or a power of two of it, and if touching corners are kept.
 /// For layer_cut::stacked, see colour_style::level.
 ///

@@ -14,7 +14,8 @@ struct colour_tables {
     array_view<const std::byte> colr;  ///< 'COLR', of version 0 or 1
     array_view<const std::byte> cpal;  ///< 'CPAL', of version 0 or 1
 
-    /// The place on the font's axes, normalised, as 2.14 fixed-point numbers in the order of 'fvar'. Empty: the default.
+    /// The place on the font's axes, normalised, as 2.14 fixed-point numbers in the order of 'fvar'. Empty: the
+    /// default.
     array_view<const std::int32_t> axes;
 
     bool has_bitmaps = false;   ///< whether the font has 'CBDT', 'sbix' or 'EBDT': pictures, which are never traced

@@ -90,8 +90,8 @@ namespace detail {
 }  // namespace detail
 
 /// The place along a gradient at which a point of the glyph (in font units) is painted, as stops count it, before
-/// `extend`: the texture coordinate of a ramp of its stops. Of a solid paint it is 0. Empty: the gradient does not paint
-/// the point at all (outside a cone of circles, or its geometry is degenerate).
+/// `extend`: the texture coordinate of a ramp of its stops. Of a solid paint it is 0. Empty: the gradient does not
+/// paint the point at all (outside a cone of circles, or its geometry is degenerate).
 [[nodiscard]] inline std::optional<double> gradient_place(const glyph_paint& paint, point at) noexcept
 {
     if (paint.kind == paint_kind::solid) return 0.0;

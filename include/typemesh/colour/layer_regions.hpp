@@ -31,8 +31,8 @@ namespace typemesh::inline TYPEMESH_ABI {
 ///     visible    every layer is what those above it leave of it: together they tile the glyph's silhouette
 enum class layer_cut : std::uint8_t { stacked, visible };
 
-/// The regions of all layers of one colour glyph, on one grid. All outlines are cut in the points where they meet, once,
-/// before anything else; then shapes and layers are joined and cut without moving a point. So two layers have each
+/// The regions of all layers of one colour glyph, on one grid. All outlines are cut in the points where they meet,
+/// once, before anything else; then shapes and layers are joined and cut without moving a point. So two layers have each
 /// stretch of their common boundary in the same points, and the doubled areas of the visible layers add up to the
 /// area of the silhouette, as integers.
 ///
