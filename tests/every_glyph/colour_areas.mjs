@@ -9,7 +9,7 @@ import * as hb from "harfbuzzjs";
 const [path, first, step, most] = [process.argv[2], ...process.argv.slice(3).map(Number)];
 const face = new hb.Face(new hb.Blob(readFileSync(path)), 0);
 const font = new hb.Font(face);
-const rows = 2048, low = -face.upem, height = 3 * face.upem / rows;  // the rows' middles
+const rows = Number(process.env.ROWS ?? 2048), low = -face.upem, height = 3 * face.upem / rows;  // the rows' middles
 const middle = (r) => low + (r + 0.5) * height;
 
 const combine = (a, b, keeps) => a.map((spans, r) => {  // spans: [x0, x1, x2, x3, ...] ascending

@@ -47,7 +47,8 @@ int main(int argc, char** argv)
     if (!tables) return std::puts(tables.error().message()), 1;
     const bool prints = argc == 5;
     const auto number = [&](int i) { return static_cast<std::uint32_t>(std::strtoul(argv[i], nullptr, 10)); };
-    const std::uint32_t first = prints ? number(2) : 0, step = prints ? number(3) : 1, most = prints ? number(4) : 65536;
+    const std::uint32_t first = prints ? number(2) : 0, step = prints ? number(3) : 1,
+                        most = prints ? number(4) : 65536;
     totals seen;
     colour_glyph glyph;
     layer_regions regions;
@@ -56,9 +57,9 @@ int main(int argc, char** argv)
         const auto found = read_colour_glyph(tables->tables(), id, {}, glyph);
         if (found && !*found) continue;
         ++seen.glyphs;
-        const auto built = !found ? result<void>{found.error()}
-                                  : regions.build(*font, 0, glyph, prints ? quality::best : quality::normal,
-                                                  layer_cut::visible);
+        const auto built =
+            !found ? result<void>{found.error()}
+                   : regions.build(*font, 0, glyph, prints ? quality::best : quality::normal, layer_cut::visible);
         if (!built) {
             ++seen.refused;
             std::fprintf(stderr, "glyph %u: %s\n", id, built.error().message());

@@ -26,11 +26,11 @@ inline test::colour_font read_font(values& in)
     store.u16(3).u16(1).u16(1).u16(0).i16(100).i16(-50).i16(4096);
     const paint turned = moved(27, {in.between(-1.0, 1.0)}, {300, 400}, test::glyph(solid(0), 1 + in.below(9)), 0);
     const paint skewed = moved(28, {in.between(-0.2, 0.2), 0.1}, {}, test::glyph(solid(1, 0.5), 1 + in.below(9)));
-    colour_font font = painted_font(
-        {{1, composite(turned, in.below(29), skewed)}, {2, colr_layers(3, 0)}},
-        {test::glyph(linear({0, 0, 1, 1, 2, 2}, colour_line(0, {{0, 1}, {1, 2}})), 1 + in.below(9)), colr_glyph(1),
-         moved(16, {0.5, -1.0}, {}, test::glyph(colr_glyph(1), 8))},
-        {{1, 2, -100, -100, 700, 800}}, store);
+    colour_font font =
+        painted_font({{1, composite(turned, in.below(29), skewed)}, {2, colr_layers(3, 0)}},
+                     {test::glyph(linear({0, 0, 1, 1, 2, 2}, colour_line(0, {{0, 1}, {1, 2}})), 1 + in.below(9)),
+                      colr_glyph(1), moved(16, {0.5, -1.0}, {}, test::glyph(colr_glyph(1), 8))},
+                     {{1, 2, -100, -100, 700, 800}}, store);
     font.axes = {static_cast<std::int32_t>(in.bits(2)) - 32768};
     if (in.flag()) font.colr.bytes.resize(in.below(static_cast<std::uint32_t>(font.colr.size())));
     while (!in.empty() && font.colr.size() != 0) {

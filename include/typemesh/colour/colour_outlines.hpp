@@ -63,9 +63,8 @@ struct colour_report {
 /// as they are.
 ///
 /// The layers of layer_cut::visible tile the glyph: each is a closed solid, and solids that meet have common edges.
-/// They do only if the text is meshed with the discretiser `certified`, with the same tolerance, at the glyphs' own scale
-/// or a power of two of it, and if touching corners are kept.
-/// For layer_cut::stacked, see colour_style::level.
+/// They do only if the text is meshed with the discretiser `certified`, with the same tolerance, at the glyphs' own
+/// scale or a power of two of it, and if touching corners are kept. For layer_cut::stacked, see colour_style::level.
 ///
 /// The number of a layer's glyph tells glyph and layer: any colour_outlines with the same fonts and options draws it,
 /// also one that has not split the run (for workers). Built layers are kept until clear(). One thread at a time.

@@ -32,8 +32,8 @@ namespace typemesh::inline TYPEMESH_ABI {
 enum class layer_cut : std::uint8_t { stacked, visible };
 
 /// The regions of all layers of one colour glyph, on one grid. All outlines are cut in the points where they meet,
-/// once, before anything else; then shapes and layers are joined and cut without moving a point. So two layers have each
-/// stretch of their common boundary in the same points, and the doubled areas of the visible layers add up to the
+/// once, before anything else; then shapes and layers are joined and cut without moving a point. So two layers have
+/// each stretch of their common boundary in the same points, and the doubled areas of the visible layers add up to the
 /// area of the silhouette, as integers.
 ///
 ///     auto done = regions.build(font, 0, drawn, quality::normal, layer_cut::visible);

@@ -28,8 +28,8 @@ struct colour_choice {
 ///                      its layers of version 0
 ///
 /// Composites become shapes as far as they cut: clear, source, destination, and the modes over, in, out and atop in
-/// both directions, and xor are exact for opaque paints (see colour_glyph::translucent). The other modes mix colours; their
-/// source is drawn above the backdrop, and colour_glyph::blended counts them.
+/// both directions, and xor are exact for opaque paints (see colour_glyph::translucent). The other modes mix colours;
+/// their source is drawn above the backdrop, and colour_glyph::blended counts them.
 ///
 ///     out    the layers; without any if the result is false
 ///
