@@ -314,7 +314,6 @@ std::string draw_picture(const options& o, font_set& font, const typemesh::glyph
                                           : write_solids(o, font, page, how, mesh);
     if (!done) return in_words(done.error());
     int width = 0, height = 0;
-    const overlay over = annotate(o, font, plan->run(), plan->glyphs(), mesh);
     const auto pixels = draw(mesh, over, look, width, height);
     return write_png(pixels, width, height, o.picture, files);
 }
