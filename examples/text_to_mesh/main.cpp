@@ -308,12 +308,12 @@ std::string draw_picture(const options& o, font_set& font, const typemesh::glyph
     auto plan = mesher.plan(page, how);
     if (!plan) return in_words(plan.error());
     model mesh;
-    const overlay over = annotate(o, font, plan->run(), plan->glyphs(), mesh);
     const auto done = is_stacked(o)       ? write_levels(o, page, how, mesh)
                       : solids_of(o) == 1 ? write_model(o, *plan, mesh)
                                           : write_solids(o, font, page, how, mesh);
     if (!done) return in_words(done.error());
     int width = 0, height = 0;
+    const overlay over = annotate(o, font, plan->run(), plan->glyphs(), mesh);
     const auto pixels = draw(mesh, over, look, width, height);
     return write_png(pixels, width, height, o.picture, files);
 }
