@@ -39,12 +39,16 @@ std::optional<rgb_colour> read_colour(std::string_view written)
 std::string name_of(const rgb_colour& colour)
 {
     for (const auto& [name, known] : named)
-        if (std::equal(std::begin(known.rgb), std::end(known.rgb), colour.rgb)) return std::string{name};
+        if (colour.alpha == 255 && std::equal(std::begin(known.rgb), std::end(known.rgb), colour.rgb))
+            return std::string{name};
     std::string name;
     for (const unsigned char c : colour.rgb) {
         name += digits[c / 16];
         name += digits[c % 16];
     }
+    if (colour.alpha == 255) return name;
+    name += digits[colour.alpha / 16];
+    name += digits[colour.alpha % 16];
     return name;
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "annotations.hpp"
 #include "atomic_file.hpp"
+#include "colour_layers.hpp"
 #include "colour_names.hpp"
 #include "letters.hpp"
 #include "marked_text.hpp"
@@ -30,6 +31,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <map>
+#include <memory>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -238,6 +240,32 @@ typemesh::result<void> write_solids(const options& o, font_set& font, const type
     return {};
 }
 
+bool is_stacked(const options& o) { return o.layers && o.colour_layers == typemesh::layer_cut::stacked; }
+
+/// The whole mesh of a run with stacked layers. The lowest level is as deep as the text, and each further level a thin
+/// solid on the front of the level below it.
+typemesh::result<void> write_levels(const options& o, const typemesh::glyph_run& page,
+                                    const typemesh::text_options& how, model& out)
+{
+    auto& source = o.layers->source();
+    chosen_mesher mesher{source};
+    for (std::uint32_t level = 0; level < source.level_count(); ++level) {
+        typemesh::glyph_run run;
+        const auto is_its = [&](typemesh::style_id s) noexcept { return source.level_of(s) == level; };
+        if (const auto done = typemesh::select_glyphs(page, is_its, run); !done) return done.error();
+        if (run.glyphs.empty()) continue;
+        options own = o;
+        if (level != 0) own.depth = colour_layers::step;
+        choose_policies(own, source.units_per_em(), mesher);
+        const auto plan = mesher.plan(run, how);
+        if (!plan) return plan.error();
+        model some;
+        if (const auto done = write_model(own, *plan, some); !done) return done.error();
+        append(out, some, static_cast<float>(double{colour_layers::step} * level * how.size));
+    }
+    return {};
+}
+
 /// Gives an empty string, or one sentence.
 std::string write_output(const options& o, const chosen_plan& plan, model& mesh, file_set& files)
 {
@@ -287,6 +315,7 @@ std::string draw_picture(const options& o, font_set& font, const typemesh::glyph
     look.texture = o.checker ? texture::checker : texture::none;
 
     chosen_mesher mesher{font};
+    if (o.layers) mesher.use(o.layers->source());
     choose_policies(o, font.units_per_em(), mesher);
     typemesh::text_options how = text_options_of(o);
     how.size = 1.0;
@@ -299,7 +328,9 @@ std::string draw_picture(const options& o, font_set& font, const typemesh::glyph
     auto plan = mesher.plan(page, how);
     if (!plan) return in_words(plan.error());
     model mesh;
-    const auto done = solids_of(o) == 1 ? write_model(o, *plan, mesh) : write_solids(o, font, page, how, mesh);
+    const auto done = is_stacked(o)       ? write_levels(o, page, how, mesh)
+                      : solids_of(o) == 1 ? write_model(o, *plan, mesh)
+                                          : write_solids(o, font, page, how, mesh);
     if (!done) return in_words(done.error());
     int width = 0, height = 0;
     const overlay over = annotate(o, font, plan->run(), plan->glyphs(), mesh);
@@ -326,6 +357,7 @@ std::string refusal_in_words(const options& o, const typemesh::error& e)
 std::string name_warnings(const options& o, const chosen_plan& plan, const font_set& fonts)
 {
     bool warned = name_missing_features(fonts, o.features, o.who);
+    if (o.layers) warned = name_colour_losses(o.layers->report(), o.who) || warned;
     const std::u32string missing = missing_characters(plan.run(), o.text, fonts);
     warned = name_losses(plan.report(), o.family || !o.fallback.empty(), o.who, missing) || warned;
     if (!o.output.empty() && !o.instances) {
@@ -408,10 +440,13 @@ public:
         clock(typemesh::stage::shape);
         if (std::string trouble = lay_out(o_, font_, page_, how.size); !trouble.empty()) return trouble;
         clock(typemesh::stage::idle);
+        if (o_.layers)
+            if (std::string trouble = o_.layers->split(page_); !trouble.empty()) return trouble;
         const std::vector<typemesh::glyph_style> glyph_styles(page_.glyph_styles.begin(), page_.glyph_styles.end());
         if (!holds_colours(o_.kind))  // else letters of different colours would not merge
             keep_only_solids(o_, page_);
         chosen_mesher mesher{font_, typemesh::observer_ref{clock}};
+        if (o_.layers) mesher.use(o_.layers->source());
         options of_file = o_;
         if (o_.kind == file_kind::three_mf) of_file.normals = normals_name::shared;  // see write_3mf()
         choose_policies(of_file, font_.units_per_em(), mesher);
@@ -458,6 +493,7 @@ private:
         tell_.begin("making " + std::to_string(plan->size().triangles) + " triangles");
         clock(typemesh::stage::extrude);
         const auto written = o_.instances         ? write_letters(o_, *plan, font_, mesh)
+                             : is_stacked(o_)     ? write_levels(of_file, page_, how, mesh)
                              : solids_of(o_) == 1 ? write_model(o_, *plan, mesh)
                                                   : write_solids(of_file, font_, page_, how, mesh);
         clock(typemesh::stage::idle);
@@ -534,6 +570,7 @@ int run_all(options& o)
         {
             progress tell;
             trouble = o.markup ? read_markup(o) : std::string{};
+            if (o.colour_layers && !o.layers) o.layers = std::make_shared<colour_layers>(fonts.set(), o);
             if (trouble.empty()) trouble = run(o, tell, fonts.set());
         }
         if (!trouble.empty()) status = complain(trouble);

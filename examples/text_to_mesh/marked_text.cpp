@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "marked_text.hpp"
 
+#include "colour_layers.hpp"
 #include "option_values.hpp"
 #include "options.hpp"
 
@@ -94,6 +95,7 @@ std::string read_markup(options& o)
 
 std::optional<rgb_colour> colour_of_style(const options& o, typemesh::style_id style)
 {
+    if (o.layers && o.layers->owns(style)) return o.layers->colour_of(style, o);
     const auto number = static_cast<std::size_t>(style);
     if (number == 0) return o.colour;
     if (!o.marked) return o.styles[number - 1].colour;
@@ -105,7 +107,7 @@ std::optional<rgb_colour> colour_of_style(const options& o, typemesh::style_id s
 
 std::optional<std::uint32_t> tag_of_style(const options& o, typemesh::style_id style)
 {
-    if (!o.marked) return {};
+    if (!o.marked || (o.layers && o.layers->owns(style))) return {};
     const typemesh::markup_paint& p = o.marked->styles.paints()[static_cast<std::size_t>(style)];
     if (!p.has(typemesh::markup_tag::style)) return {};
     return p.style;

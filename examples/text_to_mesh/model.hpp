@@ -21,6 +21,7 @@ struct model_vertex {
 /// A colour in sRGB.
 struct rgb_colour {
     unsigned char rgb[3];
+    unsigned char alpha = 255;
 };
 
 /// A finished mesh. Three indices per triangle, counter-clockwise seen from outside; right-handed, y up.

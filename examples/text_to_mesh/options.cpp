@@ -95,7 +95,8 @@ std::string version()
 /// Words of the command line that become something else after parsing.
 struct raw_values {
     std::vector<std::string> variations, features, show;
-    std::string uv, fill, fit, lod, morph, profile = "chamfer", refine, bend, path, family, format, anchor, origin;
+    std::string uv, fill, fit, lod, morph, colour_layers, profile = "chamfer", refine, bend, path, family, format,
+                                                          anchor, origin;
     std::optional<typemesh::touching> corners;
     std::optional<double> size, bevel_depth, bevel_steps, letter_spacing;
     bool text_given = false, no_merge = false, tolerance_given = false, shading_given = false, normals_given = false,
@@ -245,6 +246,9 @@ void add_line_options(CLI::App& app, options& out, raw_values& raw)
                                                              : "must be " + colours_in_words() + ", not " + given;
                                },
                                ""});
+    app.add_flag("--colour-layers{visible},--color-layers{visible}", raw.colour_layers,
+                 "draw the colours of emoji and other colour glyphs: =visible (default) cuts what lies under other "
+                 "colours, =stacked puts a thin solid of each on the one below");
     app.add_option("--style", CLI::callback_t{take},
                    "style code points, counted from 0: \"6..11:colour=red,underline,size=1.5\"; may be repeated")
         ->type_name("A..B:SETTING,...")
@@ -718,6 +722,28 @@ std::string settle_morph(options& out, const raw_values& raw)
     return {};
 }
 
+/// Why the layers of colour glyphs are refused, or an empty string.
+std::string settle_colour_layers(options& out, const raw_values& raw)
+{
+    if (raw.colour_layers.empty()) return {};
+    if (raw.colour_layers != "visible" && raw.colour_layers != "stacked")
+        return "--colour-layers must be visible or stacked, not " + raw.colour_layers;
+    const bool stacked = raw.colour_layers == "stacked";
+    out.colour_layers = stacked ? typemesh::layer_cut::stacked : typemesh::layer_cut::visible;
+    if (!out.output.empty() && !holds_colours(out.kind))
+        return "--colour-layers needs a file with colours: .glb, .obj or .3mf";
+    if (out.markup) return "--colour-layers does not work with --markup";
+    if (out.discretiser != discretiser_name::certified) return "--colour-layers needs --discretiser certified";
+    if (out.show_contours || out.show_points || out.show_control) return "--colour-layers does not work with --show";
+    if (!stacked) return {};
+    if (out.depth <= 0.0f) return "--colour-layers=stacked needs --depth above 0";
+    if (out.instances) return "--colour-layers=stacked does not work with --instances";
+    if (!out.lod.empty()) return "--colour-layers=stacked does not work with --lod";
+    if (out.bevel.width > 0.0f || out.carve.tool_angle > 0.0f || out.inflate.height > 0.0f)
+        return "--colour-layers=stacked does not work with bevelled, carved or inflated letters";
+    return {};
+}
+
 /// Finds out what is to be written. Gives an empty string, or what is wrong.
 std::string settle_files(options& out, const raw_values& raw)
 {
@@ -837,6 +863,7 @@ std::string settle(options& out, const raw_values& raw)
     if (std::string trouble = settle_morph(out, raw); !trouble.empty()) return trouble;
     if (std::string trouble = settle_carving(out, raw); !trouble.empty()) return trouble;
     if (std::string trouble = settle_place(out, raw); !trouble.empty()) return trouble;
+    if (std::string trouble = settle_colour_layers(out, raw); !trouble.empty()) return trouble;
     if (out.picture.empty() && !raw.show.empty()) return "--show needs --picture";
     if (out.picture.empty() && raw.shading_given) return "--shading needs --picture";
     if (out.picture.empty() && out.turn) return "--turn needs --picture";

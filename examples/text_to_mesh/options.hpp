@@ -10,6 +10,7 @@
 #include "placing.hpp"
 #include "styled_range.hpp"
 
+#include <typemesh/colour/layer_regions.hpp>
 #include <typemesh/extrude/bevelled.hpp>
 #include <typemesh/extrude/carved.hpp>
 #include <typemesh/extrude/inflated.hpp>
@@ -24,6 +25,8 @@
 #include <vector>
 
 namespace text_to_mesh {
+
+class colour_layers;
 
 enum class discretiser_name { certified, two_lines, adaptive };
 enum class triangulator_name { monotone, delaunay };
@@ -98,11 +101,13 @@ struct options {
     typemesh::layout_options lines;
     std::string ellipsis;
     std::vector<styled_range> styles;
-    bool markup = false;                       ///< the text has tags
-    std::shared_ptr<marked_text> marked;       ///< they have been read
-    std::optional<rgb_colour> colour;          ///< of what no style has a colour for
-    bool even_lines = false;                   ///< by total_fit, else by first_fit
-    double fit_width = 0.0, fit_height = 0.0;  ///< of the box that gives the size; 0: none
+    bool markup = false;                                  ///< the text has tags
+    std::shared_ptr<marked_text> marked;                  ///< they have been read
+    std::optional<rgb_colour> colour;                     ///< of what no style has a colour for
+    std::optional<typemesh::layer_cut> colour_layers;     ///< colour glyphs are drawn as layers
+    std::shared_ptr<text_to_mesh::colour_layers> layers;  ///< they have been read
+    bool even_lines = false;                              ///< by total_fit, else by first_fit
+    double fit_width = 0.0, fit_height = 0.0;             ///< of the box that gives the size; 0: none
 
     double size = 1.0;  ///< of an em in the file
     placing place;

@@ -67,12 +67,13 @@ bool paint(NMR::PLib3MFModel* file, NMR::PLib3MFModelMeshObject* object, const m
         return false;
     std::vector<DWORD> groups(mesh.indices.size() / 3, group), numbers(groups.size());
     for (const model::part& part : mesh.parts) {
-        const auto& [rgb] = colour_of(part);
+        const rgb_colour colour = colour_of(part);
+        const auto& rgb = colour.rgb;
         DWORD number = 0;
         if (NMR::lib3mf_basematerial_addmaterialutf8(materials.object, part.name.c_str(), rgb[0], rgb[1], rgb[2],
                                                      &number) != LIB3MF_OK ||
-            NMR::lib3mf_basematerial_setdisplaycolorrgba(materials.object, number, rgb[0], rgb[1], rgb[2], 255) !=
-                LIB3MF_OK)
+            NMR::lib3mf_basematerial_setdisplaycolorrgba(materials.object, number, rgb[0], rgb[1], rgb[2],
+                                                         colour.alpha) != LIB3MF_OK)
             return false;
         std::fill_n(numbers.begin() + static_cast<std::ptrdiff_t>(part.first_index / 3), part.index_count / 3, number);
     }

@@ -48,8 +48,10 @@ int material_of(tinygltf::Model& file, const model::part& part)
         if (file.materials[i].name == name) return static_cast<int>(i);
     tinygltf::Material material;
     material.name = name;
-    const vec3 colour = to_linear(colour_of(part).rgb);
-    material.pbrMetallicRoughness.baseColorFactor = {colour.x, colour.y, colour.z, 1.0};
+    const rgb_colour own = colour_of(part);
+    const vec3 colour = to_linear(own.rgb);
+    material.pbrMetallicRoughness.baseColorFactor = {colour.x, colour.y, colour.z, own.alpha / 255.0};
+    if (own.alpha < 255) material.alphaMode = "BLEND";
     material.pbrMetallicRoughness.metallicFactor = 0.0;
     material.pbrMetallicRoughness.roughnessFactor = 0.45;
     file.materials.push_back(std::move(material));

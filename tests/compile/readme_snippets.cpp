@@ -4,6 +4,7 @@
 // windows_snippets.cpp. Nothing is run.
 
 #include <typemesh/adapt/harfbuzz.hpp>
+#include <typemesh/adapt/harfbuzz_colours.hpp>
 #include <typemesh/adapt/threads.hpp>
 #include <typemesh/bend/along_curve.hpp>
 #include <typemesh/bend/arc.hpp>
@@ -11,6 +12,7 @@
 #include <typemesh/bend/twist.hpp>
 #include <typemesh/bend/warped.hpp>
 #include <typemesh/bend/wave.hpp>
+#include <typemesh/colour/colour_outlines.hpp>
 #include <typemesh/extrude/bent.hpp>
 #include <typemesh/extrude/bevelled.hpp>
 #include <typemesh/extrude/carved.hpp>
@@ -258,6 +260,16 @@ for (typemesh::style_id style : painted->styles()) {
     const typemesh::markup_paint& paint = tagged.paints()[std::size_t(style)];
     if (paint.has(typemesh::markup_tag::colour)) draw_range(paint.colour, painted->range(style, typemesh::part::front));
 }
+    const auto draw_layer = [](const typemesh::palette_colour&, const typemesh::mesh_range&) noexcept {};
+typemesh::colour_outlines colours{*font, {.tolerance = typemesh::quality::high}};     // as the text's own tolerance
+auto tables = typemesh::harfbuzz_colours::of(*font);                                  // the bytes; they must stay alive
+if (!tables || !colours.use(0, tables->tables())) return 1;                           // of face 0
+typemesh::text_mesher coloured_mesher{colours};
+auto smile = coloured_mesher.plan("\U0001F600", {.tolerance = typemesh::quality::high}, colours.edit());
+if (!smile) return 1;
+for (typemesh::style_id style : smile->styles())
+    if (const typemesh::colour_style* own = colours.style_of(style))
+        draw_layer(own->paint.colour, smile->range(style, typemesh::part::front));    // sRGB, with straight alpha
 for (std::uint32_t solid = 0; solid < tagged.solids().size(); ++solid) {
     typemesh::glyph_run letters;
     const auto is_its = [&](typemesh::style_id s) noexcept { return tagged.solid_of(s) == solid; };

@@ -54,6 +54,7 @@ struct [[nodiscard]] error {
         overlapping_spans,    ///< two spans of a text's styles contain the same character
         bad_markup,           ///< a tag of a text's mark-up is wrong; `option` says what, cluster is its place
         bad_path,             ///< path data has a mistake; `option` says what, count is its place (1: the first byte)
+        bad_colours,          ///< a font's colour table is damaged, or describes a glyph in too many steps
         needs_paragraph,      ///< plain text has no such option; `option` names it
         needs_shaping,        ///< the plain shaper cannot set this script correctly
         font_library_failed,  ///< FreeType, HarfBuzz or DirectWrite refused; count = its own error number, if any
@@ -148,6 +149,7 @@ struct [[nodiscard]] error {
         case overlapping_spans: return "Two spans of styles overlap: end one where the other begins.";
         case bad_markup: return "The mark-up has a mistake: correct the tag, or write [[ for a bracket of the text.";
         case bad_path: return "The path data has a mistake: correct it at the place that is given.";
+        case bad_colours: return "The font's colour table is damaged or too complex: draw the glyph without colours.";
         case needs_paragraph: return "Plain text ends lines only at line breaks: give this option to a paragraph.";
         case needs_shaping:
             return "A character map and kerning cannot set this script: shape the text with HarfBuzz or DirectWrite.";

@@ -54,7 +54,7 @@ result<void> select_glyphs(const glyph_run& run, const Keep& keep, glyph_run& ou
         const auto first = kept;
         for (const std::size_t end = std::size_t{line.first_glyph} + line.glyph_count; read < end && read < count;
              ++read)
-            kept += is_kept(run.glyphs[read]) ? 1 : 0;
+            kept += is_kept(run.glyphs[read]) ? 1u : 0u;
         line.first_glyph = first;
         line.glyph_count = kept - first;
     }

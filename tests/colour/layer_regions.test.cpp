@@ -1,0 +1,210 @@
+// SPDX-License-Identifier: MIT
+#include "support/catch.hpp"
+#include "support/colour_font.hpp"
+#include "support/each_failure.hpp"
+
+#include <typemesh/colour/layer_regions.hpp>
+#include <typemesh/colour/read_colour_glyph.hpp>
+
+#include <cmath>
+#include <cstdint>
+#include <vector>
+
+using namespace typemesh;
+using namespace test;
+
+namespace {
+
+std::int64_t twice_area(const region& r)
+{
+    std::int64_t sum = 0;
+    for (std::uint32_t loop = 0; loop < r.loop_count(); ++loop) {
+        grid_point a = r.points()[r.starts()[loop + 1] - 1];
+        for (std::uint32_t i = r.starts()[loop]; i < r.starts()[loop + 1]; ++i) {
+            const grid_point b = r.points()[i];
+            sum += std::int64_t{a.x} * b.y - std::int64_t{a.y} * b.x;
+            a = b;
+        }
+    }
+    return sum;
+}
+
+constexpr double cells = 512.0 * 512.0;  // in a square unit
+
+/// The areas of all layers of glyph 1, in font units, and that of the silhouette if they are visible.
+struct areas {
+    std::vector<double> layers;
+    double silhouette = 0.0;
+    bool add_up = false;  ///< as integers
+};
+template <class Source>
+areas areas_of(Source& outlines, const colour_font& font, layer_cut cut)
+{
+    colour_glyph g;
+    const auto found = read_colour_glyph(font.tables(), 1, {}, g);
+    REQUIRE(found);
+    REQUIRE(*found);
+    layer_regions regions;
+    const auto built = regions.build(outlines, 0, g, 1.0 / 800, cut);
+    INFO((built ? "" : built.error().message()));
+    REQUIRE(built);
+    REQUIRE(regions.layer_count() == g.layers.size());
+    areas all;
+    contours loops;
+    std::int64_t sum = 0;
+    for (std::size_t i = 0; i < regions.layer_count(); ++i) {
+        const auto r = regions.layer(i, loops);
+        REQUIRE(r);
+        CHECK(regions.is_empty(i) == r->points().empty());
+        sum += twice_area(*r);
+        all.layers.push_back(static_cast<double>(twice_area(*r)) / 2.0 / cells);
+    }
+    const auto whole = regions.silhouette(loops);
+    REQUIRE(whole);
+    all.silhouette = static_cast<double>(twice_area(*whole)) / 2.0 / cells;
+    all.add_up = sum == twice_area(*whole);
+    return all;
+}
+
+bool are(const std::vector<double>& found, const std::vector<double>& expected, double error = 0.0)
+{
+    if (found.size() != expected.size()) return false;
+    for (std::size_t i = 0; i < found.size(); ++i)
+        if (std::fabs(found[i] - expected[i]) > error) return false;
+    return true;
+}
+
+/// Squares as in squares(), and glyph 10, a disc of radius 200 around (500, 500), of cubics.
+recorded_outlines squares_and_disc()
+{
+    recorded_outlines font = squares();
+    REQUIRE(font.add([](auto& pen) {
+        constexpr double k = 0.5522847498 * 200;
+        pen.move({700, 500});
+        pen.cubic({700, 500 + k}, {500 + k, 700}, {500, 700});
+        pen.cubic({500 - k, 700}, {300, 500 + k}, {300, 500});
+        pen.cubic({300, 500 - k}, {500 - k, 300}, {500, 300});
+        pen.cubic({500 + k, 300}, {700, 500 - k}, {700, 500});
+        pen.close();
+    }));
+    return font;
+}
+
+}  // namespace
+
+TEST_CASE("each visible layer is what those above it leave of it", "[colour]")
+{
+    recorded_outlines outlines = squares();
+    const colour_font nested = flat_font({{1, {{9, 0}, {5, 1}, {2, 2}}}});
+    const areas visible = areas_of(outlines, nested, layer_cut::visible);
+    CHECK(are(visible.layers, {810'000.0 - 250'000.0, 250'000.0 - 40'000.0, 40'000.0}));
+    CHECK(are({visible.silhouette}, {810'000.0}));
+    CHECK(visible.add_up);
+    const areas stacked = areas_of(outlines, nested, layer_cut::stacked);
+    CHECK(are(stacked.layers, {810'000.0, 250'000.0, 40'000.0}));
+
+    const areas hidden = areas_of(outlines, flat_font({{1, {{5, 0}, {5, 1}, {3, 2}, {9, 3}}}}), layer_cut::visible);
+    CHECK(are(hidden.layers, {0.0, 0.0, 0.0, 810'000.0}));
+    CHECK(hidden.add_up);
+    const areas blank = areas_of(outlines, flat_font({{1, {{0, 0}, {0, 1}}}}), layer_cut::visible);
+    CHECK(are(blank.layers, {0.0, 0.0}));
+}
+
+TEST_CASE("transforms, clips and composites give the areas of plane geometry", "[colour]")
+{
+    recorded_outlines outlines = squares_and_disc();
+    const auto one = [&](const paint& root, const std::vector<clip_box>& clips = {}) {
+        return areas_of(outlines, painted_font({{1, root}}, {}, clips), layer_cut::visible);
+    };
+    const double disc = 200.0 * 200.0 * 3.14159265358979, rough = 0.009 * disc;
+    const paint square = test::glyph(solid(0), 5), round = test::glyph(solid(1), 10);
+    const double quarter = disc / 4;  // of the disc lies in the square
+
+    CHECK(are(one(moved(26, {0.125}, {250, 250}, square)).layers, {250'000.0}, 1.0));
+    CHECK(are(one(moved(16, {0.5, -0.5}, {}, square)).layers, {62'500.0}));
+    CHECK(are(one(moved(28, {0.125, 0.0}, {}, square)).layers, {250'000.0}, 1.0));
+    CHECK(are(one(moved(14, {}, {700, 0}, square), {{1, 1, 0, 0, 800, 100}}).layers, {10'000.0}));  // clipped
+    CHECK(are(one(solid(2), {{1, 1, 10, 20, 110, 70}}).layers, {5'000.0}));
+
+    CHECK(are(one(composite(round, 3, square)).layers, {250'000.0 - quarter, disc}, rough));
+    CHECK(are(one(composite(round, 4, square)).layers, {disc - quarter, 250'000.0}, rough));
+    CHECK(are(one(composite(round, 5, square)).layers, {quarter}, rough));
+    CHECK(are(one(composite(round, 6, square)).layers, {quarter}, rough));
+    CHECK(are(one(composite(round, 7, square)).layers, {disc - quarter}, rough));
+    CHECK(are(one(composite(round, 8, square)).layers, {250'000.0 - quarter}, rough));
+    CHECK(are(one(composite(round, 9, square)).layers, {250'000.0 - quarter, quarter}, rough));
+    CHECK(are(one(composite(round, 10, square)).layers, {disc - quarter, quarter}, rough));
+    CHECK(are(one(composite(round, 11, square)).layers, {250'000.0 - quarter, disc - quarter}, rough));
+    CHECK(are(one(composite(solid(2), 7, round), {{1, 1, 0, 0, 1000, 1000}}).layers, {1'000'000.0 - disc}, rough));
+    for (const unsigned mode : {1u, 2u, 3u, 4u, 5u, 6u, 7u, 8u, 9u, 10u, 11u, 23u})
+        CHECK(one(moved(24, {0.03}, {}, composite(round, mode, moved(24, {0.01}, {}, square)))).add_up);
+}
+
+TEST_CASE("neighbouring layers share every point of their common boundary", "[colour]")
+{
+    recorded_outlines outlines = squares_and_disc();
+    // A turned square, a disc over its corner and a slanted square over both.
+    const colour_font font = painted_font({{1, colr_layers(3, 0)}},
+                                          {moved(24, {0.03}, {}, test::glyph(solid(0), 7)), test::glyph(solid(1), 10),
+                                           moved(28, {0.11, 0.07}, {}, test::glyph(solid(2), 4))});
+    colour_glyph g;
+    REQUIRE(read_colour_glyph(font.tables(), 1, {}, g));
+    layer_regions regions;
+    REQUIRE(regions.build(outlines, 0, g, 1.0 / 800, layer_cut::visible));
+    contours loops;
+    struct edge {
+        std::uint64_t from, to;
+    };
+    std::vector<edge> all, rim;
+    const auto collect = [](const region& r, std::vector<edge>& into) {
+        for (std::uint32_t loop = 0; loop < r.loop_count(); ++loop) {
+            grid_point a = r.points()[r.starts()[loop + 1] - 1];
+            for (std::uint32_t i = r.starts()[loop]; i < r.starts()[loop + 1]; ++i) {
+                into.push_back({a.word(), r.points()[i].word()});
+                a = r.points()[i];
+            }
+        }
+    };
+    for (std::size_t i = 0; i < 3; ++i) collect(*regions.layer(i, loops), all);
+    collect(*regions.silhouette(loops), rim);
+    // Every edge of a layer is the reverse of an edge of another layer, or an edge of the silhouette.
+    std::size_t shared = 0, outer = 0, loose = 0;
+    for (const edge& e : all) {
+        std::size_t twins = 0, at_rim = 0;
+        for (const edge& f : all) twins += e.from == f.to && e.to == f.from ? 1u : 0u;
+        for (const edge& f : rim) at_rim += e.from == f.from && e.to == f.to ? 1u : 0u;
+        shared += twins == 1 && at_rim == 0 ? 1u : 0u;
+        outer += twins == 0 && at_rim == 1 ? 1u : 0u;
+        loose += twins + at_rim != 1 ? 1u : 0u;
+    }
+    CHECK(loose == 0);
+    CHECK(outer == rim.size());
+    CHECK(shared > 20);
+}
+
+TEST_CASE("layers that cannot be built leave none, and the next glyph is built", "[colour]")
+{
+    recorded_outlines outlines = squares();
+    const colour_font font = flat_font({{1, {{9, 0}, {77, 1}}}, {2, {{9, 0}, {3, 1}}}});
+    colour_glyph g;
+    layer_regions regions;
+    REQUIRE(read_colour_glyph(font.tables(), 1, {}, g));
+    CHECK(regions.build(outlines, 0, g, 1.0 / 160, layer_cut::visible).error() == error::unknown_glyph);
+    CHECK(regions.layer_count() == 0);
+    REQUIRE(read_colour_glyph(font.tables(), 2, {}, g));
+    CHECK(regions.build(outlines, 0, g, 0.0, layer_cut::visible).error() == error::bad_tolerance);
+    CHECK(regions.build(outlines, 0, g, 1.0 / 160, layer_cut::visible, 3).error() == error::too_many_points);
+    CHECK(regions.layer_count() == 0);
+    REQUIRE(regions.build(outlines, 0, g, 1.0 / 160, layer_cut::visible));
+    CHECK(regions.layer_count() == 2);
+    const std::size_t requests = check_each_failure([&](memory source) -> error {
+        layer_regions own{source};
+        contours loops{source};
+        if (const auto built = own.build(outlines, 0, g, 1.0 / 160, layer_cut::visible); !built) {
+            CHECK(own.layer_count() == 0);
+            return built.error();
+        }
+        return own.layer(0, loops).error();
+    });
+    CHECK(requests > 8);
+}
