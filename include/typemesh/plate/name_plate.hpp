@@ -197,7 +197,7 @@ private:
         if (how.bridge_width > 0.0f && how.style == plate_style::cut)
             for (int round = 0; round < stencil_bridges::max_rounds; ++round) {
                 bool more = false;
-                const auto done = stencil_.tie(cells_, body(), body() & ~text(), plate_edges(),
+                const auto done = stencil_.tie(cells_, body() & ~text(), plate_edges(),
                                                in_cells(how.bridge_width), how.bridges, bridges_, space_, more);
                 if (!done) return done.error();
                 if (!more) break;
