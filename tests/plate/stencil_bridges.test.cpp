@@ -81,3 +81,44 @@ TEST_CASE("no island of a stencil is loose, in any script", "[plate][stencil]")
         }
     }
 }
+
+TEST_CASE("each bridge is as wide as asked, and both of its ends lie in solid plate", "[plate][stencil]")
+{
+    // Only letters whose counters are wider than the bridges.
+    const struct {
+        const char* font;
+        const char* text;
+    } cases[] = {{test::dejavu, "ABDOPQR 0 bdopq"},
+                 {"truetype/liberation/LiberationSerif-BoldItalic.ttf", "ADOPQ bdopq"},
+                 {test::sawarabi, "\xE5\x9B\x9E\xE7\x94\xB0\xE6\x97\xA5"}};
+    name_plate plate;
+    for (const auto& c : cases) {
+        auto font = test::opened(c.font);
+        text_mesher mesher{font, flat{}};
+        auto text = test::required(mesher.plan(c.text, {}));
+        for (const float width : {0.01f, 0.02f, 0.04f}) {
+            INFO(c.font << " " << width);
+            REQUIRE(plate.plan(*text, {.style = plate_style::cut, .bridge_width = width, .bridges = 2}, monotone{}));
+            REQUIRE_FALSE(plate.stencil_bars().empty());
+            std::size_t ends = 0;
+            for (const stencil_bar& b : plate.stencil_bars()) {
+                CHECK(b.width() * plate.placement().at.em_per_cell >= static_cast<double>(width) * 0.9999);
+                for (std::size_t i = 0; i < plate.cells().piece_count(); ++i) {
+                    const auto s = plate.cells()[i];
+                    const auto on_end = [&](grid_point p) {
+                        const std::int32_t at = b.upright ? p.y : p.x, along = b.upright ? p.x : p.y;
+                        const std::int32_t low = b.upright ? b.low.y : b.low.x, high = b.upright ? b.high.y : b.high.x;
+                        const std::int32_t from = b.upright ? b.low.x : b.low.y, to = b.upright ? b.high.x : b.high.y;
+                        return (at == low || at == high) && from <= along && along <= to;
+                    };
+                    const bool same_end = b.upright ? s.from.y == s.to.y : s.from.x == s.to.x;
+                    if (!same_end || !on_end(s.from) || !on_end(s.to)) continue;
+                    ++ends;
+                    CHECK_FALSE(name_plate::letters.contains(s.below));
+                    CHECK_FALSE(name_plate::letters.contains(s.above));
+                }
+            }
+            CHECK(ends >= 2 * plate.stencil_bars().size());
+        }
+    }
+}

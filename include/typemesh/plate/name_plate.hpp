@@ -120,6 +120,7 @@ public:
     [[nodiscard]] std::uint32_t corners_parted() const noexcept { return parted_; }
     /// The bridges of a stencil, and what they tie.
     [[nodiscard]] const stencil_report& stencil() const noexcept { return stencil_.report(); }
+    [[nodiscard]] array_view<const stencil_bar> stencil_bars() const noexcept { return stencil_.bars(); }
     /// Whether each solid is strictly 2-manifold: no edge has more than two faces, and no point several fans.
     [[nodiscard]] bool is_manifold() const noexcept
     {

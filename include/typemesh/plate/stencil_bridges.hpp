@@ -27,6 +27,14 @@ struct stencil_report {
     std::uint32_t loose = 0;    ///< the number of islands that still fall out: 0, unless no bar can reach them
 };
 
+/// A bridge: an upright or a level rectangle of the plane's grid.
+struct stencil_bar {
+    grid_point low, high;
+    bool upright = true;  ///< whether its ends, which lie in solid plate, are its lower and upper sides
+
+    [[nodiscard]] constexpr std::int32_t width() const noexcept { return upright ? high.x - low.x : high.y - low.y; }
+};
+
 /// Finds the bridges that tie the islands of a stencil: the counters of cut letters, which would fall out.
 ///
 ///        .-----.          An island is a component of the plate that is not joined to the rim. A bridge is an upright
@@ -48,7 +56,7 @@ public:
     static constexpr int max_rounds = 8;  ///< the greatest number of rounds: tie() is called until nothing is loose
 
     explicit stencil_bridges(memory source = heap()) noexcept
-        : loops_{source}, component_{source}, tied_{source}, hits_{source}, lines_{source}
+        : loops_{source}, component_{source}, tied_{source}, hits_{source}, lines_{source}, made_{source}
     {
     }
 
@@ -56,9 +64,12 @@ public:
     void clear() noexcept
     {
         report_ = {};
+        made_.clear();
         is_first_ = true;
     }
     [[nodiscard]] const stencil_report& report() const noexcept { return report_; }
+    /// All bars of the stencil.
+    [[nodiscard]] array_view<const stencil_bar> bars() const noexcept { return made_.view(); }
 
     /// One round: counts the islands of `solid`, and adds bars for them.
     ///
@@ -150,6 +161,7 @@ private:
             const grid_point from = best.upright ? grid_point{along - half, low} : grid_point{low, along - half},
                              to = best.upright ? grid_point{along + half, high} : grid_point{high, along + half};
             if (const auto done = bars.add_rectangle(from, to, 0.0, 1.0); !done) return done.error();
+            if (!made_.push_back({from, to, best.upright})) return error::out_of_memory;
             ++report_.bridges;
             more = true;
         }
@@ -305,6 +317,7 @@ private:
     buffer<std::uint8_t> tied_;        // for each outer loop: whether its component touches the rim
     buffer<hit> hits_;                 // of one line
     buffer<double> lines_;             // on which a bar is measured
+    buffer<stencil_bar> made_;
     stencil_report report_;
     bool is_first_ = true;
 };
