@@ -31,7 +31,8 @@ TEST_CASE("the walls of a fine circle have the circle's normals, those of a squa
     std::vector<grid_point> circle;
     for (int i = 0; i < 64; ++i) {
         const double angle = 3.14159265358979 * i / 32;
-        circle.push_back({static_cast<std::int32_t>(1e6 * std::cos(angle)), static_cast<std::int32_t>(1e6 * std::sin(angle))});
+        circle.push_back(
+            {static_cast<std::int32_t>(1e6 * std::cos(angle)), static_cast<std::int32_t>(1e6 * std::sin(angle))});
     }
     const layer_arrangement round = polygon(circle);
     detail::edge_normals normals;

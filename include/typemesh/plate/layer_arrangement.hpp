@@ -74,8 +74,7 @@ public:
         if (count > (std::size_t{1} << 29) / copies || loops_.points.size() > (std::size_t{1} << 29) - copies * count)
             return error::too_large;
         const std::size_t loops = starts.size() - 1, room = copies * count;
-        if (!loops_.points.reserve(loops_.points.size() + room) ||
-            !loops_.edges.reserve(loops_.edges.size() + room) ||
+        if (!loops_.points.reserve(loops_.points.size() + room) || !loops_.edges.reserve(loops_.edges.size() + room) ||
             !loops_.starts.reserve(loops_.starts.size() + copies * loops + 1))
             return error::out_of_memory;
         if (loops_.starts.empty()) loops_.starts.push_back_unchecked(0);
@@ -199,11 +198,11 @@ public:
 
     /// A piece of the arrangement: an edge between two cells.
     struct piece {
-        grid_point from, to;            ///< from before to in sweep order
-        std::uint32_t start, end;       ///< the numbers of these points
-        std::uint32_t below, above;     ///< the labels of the cells on its right and on its left
-        contour_edge source;            ///< the edge that it is a part of: its number, and the parts of its length
-                                        ///< at `from` and at `to`
+        grid_point from, to;         ///< from before to in sweep order
+        std::uint32_t start, end;    ///< the numbers of these points
+        std::uint32_t below, above;  ///< the labels of the cells on its right and on its left
+        contour_edge source;         ///< the edge that it is a part of: its number, and the parts of its length
+                                     ///< at `from` and at `to`
 
         /// 1: of the two cells only the left one belongs to the set; -1: only the right one; 0: both or neither.
         [[nodiscard]] std::int32_t side(cell_set cells) const noexcept
@@ -286,8 +285,8 @@ private:
     std::uint32_t sources_ = 0;
     buffer<detail::segment> segments_;
     buffer<grid_point> points_;
-    buffer<std::uint32_t> star_;         // [ first point's pieces, counter-clockwise | ... ]: the piece's number times 2,
-                                         // plus 1 if the piece starts in the point
+    buffer<std::uint32_t> star_;  // [ first point's pieces, counter-clockwise | ... ]: the piece's number times 2,
+                                  // plus 1 if the piece starts in the point
     buffer<std::uint32_t> star_starts_;  // the first entry of each point
 };
 

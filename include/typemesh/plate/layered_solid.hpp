@@ -50,7 +50,7 @@ inline constexpr std::uint32_t plate_parts = 5;  ///< the number of parts
 ///                .----.    top of slab 1            solid.plan(cells, bottom, slabs, ...)   makes the caps and counts
 ///                | A  |                             solid.size(), solid.write(sink, at)     as of a text_plan
 ///       .--------+----+-------.   top of slab 0
-///       |         B           |                     slab 1 fills the cells of A, slab 0 those of A and B
+///       |         B           |                     slab 1 fills the cells of A, slab 0 the cells of both
 ///       '---------------------'   bottom
 ///
 /// A wall stands on a piece of the arrangement where one side is filled and the other is not. It is one wall through
@@ -62,7 +62,7 @@ inline constexpr std::uint32_t plate_parts = 5;  ///< the number of parts
 ///     touching()   above points where the cells of a slab touch each other in a point,
 ///     hanging()    in edges where a slab fills one side and the next slab only the other side.
 ///
-/// If both are 0, and each slab's cells contain those of the next slab or the other way round, the mesh is strictly
+/// If both are 0, and each slab's cells contain the next slab's cells, or the other way round, the mesh is strictly
 /// 2-manifold.
 class layered_solid {
 public:
@@ -196,8 +196,7 @@ private:
             for (const bool up : {false, true}) {
                 const cell_set facing = up ? under & ~over : over & ~under;
                 const plate_part of = !up ? plate_part::back : level == highest ? plate_part::front : plate_part::floor;
-                if (error e = make_cap(cells, facing, {of, up, walls_.height[level], 0, 0, 0, 0}, cut, space))
-                    return e;
+                if (error e = make_cap(cells, facing, {of, up, walls_.height[level], 0, 0, 0, 0}, cut, space)) return e;
             }
         }
         return {};

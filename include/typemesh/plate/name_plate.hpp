@@ -165,9 +165,9 @@ private:
         } else {
             const std::int32_t margin = in_cells(how.margin);
             const grid_point low = letters_.low(), high = letters_.high();
-            if (const auto done = plate_.add_rectangle({low.x - margin, low.y - margin},
-                                                       {high.x + margin, high.y + margin}, in_cells(how.radius),
-                                                       arc_tolerance());
+            if (const auto done =
+                    plate_.add_rectangle({low.x - margin, low.y - margin}, {high.x + margin, high.y + margin},
+                                         in_cells(how.radius), arc_tolerance());
                 !done)
                 return done.error();
         }
@@ -198,8 +198,8 @@ private:
         if (how.bridge_width > 0.0f && how.style == plate_style::cut)
             for (int round = 0; round < stencil_bridges::max_rounds; ++round) {
                 bool more = false;
-                const auto done = stencil_.tie(cells_, body() & ~text(), plate_edges(),
-                                               in_cells(how.bridge_width), how.bridges, bridges_, space_, more);
+                const auto done = stencil_.tie(cells_, body() & ~text(), plate_edges(), in_cells(how.bridge_width),
+                                               how.bridges, bridges_, space_, more);
                 if (!done) return done.error();
                 if (!more) break;
                 if (const auto filled = bridges_.fill(space_); !filled) return filled.error();

@@ -27,8 +27,8 @@ struct plate_options {
     float radius = 0.1f;     ///< of the plate's corners; at most half of its shorter side is used
     float thickness = 0.1f;  ///< of the plate
     float depth = 0.05f;     ///< the height of standing letters above the plate, or the depth of engraved letters and
-                             ///< of inlays; at the plate's thickness or more, these go through it. Cut letters ignore it
-    bool mirrored = false;   ///< whether everything is mirrored from left to right: a stamp
+        ///< of inlays; at the plate's thickness or more, these go through it. Cut letters ignore it
+    bool mirrored = false;       ///< whether everything is mirrored from left to right: a stamp
     bool fill_counters = false;  ///< whether a plate that follows an outline has no holes
     float ring_hole = 0.0f;      ///< the radius of a keyring's hole at the left end of the plate; 0: no hole
     float ring_width = 0.06f;    ///< the width of the ring around this hole; the ring overlaps the plate by this width

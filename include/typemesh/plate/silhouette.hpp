@@ -81,9 +81,9 @@ public:
             return ok ? error{} : error{error::out_of_memory};
         }
         const int steps = arc_steps(radius, tolerance);
-        const bool ok = put_arc({high.x, high.y}, radius, steps, 1, 1) && put_arc({low.x, high.y}, radius, steps, -1, 1) &&
-                        put_arc({low.x, low.y}, radius, steps, -1, -1) && put_arc({high.x, low.y}, radius, steps, 1, -1) &&
-                        close();
+        const bool ok =
+            put_arc({high.x, high.y}, radius, steps, 1, 1) && put_arc({low.x, high.y}, radius, steps, -1, 1) &&
+            put_arc({low.x, low.y}, radius, steps, -1, -1) && put_arc({high.x, low.y}, radius, steps, 1, -1) && close();
         return ok ? error{} : error{error::out_of_memory};
     }
 
@@ -175,6 +175,11 @@ private:
     }
     [[nodiscard]] bool close() noexcept
     {
+        const std::size_t first = loops_.starts.back();
+        if (loops_.points.size() > first + 1 && loops_.points.back() == loops_.points[first]) {  // round sides
+            loops_.points.truncate(loops_.points.size() - 1);
+            loops_.edges.truncate(loops_.edges.size() - 1);
+        }
         loops_.forget_order();
         return loops_.starts.push_back(static_cast<std::uint32_t>(loops_.points.size()));
     }
@@ -190,7 +195,7 @@ private:
     }
 
     /// The quarter of a circle in the corner of a box; (sx, sy) is the corner's direction. Its points are mirror images
-    /// of those of the other corners.
+    /// of the other corners' points.
     [[nodiscard]] bool put_arc(grid_point corner, double radius, int steps, std::int32_t sx, std::int32_t sy) noexcept
     {
         constexpr double quarter = 1.57079632679489662;

@@ -107,9 +107,9 @@ private:
     struct bar {
         bool found = false;
         bool upright = true;
-        bool up = true;                                  // it leaves the island upwards, or to the right
-        double along = 0.0;                              // its middle
-        double low = 0.0, high = 0.0;                    // its ends
+        bool up = true;                // it leaves the island upwards, or to the right
+        double along = 0.0;            // its middle
+        double low = 0.0, high = 0.0;  // its ends
         [[nodiscard]] double length() const noexcept { return high - low; }
     };
     /// A place where a line crosses the boundary.
@@ -136,8 +136,8 @@ private:
         return {};
     }
 
-    [[nodiscard]] error tie_island(std::uint32_t island, std::int32_t width, std::uint32_t per_island,
-                                   silhouette& bars, bool& more) noexcept
+    [[nodiscard]] error tie_island(std::uint32_t island, std::int32_t width, std::uint32_t per_island, silhouette& bars,
+                                   bool& more) noexcept
     {
         bar made[8];
         for (std::uint32_t b = 0; b < per_island; ++b) {
@@ -209,7 +209,7 @@ private:
     }
 
     /// The bars at one place: the one that leaves the island upwards, and the one that leaves it downwards. They span
-    /// the stroke on each of lines_, of which the first is the middle.
+    /// the stroke on each of lines_; the first line is the middle.
     [[nodiscard]] error bars_at(std::uint32_t island, bool upright, double along, bar* found) noexcept
     {
         bool ok[2] = {true, true};
