@@ -21,6 +21,7 @@ set(sees_adapt colour outline layout unicode vertex core)
 set(sees_glyph extrude offset outline discretise fill triangulate sweep refine bend inflate vertex core)
 set(sees_morph extrude outline layout unicode discretise triangulate sweep vertex core)
 set(sees_text glyph extrude offset outline layout unicode discretise fill triangulate sweep refine bend inflate vertex core)
+set(sees_plate text glyph extrude offset outline layout unicode discretise fill triangulate sweep refine bend inflate vertex core)
 set(sees_compiled adapt text glyph extrude offset outline layout unicode discretise fill triangulate sweep vertex core)
 set(sees_compat text glyph extrude offset outline layout unicode discretise fill triangulate sweep vertex core)
 

@@ -72,6 +72,9 @@ public:
         return region::proven(loops_, boundary_.holes, boundary_.outers, a_.is_touching);
     }
 
+    /// The arrangement that cut() has made.
+    [[nodiscard]] const arrangement& pieces() const noexcept { return a_; }
+
 private:
     /// Runs one sweep or two; `is_cut` is false if they do not suffice.
     [[nodiscard]] error cut_by_sweep(bool& is_cut) noexcept

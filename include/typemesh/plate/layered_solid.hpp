@@ -1,0 +1,332 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <typemesh/core/array_view.hpp>
+#include <typemesh/core/buffer.hpp>
+#include <typemesh/core/contours.hpp>
+#include <typemesh/core/error.hpp>
+#include <typemesh/core/finite.hpp>
+#include <typemesh/core/region.hpp>
+#include <typemesh/core/result.hpp>
+#include <typemesh/core/triangle.hpp>
+#include <typemesh/core/workspace.hpp>
+#include <typemesh/extrude/placement.hpp>
+#include <typemesh/plate/cell_set.hpp>
+#include <typemesh/plate/impl/edge_normals.hpp>
+#include <typemesh/plate/impl/slab_walls.hpp>
+#include <typemesh/plate/layer_arrangement.hpp>
+#include <typemesh/triangulate/impl/triangulator_ref.hpp>
+#include <typemesh/vertex/mesh_range.hpp>
+#include <typemesh/vertex/mesh_sink.hpp>
+#include <typemesh/vertex/part.hpp>
+
+#include <cstddef>
+#include <cstdint>
+#include <type_traits>
+
+namespace typemesh::inline TYPEMESH_ABI {
+
+/// The position of a layered solid in the output.
+struct layered_placement {
+    placement at;           ///< maps the grid's cells to the plane of the output; heights are in output units
+    bool mirrored = false;  ///< x is replaced by -x before `at` is applied, and the triangles stay outward
+
+    [[nodiscard]] grid_point place(grid_point p) const noexcept { return {mirrored ? -p.x : p.x, p.y}; }
+    [[nodiscard]] bool turns_triangles() const noexcept { return at.frame.turns_triangles() != mirrored; }
+};
+
+/// The parts of a layered solid, in the order of the output.
+enum class plate_part : std::uint8_t {
+    front,  ///< the faces towards the reader at the highest level: letters that stand, or the face of a cut plate
+    back,   ///< the faces away from the reader
+    rim,    ///< the walls on the edges of the sources below `rim_sources`
+    floor,  ///< the faces towards the reader at lower levels
+    wall,   ///< all other walls
+};
+inline constexpr std::uint32_t plate_parts = 5;  ///< the number of parts
+
+/// A solid made of horizontal slabs. In each slab, it fills a set of cells of one arrangement.
+///
+///                .----.    top of slab 1            solid.plan(cells, bottom, slabs, ...)   makes the caps and counts
+///                | A  |                             solid.size(), solid.write(sink, at)     as of a text_plan
+///       .--------+----+-------.   top of slab 0
+///       |         B           |                     slab 1 fills the cells of A, slab 0 the cells of both
+///       '---------------------'   bottom
+///
+/// A wall stands on a piece of the arrangement where one side is filled and the other is not. It is one wall through
+/// all slabs in which this is so, with a point on its vertical edges at each level at which other edges end there. A
+/// cap lies at each level over the cells that only one of the two slabs fills. No solids are intersected or joined.
+///
+/// Every directed edge is met by its reverse equally often, always. More than two faces meet only
+///
+///     touching()   above points where the cells of a slab touch each other in a point,
+///     hanging()    in edges where a slab fills one side and the next slab only the other side.
+///
+/// If both are 0, and each slab's cells contain the next slab's cells, or the other way round, the mesh is strictly
+/// 2-manifold.
+class layered_solid {
+public:
+    /// A slab of the solid, up from the previous one or from the bottom.
+    struct slab {
+        cell_set filled;   ///< the cells that are filled; the set must be bounded
+        float top = 0.0f;  ///< the height of its upper side, in output units
+    };
+    static constexpr std::size_t max_slabs = detail::slab_walls::max_slabs;
+
+    explicit layered_solid(memory source = heap()) noexcept
+        : loops_{source}, caps_{source}, points_{source}, triangles_{source}, levels_{source}, normals_{source}
+    {
+    }
+
+    /// Plans a solid. `cells` must not change as long as the solid is used.
+    ///
+    ///     bottom       the height of the lower side of the first slab
+    ///     rim_sources  walls on sources with lower numbers belong to plate_part::rim, all others to plate_part::wall
+    ///
+    /// Fails  error::bad_option: no slab or more than max_slabs ("slabs"), heights that do not ascend or are not finite
+    ///        ("top"), or an unbounded set ("cells"). error::too_large, error::out_of_memory, and errors of the
+    ///        triangulator. The solid is then empty
+    /// Cost   one triangulation per level, and O(pieces * slabs)
+    [[nodiscard]] result<void> plan(layer_arrangement& cells, float bottom, array_view<const slab> slabs,
+                                    std::uint32_t rim_sources, triangulator_ref cut, workspace& space) noexcept
+    {
+        clear();
+        const error e = try_to_plan(cells, bottom, slabs, rim_sources, cut, space);
+        if (e) clear();
+        return e;
+    }
+
+    /// Makes the solid empty.
+    void clear() noexcept
+    {
+        caps_.clear();
+        points_.clear();
+        triangles_.clear();
+        levels_.clear();
+        walls_ = {};
+        touching_ = hanging_ = 0;
+        for (mesh_size& s : sizes_) s = {};
+        cells_ = nullptr;
+    }
+
+    /// The exact numbers of vertices and triangles that write() will emit.
+    [[nodiscard]] mesh_size size() const noexcept
+    {
+        mesh_size all;
+        for (const mesh_size& s : sizes_) all = all + s;
+        return all;
+    }
+    [[nodiscard]] mesh_size size(plate_part p) const noexcept { return sizes_[static_cast<std::size_t>(p)]; }
+
+    /// The range of a part in the output.
+    [[nodiscard]] mesh_range range(plate_part p) const noexcept
+    {
+        mesh_size before;
+        for (std::size_t k = 0; k < static_cast<std::size_t>(p); ++k) before = before + sizes_[k];
+        return {static_cast<std::uint32_t>(before.vertices), static_cast<std::uint32_t>(size(p).vertices),
+                static_cast<std::uint32_t>(before.indices()), static_cast<std::uint32_t>(size(p).indices())};
+    }
+
+    /// The number of points at which the cells of a slab touch each other, counted once for each slab.
+    [[nodiscard]] std::uint32_t touching() const noexcept { return touching_; }
+    /// The number of pieces above which one side is filled and below which only the other side is.
+    [[nodiscard]] std::uint32_t hanging() const noexcept { return hanging_; }
+
+    /// The volume, in grid cells times output units: the areas of the slabs are exact.
+    [[nodiscard]] double volume() const noexcept
+    {
+        double sum = 0.0;
+        for (std::uint32_t k = 0; k < walls_.slab_count; ++k)
+            sum += 0.5 * static_cast<double>(cells_->doubled_area(walls_.filled[k])) *
+                   (as_double(walls_.height[k + 1]) - as_double(walls_.height[k]));
+        return sum;
+    }
+
+    /// Emits every vertex and every triangle once, in ascending order, part by part. Of a surface point's attributes,
+    /// position, normal, part and uv are set. uv are the coordinates in the plane, in em.
+    template <class Sink>
+        requires mesh_sink<std::remove_reference_t<Sink>>
+    result<void> write(Sink&& sink, const layered_placement& to) const noexcept
+    {
+        if (!size().fits_32_bits()) return error::too_large;
+        if (error e = sink.begin(size())) return e;
+        for (std::uint32_t p = 0; p < plate_parts; ++p) write_vertices(static_cast<plate_part>(p), sink, to);
+        std::uint32_t first = 0;
+        for (std::uint32_t p = 0; p < plate_parts; ++p) write_triangles(static_cast<plate_part>(p), sink, to, first);
+        return end_of(sink);
+    }
+
+private:
+    /// A cap of one level: a region with its triangles.
+    struct level_cap {
+        plate_part of;
+        bool up;
+        float height;
+        std::uint32_t first_point, point_count, first_triangle, triangle_count;
+    };
+
+    [[nodiscard]] error try_to_plan(layer_arrangement& cells, float bottom, array_view<const slab> slabs,
+                                    std::uint32_t rim_sources, triangulator_ref cut, workspace& space) noexcept
+    {
+        if (slabs.empty() || slabs.size() > max_slabs) return error::bad("slabs");
+        if (!is_finite(as_double(bottom))) return error::bad("bottom");
+        cells_ = &cells;
+        rim_sources_ = rim_sources;
+        walls_.slab_count = static_cast<std::uint32_t>(slabs.size());
+        walls_.height[0] = bottom;
+        for (std::uint32_t k = 0; k < walls_.slab_count; ++k) {
+            if (!is_finite(as_double(slabs[k].top)) || !(slabs[k].top > walls_.height[k])) return error::bad("top");
+            if (slabs[k].filled.is_unbounded()) return error::bad("cells");
+            walls_.filled[k] = slabs[k].filled;
+            walls_.height[k + 1] = slabs[k].top;
+            cells.each_touching(slabs[k].filled, [this](grid_point) noexcept { ++touching_; });
+        }
+        if (error e = make_caps(cells, cut, space)) return e;
+        return count_walls(cells);
+    }
+
+    [[nodiscard]] error make_caps(layer_arrangement& cells, triangulator_ref cut, workspace& space) noexcept
+    {
+        const std::uint32_t n = walls_.slab_count;
+        std::uint32_t highest = n;  // the level of the highest cap; later slabs may be empty
+        while (highest > 0 && cells.doubled_area(walls_.filled[highest - 1]) == 0) --highest;
+        for (std::uint32_t level = 0; level <= n; ++level) {
+            const cell_set under = level == 0 ? cell_set{} : walls_.filled[level - 1];
+            const cell_set over = level == n ? cell_set{} : walls_.filled[level];
+            for (const bool up : {false, true}) {
+                const cell_set facing = up ? under & ~over : over & ~under;
+                const plate_part of = !up ? plate_part::back : level == highest ? plate_part::front : plate_part::floor;
+                if (error e = make_cap(cells, facing, {of, up, walls_.height[level], 0, 0, 0, 0}, cut, space)) return e;
+            }
+        }
+        return {};
+    }
+
+    [[nodiscard]] error make_cap(layer_arrangement& cells, cell_set facing, level_cap made, triangulator_ref cut,
+                                 workspace& space) noexcept
+    {
+        const auto r = cells.trace(facing, space, loops_);
+        if (!r) return r.error();
+        if (r->points().empty()) return {};
+        constexpr std::size_t most = 0xFFFF'FFFFu;
+        if (points_.size() + r->points().size() > most || triangles_.size() + r->triangle_count() > most)
+            return error::too_large;
+        made.first_point = static_cast<std::uint32_t>(points_.size());
+        made.point_count = static_cast<std::uint32_t>(r->points().size());
+        made.first_triangle = static_cast<std::uint32_t>(triangles_.size());
+        if (error e = cut.cut(*r, space, triangles_)) return e;
+        made.triangle_count = static_cast<std::uint32_t>(triangles_.size()) - made.first_triangle;
+        if (!points_.append(r->points()) || !caps_.push_back(made)) return error::out_of_memory;
+        mesh_size& s = sizes_[static_cast<std::size_t>(made.of)];
+        s = s + mesh_size{made.point_count, made.triangle_count};
+        return {};
+    }
+
+    [[nodiscard]] error count_walls(const layer_arrangement& cells) noexcept
+    {
+        std::uint32_t* const levels = levels_.append(cells.point_count());
+        if (levels == nullptr && cells.point_count() != 0) return error::out_of_memory;
+        for (std::size_t p = 0; p < cells.point_count(); ++p) levels[p] = 0;
+        for (std::size_t i = 0; i < cells.piece_count(); ++i) {
+            const auto s = cells[i];
+            const std::uint32_t own = walls_.levels_of(s, hanging_);
+            levels[s.start] |= own;
+            levels[s.end] |= own;
+        }
+        if (error e = normals_.find(cells)) return e;
+        each_wall([this](const auto& s, const detail::slab_walls::wall& w) noexcept {
+            mesh_size& size = sizes_[static_cast<std::size_t>(part_of(s))];
+            size = size + mesh_size{w.vertex_count(), w.triangle_count()};
+        });
+        return {};
+    }
+
+    [[nodiscard]] plate_part part_of(const layer_arrangement::piece& s) const noexcept
+    {
+        return s.source.curve < rim_sources_ ? plate_part::rim : plate_part::wall;
+    }
+
+    template <class Put>
+    void each_wall(Put&& put) const noexcept
+    {
+        if (cells_ == nullptr) return;
+        for (std::size_t i = 0; i < cells_->piece_count(); ++i) {
+            const auto s = (*cells_)[i];
+            walls_.each(s, levels_[s.start], levels_[s.end],
+                        [&](const detail::slab_walls::wall& w) noexcept { put(s, w); });
+        }
+    }
+
+    template <class Sink>
+    void write_vertices(plate_part p, Sink& sink, const layered_placement& to) const noexcept
+    {
+        constexpr attribute wants = std::remove_reference_t<Sink>::wants;
+        const auto put = [&](grid_point at, float height, vec3 normal) noexcept {
+            const grid_point placed = to.place(at);
+            surface_point<wants> v;
+            if constexpr (has(wants, attribute::position)) v.position = to.at.position(placed, height);
+            if constexpr (has(wants, attribute::normal)) v.normal = normal;
+            if constexpr (has(wants, attribute::part)) v.part = static_cast<part>(p);
+            if constexpr (has(wants, attribute::uv))
+                v.uv = {static_cast<float>(to.at.em_per_cell * placed.x),
+                        static_cast<float>(to.at.em_per_cell * placed.y)};
+            sink.vertex(v);
+        };
+        for (const level_cap& c : caps_) {
+            if (c.of != p) continue;
+            const vec3 normal = to.at.direction(0.0f, 0.0f, c.up ? 1.0f : -1.0f);
+            for (std::uint32_t i = 0; i < c.point_count; ++i) put(points_[c.first_point + i], c.height, normal);
+        }
+        if (p != plate_part::rim && p != plate_part::wall) return;
+        each_wall([&](const layer_arrangement::piece& s, const detail::slab_walls::wall& w) noexcept {
+            if (part_of(s) != p) return;
+            const auto outwards = [&](float t) noexcept {
+                const vec2 n = normals_.at(s, t, w.side);
+                return to.at.normal({to.mirrored ? -n.x : n.x, n.y});
+            };
+            const vec3 from = outwards(s.source.t0), end = outwards(s.source.t1);
+            w.each_height(w.at_from, [&](std::uint32_t level) noexcept { put(s.from, walls_.height[level], from); });
+            w.each_height(w.at_to, [&](std::uint32_t level) noexcept { put(s.to, walls_.height[level], end); });
+        });
+    }
+
+    template <class Sink>
+    void write_triangles(plate_part p, Sink& sink, const layered_placement& to, std::uint32_t& first) const noexcept
+    {
+        const auto put = [&](std::uint32_t a, std::uint32_t b, std::uint32_t c, bool turned) noexcept {
+            if (turned != to.turns_triangles())
+                sink.triangle(a, c, b);
+            else
+                sink.triangle(a, b, c);
+        };
+        for (const level_cap& c : caps_) {
+            if (c.of != p) continue;
+            for (std::uint32_t i = 0; i < c.triangle_count; ++i) {
+                const triangle& t = triangles_[c.first_triangle + i];
+                put(first + t.a, first + t.b, first + t.c, !c.up);
+            }
+            first += c.point_count;
+        }
+        if (p != plate_part::rim && p != plate_part::wall) return;
+        each_wall([&](const layer_arrangement::piece& s, const detail::slab_walls::wall& w) noexcept {
+            if (part_of(s) != p) return;
+            w.each_triangle([&](std::uint32_t a, std::uint32_t b, std::uint32_t c) noexcept {
+                put(first + a, first + b, first + c, w.side < 0);
+            });
+            first += w.vertex_count();
+        });
+    }
+
+    contours loops_;
+    buffer<level_cap> caps_;
+    buffer<grid_point> points_;
+    triangle_list triangles_;
+    buffer<std::uint32_t> levels_;  // for each point: the levels at which edges of the mesh end there
+    detail::edge_normals normals_;
+    detail::slab_walls walls_;
+    const layer_arrangement* cells_ = nullptr;
+    std::uint32_t rim_sources_ = 0, touching_ = 0, hanging_ = 0;
+    mesh_size sizes_[plate_parts];
+};
+
+}  // namespace typemesh::inline TYPEMESH_ABI

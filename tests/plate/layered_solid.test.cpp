@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: MIT
+#include <typemesh/inspect/manifoldness.hpp>
+#include <typemesh/inspect/mesh_measure.hpp>
+#include <typemesh/plate/layered_solid.hpp>
+#include <typemesh/triangulate/monotone.hpp>
+#include <typemesh/vertex/growing_sink.hpp>
+
+#include "support/catch.hpp"
+
+#include <array>
+#include <cstdint>
+#include <limits>
+#include <random>
+#include <string>
+#include <vector>
+
+using namespace typemesh;
+
+namespace {
+
+constexpr cell_set a = cells_of_layer(0), b = cells_of_layer(1), c = cells_of_layer(2);
+
+struct mesh {
+    std::vector<vec3> vertices;
+    std::vector<std::uint32_t> indices;
+
+    [[nodiscard]] inspect::mesh_view<vec3, std::uint32_t> view() const { return {vertices, indices}; }
+};
+
+mesh written(const layered_solid& solid)
+{
+    mesh m;
+    constexpr auto position = [](const surface_point<attribute::position>& p) noexcept { return p.position; };
+    REQUIRE(solid.write(into(m.vertices, m.indices, position), {}));
+    return m;
+}
+
+void add(layer_arrangement& cells, const std::vector<grid_point>& p, std::uint32_t layer)
+{
+    const std::array<std::uint32_t, 2> starts{0, static_cast<std::uint32_t>(p.size())};
+    REQUIRE(cells.add({p.data(), p.size()}, {starts.data(), 2}, layer));
+}
+void add_box(layer_arrangement& cells, std::int32_t x, std::int32_t y, std::int32_t width, std::int32_t height,
+             std::uint32_t layer)
+{
+    add(cells, {{x, y}, {x + width, y}, {x + width, y + height}, {x, y + height}}, layer);
+}
+
+}  // namespace
+
+TEST_CASE("slabs of random boxes are closed, with their volume, however they lie", "[layered_solid]")
+{
+    std::mt19937 random{7};
+    std::uniform_int_distribution<std::int32_t> place{0, 6}, size{1, 5};
+    std::uniform_int_distribution<std::uint32_t> any;
+    layer_arrangement cells;
+    layered_solid solid;
+    workspace space;
+    int strict = 0;
+    for (int run = 0; run < 400; ++run) {
+        cells.begin({});
+        for (std::uint32_t layer = 0; layer < 3; ++layer)
+            add_box(cells, place(random), place(random), size(random), size(random), layer);
+        REQUIRE(cells.cut(space));
+        std::vector<layered_solid::slab> slabs;
+        cell_set filled{any(random) & ~1u};
+        const bool nested = run % 2 == 0;
+        for (int k = 0; k < 4; ++k) {
+            slabs.push_back({filled, static_cast<float>(k + 1)});
+            filled = nested ? filled & cell_set{any(random) | any(random)} : cell_set{any(random) & ~1u};
+        }
+        REQUIRE(solid.plan(cells, 0.0f, {slabs.data(), slabs.size()}, 0, monotone{}, space));
+        const mesh m = written(solid);
+        CHECK(m.vertices.size() == solid.size().vertices);
+        const auto faults = inspect::check_manifoldness(m.view());
+        CHECK(faults.open_edges == 0);
+        CHECK(faults.bad_triangles == 0);
+        CHECK(inspect::measure(m.view()).volume == Catch::Approx(solid.volume()).margin(1e-6));
+        if (nested && solid.touching() == 0) CHECK(solid.hanging() == 0);
+        if (nested && solid.touching() == 0) {
+            CHECK(faults.is_manifold());
+            ++strict;
+        }
+        if (faults.crowded_edges != 0) CHECK(solid.touching() + solid.hanging() != 0);
+    }
+    CHECK(strict > 100);
+}
+
+TEST_CASE("a wall has a point at each level at which others end beside it, and nowhere else", "[layered_solid]")
+{
+    layer_arrangement cells;
+    layered_solid solid;
+    workspace space;
+    cells.begin({});
+    add_box(cells, 0, 0, 10, 10, 1);
+    add_box(cells, 2, 2, 4, 4, 0);  // a pocket inside: the rim is not divided
+    REQUIRE(cells.cut(space));
+    const layered_solid::slab inside[] = {{b, 1.0f}, {b & ~a, 2.0f}};
+    REQUIRE(solid.plan(cells, 0.0f, {inside, 2}, 4, monotone{}, space));
+    CHECK(solid.size(plate_part::rim) == mesh_size{16, 8});
+    CHECK(solid.size(plate_part::wall) == mesh_size{16, 8});
+    CHECK(solid.size(plate_part::back) == mesh_size{4, 2});
+    CHECK(solid.size(plate_part::floor) == mesh_size{4, 2});
+    CHECK(solid.size(plate_part::front) == mesh_size{8, 8});
+    CHECK(solid.range(plate_part::wall).first_vertex == 8 + 4 + 16 + 4);
+    cells.begin({});
+    add_box(cells, 0, 0, 10, 10, 1);
+    add_box(cells, 2, 2, 4, 20, 0);  // a groove that ends in the upper side
+    REQUIRE(cells.cut(space));
+    REQUIRE(solid.plan(cells, 0.0f, {inside, 2}, 4, monotone{}, space));
+    // Of the upper side's three walls, the two beside the groove have a fifth point; the groove's two walls do not.
+    CHECK(solid.size(plate_part::rim) == mesh_size{3 * 4 + 5 + 4 + 5, 3 * 2 + 3 + 2 + 3});
+    CHECK(inspect::check_manifoldness(written(solid).view()).is_manifold());
+}
+
+TEST_CASE("slabs that touch in a point or hang in an edge are counted", "[layered_solid]")
+{
+    layer_arrangement cells;
+    layered_solid solid;
+    workspace space;
+    cells.begin({});
+    add_box(cells, 0, 0, 10, 10, 0);
+    add_box(cells, 10, 0, 10, 10, 1);
+    add_box(cells, 20, 10, 10, 10, 2);
+    REQUIRE(cells.cut(space));
+    const layered_solid::slab stairs[] = {{a, 1.0f}, {b | c, 2.0f}};
+    REQUIRE(solid.plan(cells, 0.0f, {stairs, 2}, 0, monotone{}, space));
+    CHECK(solid.hanging() == 1);
+    CHECK(solid.touching() == 1);
+    const auto faults = inspect::check_manifoldness(written(solid).view());
+    CHECK(faults.open_edges == 0);
+    CHECK(faults.crowded_edges == 2);
+}
+
+TEST_CASE("slabs that cannot be are refused, and the solid is empty", "[layered_solid]")
+{
+    layer_arrangement cells;
+    layered_solid solid;
+    workspace space;
+    cells.begin({});
+    add_box(cells, 0, 0, 10, 10, 0);
+    REQUIRE(cells.cut(space));
+    const auto refusal = [&](std::vector<layered_solid::slab> slabs, float bottom = 0.0f) {
+        const auto done = solid.plan(cells, bottom, {slabs.data(), slabs.size()}, 0, monotone{}, space);
+        CHECK(solid.size() == mesh_size{});
+        return std::string{done.error().option};
+    };
+    CHECK(refusal({}) == "slabs");
+    CHECK(refusal(std::vector<layered_solid::slab>(9, {a, 1.0f})) == "slabs");
+    CHECK(refusal({{a, 0.0f}}) == "top");
+    CHECK(refusal({{a, 1.0f}, {a, 1.0f}}) == "top");
+    CHECK(refusal({{a, std::numeric_limits<float>::infinity()}}) == "top");
+    CHECK(refusal({{~a, 1.0f}}) == "cells");
+    CHECK(refusal({{a, 1.0f}}, std::numeric_limits<float>::quiet_NaN()) == "bottom");
+}

@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: MIT
+#include <typemesh/inspect/manifoldness.hpp>
+#include <typemesh/plate/name_plate.hpp>
+#include <typemesh/typemesh.hpp>
+
+#include "adapt/opened_font.hpp"
+#include "support/catch.hpp"
+#include "support/required.hpp"
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+using namespace typemesh;
+
+namespace {
+
+/// The number of components of a set of cells, counted by the region's outer loops.
+std::uint32_t components(name_plate& plate, cell_set cells)
+{
+    workspace space;
+    contours loops;
+    const auto made = plate.cells().trace(cells, space, loops);
+    REQUIRE(made);
+    return made->outers();
+}
+
+struct place {
+    float x, y, z;
+};
+
+}  // namespace
+
+template <>
+struct typemesh::vertex_traits<place> {
+    static constexpr attribute wants = attribute::position;
+    place operator()(const surface_point<wants>& p) const noexcept
+    {
+        return {p.position.x, p.position.y, p.position.z};
+    }
+};
+
+namespace {
+
+bool is_manifold(const name_plate& plate)
+{
+    std::vector<place> vertices;
+    std::vector<std::uint32_t> indices;
+    REQUIRE(plate.write(0, into(vertices, indices)));
+    return inspect::check_manifoldness(inspect::mesh_view{vertices, indices}).is_manifold();
+}
+
+}  // namespace
+
+TEST_CASE("no island of a stencil is loose, in any script", "[plate][stencil]")
+{
+    const struct {
+        const char* font;
+        const char* text;
+    } cases[] = {{test::dejavu, "ABDOPQR abdegopq 04689 &%@#\xC3\x98\xC3\x85"},
+                 {"truetype/liberation/LiberationSerif-BoldItalic.ttf", "ABDOPQR abdegopq 04689 &%@#"},
+                 {test::amiri, "\xD8\xB5\xD9\x88\xD9\x85 \xD9\x81\xD9\x82\xD9\x87 \xD9\x85\xD8\xB7\xD8\xB9\xD9\x85"},
+                 {test::sawarabi, "\xE5\x9B\xBD\xE5\x9B\x9E\xE7\x94\xB0\xE9\xBE\x8D\xE6\x97\xA5"}};
+    name_plate plate;
+    for (const auto& c : cases) {
+        auto font = test::opened(c.font);
+        text_mesher mesher{font, flat{}};
+        auto text = test::required(mesher.plan(c.text, {}));
+        for (const std::uint32_t bridges : {1u, 2u, 3u}) {
+            for (const float width : {0.02f, 0.05f}) {
+                INFO(c.font << " " << bridges << " of " << width);
+                REQUIRE(plate.plan(*text, {.style = plate_style::cut, .bridge_width = width, .bridges = bridges},
+                                   monotone{}));
+                CHECK(plate.stencil().islands > 3);
+                CHECK(plate.stencil().loose == 0);
+                CHECK(plate.stencil().bridges >= plate.stencil().islands);
+                CHECK(components(plate, name_plate::body() & ~name_plate::text()) == 1);
+                CHECK(components(plate, name_plate::body() & ~name_plate::letters) == plate.stencil().islands + 1);
+                CHECK(is_manifold(plate));
+            }
+        }
+    }
+}
+
+TEST_CASE("each bridge is as wide as asked, and both of its ends lie in solid plate", "[plate][stencil]")
+{
+    // Only letters whose counters are wider than the bridges.
+    const struct {
+        const char* font;
+        const char* text;
+    } cases[] = {{test::dejavu, "ABDOPQR 0 bdopq"},
+                 {"truetype/liberation/LiberationSerif-BoldItalic.ttf", "ADOPQ bdopq"},
+                 {test::sawarabi, "\xE5\x9B\x9E\xE7\x94\xB0\xE6\x97\xA5"}};
+    name_plate plate;
+    for (const auto& c : cases) {
+        auto font = test::opened(c.font);
+        text_mesher mesher{font, flat{}};
+        auto text = test::required(mesher.plan(c.text, {}));
+        for (const float width : {0.01f, 0.02f, 0.04f}) {
+            INFO(c.font << " " << width);
+            REQUIRE(plate.plan(*text, {.style = plate_style::cut, .bridge_width = width, .bridges = 2}, monotone{}));
+            REQUIRE_FALSE(plate.stencil_bars().empty());
+            std::size_t ends = 0;
+            for (const stencil_bar& b : plate.stencil_bars()) {
+                CHECK(b.width() * plate.placement().at.em_per_cell >= static_cast<double>(width) * 0.9999);
+                for (std::size_t i = 0; i < plate.cells().piece_count(); ++i) {
+                    const auto s = plate.cells()[i];
+                    const auto on_end = [&](grid_point p) {
+                        const std::int32_t at = b.upright ? p.y : p.x, along = b.upright ? p.x : p.y;
+                        const std::int32_t low = b.upright ? b.low.y : b.low.x, high = b.upright ? b.high.y : b.high.x;
+                        const std::int32_t from = b.upright ? b.low.x : b.low.y, to = b.upright ? b.high.x : b.high.y;
+                        return (at == low || at == high) && from <= along && along <= to;
+                    };
+                    const bool same_end = b.upright ? s.from.y == s.to.y : s.from.x == s.to.x;
+                    if (!same_end || !on_end(s.from) || !on_end(s.to)) continue;
+                    ++ends;
+                    CHECK_FALSE(name_plate::letters.contains(s.below));
+                    CHECK_FALSE(name_plate::letters.contains(s.above));
+                }
+            }
+            CHECK(ends >= 2 * plate.stencil_bars().size());
+        }
+    }
+}
