@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <typemesh/core/version.hpp>
+
 #include <cstdint>
 
 namespace typemesh::inline TYPEMESH_ABI {

@@ -197,11 +197,10 @@ private:
         if (error e = arrange(how)) return e;
         if (how.bridge_width > 0.0f && how.style == plate_style::cut)
             for (int round = 0; round < stencil_bridges::max_rounds; ++round) {
-                bool more = false;
-                const auto done = stencil_.tie(cells_, body() & ~text(), plate_edges(), in_cells(how.bridge_width),
-                                               how.bridges, bridges_, space_, more);
-                if (!done) return done.error();
-                if (!more) break;
+                const auto more = stencil_.tie(cells_, body() & ~text(), plate_edges(),
+                                               {in_cells(how.bridge_width), how.bridges}, bridges_, space_);
+                if (!more) return more.error();
+                if (!*more) break;
                 if (const auto filled = bridges_.fill(space_); !filled) return filled.error();
                 if (error e = arrange(how)) return e;
             }

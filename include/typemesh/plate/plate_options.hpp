@@ -14,10 +14,12 @@ namespace typemesh::inline TYPEMESH_ABI {
 /// How a text and its plate are combined.
 ///
 ///        .--.            .--.
-///     ---+  +---      ---.  .---      ---.  .---      ---.##.---      standing letters may reach beyond the plate; they
-///                        '--'            |  |            '##'         then go down to its back
+///     ---+  +---      ---.  .---      ---.  .---      ---.##.---
+///                        '--'            |  |            '##'
 ///     ----------      ----------      ---'  '---      ----------
 ///      standing        engraved          cut             inlay
+///
+/// Standing letters may reach beyond the plate; they then go down to its back.
 enum class plate_style : std::uint8_t { standing, engraved, cut, inlay };
 
 /// The options of a name_plate. Lengths are in em.

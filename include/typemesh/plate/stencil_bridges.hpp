@@ -35,6 +35,12 @@ struct stencil_bar {
     [[nodiscard]] constexpr std::int32_t width() const noexcept { return upright ? high.x - low.x : high.y - low.y; }
 };
 
+/// The bridges that an island gets.
+struct stencil_wishes {
+    std::int32_t width = 0;        ///< the width of a bridge, in cells
+    std::uint32_t per_island = 1;  ///< the number of bridges per island
+};
+
 /// Finds the bridges that tie the islands of a stencil: the counters of cut letters, which would fall out.
 ///
 ///        .-----.          An island is a component of the plate that is not joined to the rim. A bridge is an upright
@@ -75,18 +81,16 @@ public:
     ///
     ///     solid       the cells of the plate that remain when the letters are cut, with the bridges so far
     ///     rim_edges   sources with lower numbers are the plate's rim: components with one of them are no islands
-    ///     width       of a bridge, in cells
-    ///     per_island  the number of bridges per island
     ///     bars        receives the bars
-    ///     more        whether bars were added: make the arrangement with them, and call tie() again
+    ///
+    /// Returns whether bars were added: then make the arrangement with them, and call tie() again.
     ///
     /// Fails  error::out_of_memory, and as layer_arrangement::trace() does
     /// Cost   O(islands * places * edges) for the places that are tried
-    [[nodiscard]] result<void> tie(layer_arrangement& cells, cell_set solid, std::uint32_t rim_edges,
-                                   std::int32_t width, std::uint32_t per_island, silhouette& bars, workspace& space,
-                                   bool& more) noexcept
+    [[nodiscard]] result<bool> tie(layer_arrangement& cells, cell_set solid, std::uint32_t rim_edges,
+                                   const stencil_wishes& wanted, silhouette& bars, workspace& space) noexcept
     {
-        more = false;
+        bool more = false;
         const auto traced = cells.trace(solid, space, loops_);
         if (!traced) return traced.error();
         region_ = *traced;
@@ -97,9 +101,9 @@ public:
         is_first_ = false;
         for (std::uint32_t k = 0; k < region_.loop_count(); ++k) {
             if (component_[k] != k || tied_[k] != 0) continue;
-            if (error e = tie_island(k, width, per_island, bars, more)) return e;
+            if (error e = tie_island(k, wanted.width, wanted.per_island, bars, more)) return e;
         }
-        return {};
+        return more;
     }
 
 private:
