@@ -54,6 +54,7 @@ public:
     }
 
     [[nodiscard]] double low() const noexcept { return as_double(info_.min_value); }
+    /// The value where the axis changes nothing.
     [[nodiscard]] double usual() const noexcept { return as_double(info_.default_value); }
     [[nodiscard]] double high() const noexcept { return as_double(info_.max_value); }
 
@@ -73,12 +74,14 @@ public:
         detail::axis_regions regions{hb_font_get_face(font_.handle()), info_.axis_index, out};
         return regions.read_masters() ? error{} : error{error::out_of_memory};
     }
+    /// See variation_axis. Cost: proportional to the number of conditions
     error append_changes(buffer<axis_coordinate>& out) const noexcept
     {
         detail::axis_regions regions{hb_font_get_face(font_.handle()), info_.axis_index, out};
         return regions.read_changes() ? error{} : error{error::out_of_memory};
     }
 
+    /// Moves the font to a coordinate of the axis. Fails  error::out_of_memory
     error move_to(axis_coordinate c) noexcept
     {
         if (normalised_.size() != coordinates_.size() && normalised_.append(coordinates_.size()) == nullptr)

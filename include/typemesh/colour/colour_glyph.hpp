@@ -14,6 +14,7 @@ namespace typemesh::inline TYPEMESH_ABI {
 /// A shape of a colour glyph: an outline of the font, or what two earlier shapes have in common, cover together, or
 /// leave of each other.
 struct layer_shape {
+    /// The ways to make a shape.
     enum class kind : std::uint8_t {
         outline,    ///< the glyph `id`, mapped by `map`
         rectangle,  ///< the clip box of the glyph

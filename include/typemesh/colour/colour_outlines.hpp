@@ -27,7 +27,7 @@ namespace typemesh::inline TYPEMESH_ABI {
 
 /// The options of colour_outlines.
 struct colour_options {
-    layer_cut layers = layer_cut::visible;
+    layer_cut layers = layer_cut::visible;  ///< whether layers are cut or stacked
     double tolerance = 1.0 / 160;  ///< in em, as the text's own (quality::normal): layers are flattened before they are
                                    ///< cut
     colour_choice choice = {};     ///< the palette, and limits

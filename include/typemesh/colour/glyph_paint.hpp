@@ -15,8 +15,10 @@ namespace typemesh::inline TYPEMESH_ABI {
 
 /// A colour of a font's palette, in sRGB. Its alpha is straight (the colour is not multiplied by it), from 0 to 1.
 struct palette_colour {
-    std::uint8_t red = 0, green = 0, blue = 0;
-    float alpha = 1.0f;
+    std::uint8_t red = 0;    ///< from 0 to 255
+    std::uint8_t green = 0;  ///< from 0 to 255
+    std::uint8_t blue = 0;   ///< from 0 to 255
+    float alpha = 1.0f;      ///< 0: invisible, 1: opaque
 
     friend constexpr bool operator==(const palette_colour& a, const palette_colour& b) noexcept
     {
@@ -46,15 +48,18 @@ struct gradient_stop {
 ///     radial   they run from the circle (from, from_radius) to the circle (to, to_radius)
 ///     sweep    they run around `from`, from the angle from_turn to to_turn
 struct glyph_paint {
+    /// The kind of the paint, which decides which of the other members count.
     paint_kind kind = paint_kind::solid;
     std::uint16_t entry = text_colour_entry;  ///< of a solid paint: the palette entry
     palette_colour colour = {};               ///< of a gradient: the mean of its colours, for who does not shade
+    /// The colours beyond the first and the last stop.
     gradient_extend extend = gradient_extend::pad;
     point from = {}, to = {}, across = {};
     double from_radius = 0.0, to_radius = 0.0;
     double from_turn = 0.0, to_turn = 0.0;  ///< in half turns, counter-clockwise from the x axis
     affine placed = {};
-    std::uint32_t first_stop = 0, stop_count = 0;  ///< in colour_glyph::stops
+    std::uint32_t first_stop = 0;  ///< the first stop of a gradient, in colour_glyph::stops
+    std::uint32_t stop_count = 0;  ///< the number of its stops
 
     /// Whether it is the colour of the text itself, with any alpha.
     [[nodiscard]] constexpr bool is_text_colour() const noexcept

@@ -88,6 +88,7 @@ public:
         return e;
     }
 
+    /// The number of layers that were built.
     [[nodiscard]] std::size_t layer_count() const noexcept { return layers_.size(); }
 
     /// Whether nothing of a layer remains; layer < layer_count().

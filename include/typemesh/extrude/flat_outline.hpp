@@ -16,7 +16,7 @@ namespace typemesh::inline TYPEMESH_ABI {
 
 /// A curve of a letter's boundary, in cells.
 struct boundary_piece {
-    curve shape;
+    curve shape;               ///< the curve, with its ends
     std::uint32_t begins = 0;  ///< 1: a loop begins with it
 };
 
@@ -24,7 +24,7 @@ struct boundary_piece {
 class flat_outline_data : public plan_arrays<boundary_piece> {
 public:
     boundary_curves finder;  ///< the memory of plan(), which is not stored with the glyph
-    outline found;
+    outline found;           ///< the boundary as an outline, which is not stored with the glyph
 
     explicit flat_outline_data(memory source = heap()) noexcept : plan_arrays{source}, finder{source}, found{source} {}
     void clear() noexcept

@@ -38,6 +38,7 @@ struct refined_data : refined_solid<Solid> {
 
     // --- for extruders that make caps of their own: see refinable_caps
 
+    /// Gives the solid the refined cap of the region.
     [[nodiscard]] error region_cap(std::uint32_t& added) noexcept
     {
         this->triangles.swap(own_cap);

@@ -27,8 +27,8 @@ struct morph_options {
                                    ///< edge of the wall is hard
     typemesh::frame frame = right_handed_y_up;
 
-    shape_options shape = {};
-    layout_options layout = {};
+    shape_options shape = {};    ///< how the text is shaped
+    layout_options layout = {};  ///< how its lines are placed
 };
 
 /// What has become of the letters of a morph: how many of its drawn glyphs, repeated glyphs each time.

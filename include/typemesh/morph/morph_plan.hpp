@@ -43,6 +43,7 @@ public:
     {
     }
 
+    /// The number of sections. Each has a mesh of its own, which holds between two coordinates.
     [[nodiscard]] std::size_t section_count() const noexcept { return sections_.size(); }
 
     /// The coordinates of the keys of a section, ascending. They are the section's first coordinate, its last one, and
@@ -63,6 +64,7 @@ public:
         return k < 3 ? sections_[section].ranges[k] : mesh_range{};
     }
 
+    /// What has become of the letters.
     [[nodiscard]] const morph_report& report() const noexcept { return report_; }
 
     /// The section at a coordinate, which may lie between two integers; beyond the ends, the first or the last one.

@@ -25,10 +25,10 @@ enum class stroke_join : std::uint8_t {
 
 /// The shape of a stroke, as in SVG 2, section 13.5.
 struct stroke_style {
-    double width = 0.05;  ///< of the whole stroke, in em; positive
-    stroke_cap cap = stroke_cap::butt;
-    stroke_join join = stroke_join::mitre;
-    double mitre_limit = 4.0;  ///< the greatest length of a mitre, in widths; at least 1
+    double width = 0.05;                    ///< of the whole stroke, in em; positive
+    stroke_cap cap = stroke_cap::butt;      ///< the ends of open paths
+    stroke_join join = stroke_join::mitre;  ///< the corners
+    double mitre_limit = 4.0;               ///< the greatest length of a mitre, in widths; at least 1
 
     /// The lengths of dashes and gaps in turn, in em, which the caller keeps. An odd number of them is repeated. Empty,
     /// or all 0: no gaps.

@@ -169,6 +169,7 @@ public:
     /// The text, its lines and the slices of a line, from left to right: for code that needs the details.
     [[nodiscard]] const shaped_text& shaped() const noexcept { return *shaped_; }
     [[nodiscard]] std::span<const laid_line> lines() const noexcept { return lines_; }
+    /// The slices of one of these lines.
     [[nodiscard]] std::span<const line_slice> slices_of(const laid_line& line) const noexcept
     {
         return slices_.subspan(line.first_slice, line.slices);

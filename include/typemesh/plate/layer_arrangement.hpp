@@ -210,7 +210,9 @@ public:
             return int{cells.contains(above)} - int{cells.contains(below)};
         }
     };
+    /// The number of pieces: edges that end where others meet them.
     [[nodiscard]] std::size_t piece_count() const noexcept { return segments_.size(); }
+    /// The number of distinct end points of all pieces.
     [[nodiscard]] std::size_t point_count() const noexcept { return points_.size(); }
     [[nodiscard]] piece operator[](std::size_t i) const noexcept
     {

@@ -31,7 +31,9 @@ struct layered_placement {
     placement at;           ///< maps the grid's cells to the plane of the output; heights are in output units
     bool mirrored = false;  ///< x is replaced by -x before `at` is applied, and the triangles stay outward
 
+    /// The point of the plane where a point of the solid lies.
     [[nodiscard]] grid_point place(grid_point p) const noexcept { return {mirrored ? -p.x : p.x, p.y}; }
+    /// Whether triangles are written the other way round, so that they stay outward.
     [[nodiscard]] bool turns_triangles() const noexcept { return at.frame.turns_triangles() != mirrored; }
 };
 
@@ -71,6 +73,7 @@ public:
         cell_set filled;   ///< the cells that are filled; the set must be bounded
         float top = 0.0f;  ///< the height of its upper side, in output units
     };
+    /// The greatest number of slabs.
     static constexpr std::size_t max_slabs = detail::slab_walls::max_slabs;
 
     explicit layered_solid(memory source = heap()) noexcept

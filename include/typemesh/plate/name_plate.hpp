@@ -42,9 +42,12 @@ namespace typemesh::inline TYPEMESH_ABI {
 /// Memory is kept for the next plate. The text_plan is not needed any more after plan().
 class name_plate {
 public:
-    /// The layers of cells().
-    static constexpr cell_set letters = cells_of_layer(0), plate = cells_of_layer(1), holes = cells_of_layer(2),
-                              gaps = cells_of_layer(3), bridges = cells_of_layer(4);
+    // The layers of cells().
+    static constexpr cell_set letters = cells_of_layer(0);  ///< the text
+    static constexpr cell_set plate = cells_of_layer(1);    ///< the plate
+    static constexpr cell_set holes = cells_of_layer(2);    ///< the holes in it
+    static constexpr cell_set gaps = cells_of_layer(3);     ///< squares that separate touching corners
+    static constexpr cell_set bridges = cells_of_layer(4);  ///< the bridges of a stencil
 
     explicit name_plate(memory source = heap()) noexcept
         : space_{source},
@@ -120,6 +123,7 @@ public:
     [[nodiscard]] std::uint32_t corners_parted() const noexcept { return parted_; }
     /// The bridges of a stencil, and what they tie.
     [[nodiscard]] const stencil_report& stencil() const noexcept { return stencil_.report(); }
+    /// The bridges, one by one.
     [[nodiscard]] array_view<const stencil_bar> stencil_bars() const noexcept { return stencil_.bars(); }
     /// Whether each solid is strictly 2-manifold: no edge has more than two faces, and no point several fans.
     [[nodiscard]] bool is_manifold() const noexcept

@@ -73,6 +73,7 @@ public:
         made_.clear();
         is_first_ = true;
     }
+    /// What the rounds have found and made.
     [[nodiscard]] const stencil_report& report() const noexcept { return report_; }
     /// All bars of the stencil.
     [[nodiscard]] array_view<const stencil_bar> bars() const noexcept { return made_.view(); }
