@@ -12,7 +12,7 @@ namespace {
 
 /// What is wrong with nest()'s result for a shape under a rule, or nothing. It must refuse exactly what meets, and else
 /// keep exactly the boundary, with the interior on the left and the edges that belong to it.
-std::string mistake_on(const test::shape& s, fill_rule rule)
+std::string nesting_mistake(const test::shape& s, fill_rule rule)
 {
     contours loops = test::contours_of(s);
     workspace space;
@@ -66,10 +66,10 @@ std::string mistake_on(const test::shape& s, fill_rule rule)
     return {};
 }
 
-std::string mistake_on(const test::shape& s)
+std::string nesting_mistake(const test::shape& s)
 {
-    const std::string m = mistake_on(s, fill_rule::non_zero);
-    return m.empty() ? mistake_on(s, fill_rule::even_odd) : m;
+    const std::string m = nesting_mistake(s, fill_rule::non_zero);
+    return m.empty() ? nesting_mistake(s, fill_rule::even_odd) : m;
 }
 
 }  // namespace
@@ -78,7 +78,7 @@ TEST_CASE("nest() refuses exactly the corpus' shapes that meet, and counts the o
 {
     for (const test::corpus_shape& c : test::corpus("regions.txt")) {
         INFO(c);
-        for (const test::shape& s : test::in_positions(c.shape)) CHECK(mistake_on(s) == "");
+        for (const test::shape& s : test::in_positions(c.shape)) CHECK(nesting_mistake(s) == "");
         contours loops = test::contours_of(c.shape);
         workspace space;
         const result<region> filled = nest(loops, fill_rule::non_zero, space);
@@ -98,8 +98,8 @@ TEST_CASE("nest() makes regions of generated shapes in every position", "[fill][
             const test::shape t = test::turned(s, degrees);
             if (t.loops[0].size() > 500 && degrees != 90.0) continue;
             INFO(t.name);
-            CHECK(mistake_on(t) == "");
-            CHECK(mistake_on(test::reversed(t), fill_rule::non_zero) == "");
+            CHECK(nesting_mistake(t) == "");
+            CHECK(nesting_mistake(test::reversed(t), fill_rule::non_zero) == "");
         }
     }
 }
@@ -118,8 +118,8 @@ TEST_CASE("nest() nests contours of one direction by the rule", "[fill][nest]")
         REQUIRE(even_odd);
         CHECK(even_odd->loop_count() == static_cast<std::uint32_t>(depth));
         CHECK(even_odd->holes() == static_cast<std::uint32_t>(depth / 2));
-        CHECK(mistake_on(test::nested_squares(depth, false)) == "");
-        CHECK(mistake_on(test::nested_squares(depth, true)) == "");
+        CHECK(nesting_mistake(test::nested_squares(depth, false)) == "");
+        CHECK(nesting_mistake(test::nested_squares(depth, true)) == "");
     }
 }
 
@@ -131,7 +131,7 @@ TEST_CASE("nest() agrees with the oracle about random polylines on tiny grids", 
         const int width = 3 + d.roll(7), count = 1 + d.roll(3);
         const test::shape s = test::random_polylines(d, count, 3, count == 1 ? 6 : 3, width);
         INFO(s);
-        CHECK(mistake_on(s) == "");
+        CHECK(nesting_mistake(s) == "");
         accepted += !test::oracle::is_crossing(test::loops_of(s));
     }
     CHECK(accepted > 2000);
@@ -152,7 +152,7 @@ TEST_CASE("nest() agrees with the oracle about polygons within polygons, in both
             s.loops.push_back(l);
         }
         INFO(s);
-        CHECK(mistake_on(s) == "");
+        CHECK(nesting_mistake(s) == "");
         accepted += s.loops.size() > 1 && !test::oracle::is_crossing(test::loops_of(s));
     }
     CHECK(accepted > 500);

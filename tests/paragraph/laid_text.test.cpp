@@ -9,7 +9,7 @@ using namespace typemesh;
 
 namespace {
 
-const std::u16string mixed = u"AV fix, \u05D0\u05D1 12 \u05D2 and\n\ta\u0301b fi \u05D3\u05D4\n";
+const std::u16string mixed_lines = u"AV fix, \u05D0\u05D1 12 \u05D2 and\n\ta\u0301b fi \u05D3\u05D4\n";
 
 using laid_out = test::laid_paragraph<>;
 
@@ -109,11 +109,12 @@ TEST_CASE("a caret's own point leads back to it", "[paragraph]")
     std::size_t alone = 0;  // places that no other caret has
     for (const double width : {100.0, 5.0, 2.0, 0.6})
         for (const alignment align : {alignment::start, alignment::justify, alignment::centre}) {
-            const laid_out p{mixed, {.width = width, .align = align}};
+            const laid_out p{mixed_lines, {.width = width, .align = align}};
             const laid_text laid = p.laid();
             std::vector<place> all;
-            for (std::uint32_t unit = 0; unit <= mixed.size(); ++unit) {
-                if (unit < mixed.size() && !has(p.words.shaped().analysis.marks[unit], text_mark::grapheme)) continue;
+            for (std::uint32_t unit = 0; unit <= mixed_lines.size(); ++unit) {
+                if (unit < mixed_lines.size() && !has(p.words.shaped().analysis.marks[unit], text_mark::grapheme))
+                    continue;
                 for (const affinity side : {affinity::downstream, affinity::upstream})
                     all.push_back({unit, side, laid.caret_at(unit, side)});
             }
@@ -166,9 +167,9 @@ TEST_CASE("boxes cover what is selected, stretch by stretch", "[paragraph]")
     CHECK(p.boxes(3, 3).empty());
 
     // Whatever is selected, its boxes are as wide as its clusters.
-    const laid_out wrapped{mixed, {.width = 4.0}};
-    for (std::uint32_t first = 0; first < mixed.size(); ++first)
-        for (std::uint32_t last = first + 1; last <= mixed.size(); ++last)
+    const laid_out wrapped{mixed_lines, {.width = 4.0}};
+    for (std::uint32_t first = 0; first < mixed_lines.size(); ++first)
+        for (std::uint32_t last = first + 1; last <= mixed_lines.size(); ++last)
             CHECK(std::fabs(width_of(wrapped, first, last) - width_of_units(wrapped, first, last)) < 1e-9);
 }
 
@@ -279,8 +280,8 @@ TEST_CASE("until its text is laid out a paragraph has no lines or boxes, and its
 TEST_CASE("a point finds its grapheme in a cluster", "[paragraph]")
 {
     for (const layout_options& how : {layout_options{}, layout_options{.width = 3.0}}) {
-        const laid_out p{mixed, how};
-        for (std::uint32_t unit = 0; unit < mixed.size(); ++unit)
+        const laid_out p{mixed_lines, how};
+        for (std::uint32_t unit = 0; unit < mixed_lines.size(); ++unit)
             for (const box& b : p.boxes(unit, unit + 1)) {
                 const text_range found = p.laid().grapheme_at(unit, 0.5 * (b.low + b.high));
                 CHECK(found.holds(unit));
