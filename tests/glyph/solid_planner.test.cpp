@@ -40,7 +40,7 @@ TEST_CASE("without a step the draft has the region's own points, and parted corn
     corner_parting parted;
     parted.corners = 3;
     parted.still_touching = true;
-    const auto made = planner.plan(r.filled, r.caps, with, parted);
+    const auto made = planner.plan({r.filled, r.caps.triangles(), parted}, r.caps, with);
     REQUIRE(made);
     CHECK(made->draft.form.points.data() == r.filled.points().data());
     CHECK(made->draft.form.triangles.size() == r.filled.triangle_count());
@@ -61,7 +61,7 @@ TEST_CASE("after a step the draft has the new region's points, and refers to the
         const policies with{flatten, cut, raise, nobody, step};
         ring r{with};
         solid_planner planner;
-        const auto made = planner.plan(r.filled, r.caps, with, {});
+        const auto made = planner.plan({r.filled, r.caps.triangles(), {}}, r.caps, with);
         REQUIRE(made);
         CHECK(made->draft.form.points.data() == made->filled.points().data());
         CHECK(made->draft.form.triangles.size() == made->filled.triangle_count());
