@@ -18,7 +18,7 @@ using namespace typemesh;
 
 namespace {
 
-const char* const inter = "truetype/inter-vf/Inter-roman.var.ttf";
+const char* const inter_variable = "truetype/inter_variable-vf/Inter-roman.var.ttf";
 
 std::vector<axis_coordinate> sorted(const buffer<axis_coordinate>& list)
 {
@@ -32,7 +32,7 @@ std::vector<axis_coordinate> sorted(const buffer<axis_coordinate>& list)
 
 TEST_CASE("an axis has the font's values, coordinates and masters", "[adapt][morph]")
 {
-    const auto font = harfbuzz_font::open(font_file(inter));
+    const auto font = harfbuzz_font::open(font_file(inter_variable));
     REQUIRE(font);
     CHECK(harfbuzz_axis::open(*font, "QQQQ").error() == error::unknown_variation);
     auto axis = harfbuzz_axis::open(*font, "wght");
@@ -51,14 +51,14 @@ TEST_CASE("an axis has the font's values, coordinates and masters", "[adapt][mor
 
 TEST_CASE("an axis at a coordinate draws as the font opened at that value", "[adapt][morph]")
 {
-    const auto font = harfbuzz_font::open(font_file(inter));
+    const auto font = harfbuzz_font::open(font_file(inter_variable));
     REQUIRE(font);
     auto axis = harfbuzz_axis::open(*font, "wght");
     REQUIRE(axis);
     const std::uint64_t before = font->variation_key();
     for (const float value : {100.0f, 333.0f, 400.0f, 850.0f}) {
         const variation at[] = {{"wght", value}};
-        auto opened = harfbuzz_font::open(font_file(inter), {.variations = at});
+        auto opened = harfbuzz_font::open(font_file(inter_variable), {.variations = at});
         REQUIRE(opened);
         REQUIRE_FALSE(axis->move_to(axis->coordinate(as_double(value))));
         for (const glyph_id id : {20u, 300u, 1200u}) {
@@ -74,7 +74,7 @@ TEST_CASE("an axis at a coordinate draws as the font opened at that value", "[ad
 
 TEST_CASE("pens of a morphed text are the font's, within the units to which advances are rounded", "[adapt][morph]")
 {
-    const auto font = harfbuzz_font::open(font_file(inter));
+    const auto font = harfbuzz_font::open(font_file(inter_variable));
     REQUIRE(font);
     auto axis = harfbuzz_axis::open(*font, "wght");
     REQUIRE(axis);
@@ -92,7 +92,7 @@ TEST_CASE("pens of a morphed text are the font's, within the units to which adva
     };
     for (const float value : {100.0f, 250.0f, 400.0f, 610.0f, 900.0f}) {
         const variation at[] = {{"wght", value}};
-        auto opened = harfbuzz_font::open(font_file(inter), {.variations = at});
+        auto opened = harfbuzz_font::open(font_file(inter_variable), {.variations = at});
         REQUIRE(opened);
         glyph_run run;
         REQUIRE(layout(*opened, text, {}, {}, run));

@@ -20,7 +20,7 @@ using namespace typemesh;
 
 namespace {
 
-harfbuzz_font amiri()
+harfbuzz_font coloured_amiri()
 {
     auto font = harfbuzz_font::open(font_path("opentype/fonts-hosny-amiri/AmiriQuranColored.ttf").string());
     REQUIRE(font);
@@ -31,7 +31,7 @@ harfbuzz_font amiri()
 
 TEST_CASE("layers and colours of a font are those that HarfBuzz reads", "[adapt]")
 {
-    const harfbuzz_font font = amiri();
+    const harfbuzz_font font = coloured_amiri();
     const auto colours = harfbuzz_colours::of(font);
     REQUIRE(colours);
     CHECK(colours->tables().has_layers());
@@ -73,7 +73,7 @@ TEST_CASE("layers and colours of a font are those that HarfBuzz reads", "[adapt]
 
 TEST_CASE("a coloured verse is one mesh of closed solids in several styles", "[adapt]")
 {
-    harfbuzz_font font = amiri();
+    harfbuzz_font font = coloured_amiri();
     const auto tables = harfbuzz_colours::of(font);
     REQUIRE(tables);
     colour_outlines colours{font};

@@ -20,7 +20,7 @@ namespace {
 
 /// What lines have been broken by: spaces of all kinds, tabs, marks that are drawn or not, hyphens, joiners, directions,
 /// scripts that are shaped in clusters.
-const std::u32string letters =
+const std::u32string alphabet =
     U"   "
     U"\t\t\u200D\u200C\u0301\u0300\u00AD\u200F\u200E\u061C\u4E00\u3001\u3042\u0628\u0627\u0644\u064B\u0E01\u0E32\u0E48"
     U"\u05D0\u05D1aVAfiN)(.1-"
@@ -31,8 +31,8 @@ double below(std::mt19937& random, unsigned n) { return static_cast<double>(rand
 
 std::u16string random_line(std::mt19937& random)
 {
-    std::u32string some;  // few letters in a text, so that they meet
-    for (std::size_t n = 2 + random() % 10; some.size() < n;) some += letters[random() % letters.size()];
+    std::u32string some;  // few alphabet in a text, so that they meet
+    for (std::size_t n = 2 + random() % 10; some.size() < n;) some += alphabet[random() % alphabet.size()];
     std::u16string text;
     for (std::size_t n = 1 + random() % 24; n > 0; --n) {
         const char32_t c = some[random() % some.size()];
