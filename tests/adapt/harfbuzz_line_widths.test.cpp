@@ -31,7 +31,7 @@ double below(std::mt19937& random, unsigned n) { return static_cast<double>(rand
 
 std::u16string random_line(std::mt19937& random)
 {
-    std::u32string some;  // few alphabet in a text, so that they meet
+    std::u32string some;  // few letters in a text, so that they meet
     for (std::size_t n = 2 + random() % 10; some.size() < n;) some += alphabet[random() % alphabet.size()];
     std::u16string text;
     for (std::size_t n = 1 + random() % 24; n > 0; --n) {
