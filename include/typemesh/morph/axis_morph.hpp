@@ -16,6 +16,7 @@
 #include <typemesh/morph/morph_plan.hpp>
 #include <typemesh/unicode/text_view.hpp>
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 
@@ -304,7 +305,7 @@ private:
                 s.ranges[1] = {n(points), n(points), n(3 * caps), n(3 * caps)};
                 s.ranges[2] = {n(2 * points), n(sides), n(6 * caps), n(6 * points)};
             }
-            most = points > most ? static_cast<std::size_t>(points) : most;
+            most = (std::max)(most, std::size_t{n(points)});
         }
         if (made.feet_.append(2 * most) == nullptr && most != 0) return error::out_of_memory;
         report(made);

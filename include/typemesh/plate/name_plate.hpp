@@ -237,7 +237,9 @@ private:
     /// The slabs of its solids.
     void slabs_of(const plate_options& how) noexcept
     {
-        const auto height = [this](float em) noexcept { return static_cast<float>(em * plane_.unit_per_em); };
+        const auto height = [this](float em) noexcept {
+            return static_cast<float>(as_double(em) * plane_.unit_per_em);
+        };
         const float face = height(how.thickness), floor = height(how.thickness - how.depth);
         const bool through = !(floor > 0.0f);
         bottom_[0] = bottom_[1] = 0.0f;

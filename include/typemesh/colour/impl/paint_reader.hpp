@@ -76,13 +76,13 @@ private:
         const double own = colr_.u16(at) + change(base, which);
         return own > 0.0 ? own : 0.0;
     }
-    [[nodiscard]] double small(std::size_t at, std::uint32_t base, std::uint32_t which) const noexcept
+    [[nodiscard]] double f2dot14(std::size_t at, std::uint32_t base, std::uint32_t which) const noexcept
     {
         return (colr_.i16(at) + change(base, which)) / 16384.0;
     }
     [[nodiscard]] double alpha(std::size_t at, std::uint32_t base) const noexcept
     {
-        const double a = small(at, base, 0);
+        const double a = f2dot14(at, base, 0);
         return a < 0.0 ? 0.0 : a > 1.0 ? 1.0 : a;
     }
 
@@ -291,7 +291,7 @@ private:
         const std::uint32_t base = varies ? colr_.u32(at + 4 + 2 * std::size_t{f.count}) : not_varied;
         for (std::uint32_t i = 0; i < f.count; ++i) {
             const std::size_t field = at + 4 + 2 * std::size_t{i};
-            n.v[i] = i < f.fractions ? small(field, base, i) : unit(field, base, i);
+            n.v[i] = i < f.fractions ? f2dot14(field, base, i) : unit(field, base, i);
         }
         return after(map, transform_of(format, n));
     }
@@ -322,8 +322,8 @@ private:
             const std::uint32_t base = varies ? colr_.u32(numbers + 8) : not_varied;
             p.kind = paint_kind::sweep;
             p.from = place(numbers, base, 0);
-            p.from_turn = small(numbers + 4, base, 2) + 1.0;  // stored less one half turn
-            p.to_turn = small(numbers + 6, base, 3) + 1.0;
+            p.from_turn = f2dot14(numbers + 4, base, 2) + 1.0;  // stored less one half turn
+            p.to_turn = f2dot14(numbers + 6, base, 3) + 1.0;
         }
         if (read_stops(at + colr_.u24(at + 1), varies, p)) add_layer(clip, p);
     }
@@ -346,7 +346,7 @@ private:
             const std::size_t at = line + 3 + stride * i;
             const std::uint32_t base = varies ? colr_.u32(at + 6) : not_varied;
             const double opacity = (colr_.i16(at + 4) + change(base, 1)) / 16384.0;
-            gradient_stop stop{small(at, base, 0), {}, static_cast<std::uint16_t>(colr_.u16(at + 2))};
+            gradient_stop stop{f2dot14(at, base, 0), {}, static_cast<std::uint16_t>(colr_.u16(at + 2))};
             stop.colour = colour_of(stop.entry, opacity < 0.0 ? 0.0 : opacity > 1.0 ? 1.0 : opacity);
             if (!out_.stops.push_back(stop)) {
                 failed_ = error::out_of_memory;

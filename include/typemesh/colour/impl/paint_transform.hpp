@@ -49,16 +49,16 @@ struct transform_fields {
 /// The map of such a paint.
 [[nodiscard]] inline affine transform_of(std::uint32_t format, const transform_numbers& n) noexcept
 {
-    constexpr double half_turn = 3.14159265358979323846;
+    constexpr double half_circle = 3.14159265358979323846;
     const auto around = [](const affine& m, double x, double y) noexcept {
         return after(after(affine{.dx = x, .dy = y}, m), affine{.dx = -x, .dy = -y});
     };
     const auto turned = [](double half_turns) noexcept {
-        const double c = std::cos(half_turn * half_turns), s = std::sin(half_turn * half_turns);
+        const double c = std::cos(half_circle * half_turns), s = std::sin(half_circle * half_turns);
         return affine{c, -s, 0.0, s, c, 0.0};
     };
     const auto skewed = [](double x, double y) noexcept {
-        return affine{1.0, -std::tan(half_turn * x), 0.0, std::tan(half_turn * y), 1.0, 0.0};
+        return affine{1.0, -std::tan(half_circle * x), 0.0, std::tan(half_circle * y), 1.0, 0.0};
     };
     const auto& v = n.v;
     switch (format & ~1u) {

@@ -44,9 +44,9 @@ struct curve_meeting {
 };
 
 /// Looks for the meeting of two curves next to their parameters, by Newton's method in both. It is found if the curves
-/// cross there, within a 32nd of a cell, not farther than `reach` from `near`.
+/// cross there, within a 32nd of a cell, not farther than `reach` from `about`.
 [[nodiscard]] inline curve_meeting meeting_of(const moved_curve& of_s, const moved_curve& of_t, double cells,
-                                              point near, double reach) noexcept
+                                              point about, double reach) noexcept
 {
     const curve &a = *of_s.shape, &b = *of_t.shape;
     const point shift_a = of_s.shift, shift_b = of_t.shift;
@@ -66,7 +66,7 @@ struct curve_meeting {
         gap = place_on(a, s, cells, shift_a) - place_on(b, t, cells, shift_b);
     }
     const point found = place_on(a, s, cells, shift_a);
-    if (!(dot(gap, gap) <= close) || !(length(found - near) <= reach)) return {};
+    if (!(dot(gap, gap) <= close) || !(length(found - about) <= reach)) return {};
     if (&a == &b && !(std::fabs(s - t) > 0.5 * apart)) return {};  // a curve meets itself everywhere
     return {s, t, found, true};
 }

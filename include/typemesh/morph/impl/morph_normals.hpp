@@ -69,9 +69,9 @@ private:
     /// is a point there, the direction at the nearest key where it is none is the limit.
     [[nodiscard]] point tangent_of(std::uint32_t edge, bool arrives, std::size_t key) const noexcept
     {
-        for (std::size_t far = 0; far < outlines_.keys(); ++far) {
+        for (std::size_t steps = 0; steps < outlines_.keys(); ++steps) {
             for (const bool ahead : {true, false}) {
-                const std::size_t k = ahead ? key + far : key - far;
+                const std::size_t k = ahead ? key + steps : key - steps;
                 if (k >= outlines_.keys()) continue;
                 const point t = tangent_at(edge, arrives, k);
                 if (dot(t, t) > 0.0) return t;

@@ -174,10 +174,10 @@ private:
         if (forwards && std::fabs(turn) < 1.0) {
             const double third = (b.t - a.t) / 3.0;
             const cubic side{a.rim, a.rim + third * a.rim_along, b.rim - third * b.rim_along, b.rim};
-            bool near = true;
-            for (int k = 1; k < places && near; ++k)
-                near = length(side.at(static_cast<double>(k) / places) - some[k].rim) <= 0.5 * tolerance_;
-            if (near) {
+            bool close = true;
+            for (int k = 1; k < places && close; ++k)
+                close = length(side.at(static_cast<double>(k) / places) - some[k].rim) <= 0.5 * tolerance_;
+            if (close) {
                 if (on_path_) line(a.rim);
                 to_.cubic(side.p1, side.p2, side.p3);
                 rim_ = b.rim;
@@ -277,9 +277,9 @@ private:
             const point corners[] = {a, p, q, b};
             return clockwise(corners);
         }
-        const point x = a + (s / turn) * of_a, near[] = {a, x, b}, far[] = {p, x, q};
-        clockwise(near);
-        clockwise(far);
+        const point x = a + (s / turn) * of_a, within[] = {a, x, b}, beyond[] = {p, x, q};
+        clockwise(within);
+        clockwise(beyond);
     }
     void clockwise(array_view<const point> corners) noexcept
     {
