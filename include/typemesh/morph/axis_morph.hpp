@@ -146,16 +146,18 @@ private:
         if (error e = shape(text, o, low_, before_)) return e;
         for (std::size_t i = 1; i < marks_.size(); ++i) {
             if (error e = shape(text, o, marks_[i], run_)) return e;
-            if (same_glyphs(before_, run_)) continue;
-            axis_coordinate same = marks_[i - 1], changed = marks_[i];
-            while (changed - same > 1) {
-                const axis_coordinate middle = same + (changed - same) / 2;
-                if (error e = shape(text, o, middle, other_)) return e;
-                same_glyphs(before_, other_) ? same = middle : changed = middle;
+            axis_coordinate from = marks_[i - 1];
+            while (!same_glyphs(before_, run_)) {  // before_ is shaped at `from`; there may be several changes
+                axis_coordinate same = from, changed = marks_[i];
+                while (changed - same > 1) {
+                    const axis_coordinate middle = same + (changed - same) / 2;
+                    if (error e = shape(text, o, middle, other_)) return e;
+                    same_glyphs(before_, other_) ? same = middle : changed = middle;
+                }
+                if (!ends_.push_back(same) || !ends_.push_back(changed)) return error::out_of_memory;
+                if (error e = shape(text, o, changed, before_)) return e;
+                from = changed;
             }
-            if (!ends_.push_back(same) || !ends_.push_back(changed)) return error::out_of_memory;
-            if (error e = shape(text, o, changed, before_)) return e;
-            if (!same_glyphs(before_, run_)) --i;  // there is another change
         }
         return ends_.push_back(high_) ? error{} : error{error::out_of_memory};
     }
@@ -233,7 +235,7 @@ private:
                 if (!made.origins_.push_back(g.origin)) return error::out_of_memory;
                 ++j;
             }
-            TYPEMESH_ASSERT(j == s.first_letter + s.letters, "a range has the same glyphs throughout");
+            if (j != s.first_letter + s.letters) return error::bad_outline;  // the axis has concealed a change
         }
         return made.sections_.push_back(s) ? error{} : error{error::out_of_memory};
     }

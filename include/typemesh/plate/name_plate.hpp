@@ -174,6 +174,7 @@ private:
                                          in_cells(how.radius), arc_tolerance());
                 !done)
                 return done.error();
+            if (plate_.empty()) return error::bad("margin");
         }
         if (how.ring_hole > 0.0f)
             if (error e = draw_ring(how)) return e;

@@ -178,9 +178,10 @@ private:
     {
         bool good = false;
         if (error e = group_by_contours(good)) return e;
+        glyph_pieces_ = good;
+        found_.clear(), triangles_.clear();  // what was found belongs to other points
         if (!good) return {};
-        glyph.overlapping = glyph_pieces_ = true;
-        found_.clear(), triangles_.clear();
+        glyph.overlapping = true;
         for (std::size_t k = outlines_.keys() - 1; k-- > 1;)  // the glyph as one solid may have been divided in vain
             if (outlines_.bend_at(k) * grid_.cells <= 0.5) outlines_.remove(k);
         if (error e = points_.place_all(outlines_, grid_)) return e;
