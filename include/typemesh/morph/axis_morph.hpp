@@ -98,7 +98,8 @@ private:
         low_ = axis_->coordinate(clamped(o.from));
         high_ = axis_->coordinate(clamped(o.to));
         if (!(o.from < o.to) || low_ >= high_) return error::bad("from");
-        masters_.clear(), changes_.clear();
+        masters_.clear();
+        changes_.clear();
         if (error e = axis_->append_masters(masters_)) return e;
         if (error e = axis_->append_changes(changes_)) return e;
         if (!masters_.push_back(low_) || !masters_.push_back(high_)) return error::out_of_memory;
@@ -137,7 +138,8 @@ private:
     /// ends_. Glyphs are compared at all masters and on both sides of all possible changes.
     error find_ranges(text_view text, const morph_options& o) noexcept
     {
-        marks_.clear(), ends_.clear();
+        marks_.clear();
+        ends_.clear();
         bool stored = ends_.push_back(low_);
         for (const axis_coordinate c : masters_) stored = stored && marks_.push_back(c);
         for (const axis_coordinate c : changes_) stored = stored && marks_.push_back(c - 1) && marks_.push_back(c);
@@ -209,7 +211,8 @@ private:
                       morph_plan& made) noexcept
     {
         morph_section s;
-        s.first = first, s.last = last;
+        s.first = first;
+        s.last = last;
         s.first_letter = made.letters_.size();
         s.first_key = made.keys_.size();
         s.first_origin = made.origins_.size();

@@ -170,7 +170,8 @@ public:
         if (insets.empty()) return {};
         const auto spacing = [this](const text_cluster& c) noexcept { return spacing_of(c); };
         insets.widen(text_, items_.view(), {in_columns(), em_}, spacing, clusters_.view(), glyphs_.data());
-        return sum_up(0), error{};
+        sum_up(0);
+        return {};
     }
 
     /// Appends the clusters of text[first, last), which lies in one item. The text around it is context for shaping.
@@ -322,7 +323,8 @@ private:
         if (const auto* box = insets.empty() ? nullptr : insets.box_at(first); box != nullptr) {
             const double wide = em_ * insets.advance_of(*box, in_columns());
             if (error e = insets.append(*box, {first, last}, item, wide, glyphs_, clusters_)) return e;
-            return sum_up(clusters_.size() - 1), error{};
+            sum_up(clusters_.size() - 1);
+            return {};
         }
         const std::size_t before = glyphs_.size(), first_cluster = clusters_.size();
         if (first < last) {
@@ -447,8 +449,7 @@ private:
     void scale_glyphs(std::uint32_t item, std::size_t before) noexcept
     {
         const double scale = setting_of(item).scale;
-        if (same(scale, 1.0)) return;
-        for (std::size_t g = before; g < glyphs_.size(); ++g) {
+        for (std::size_t g = before; !same(scale, 1.0) && g < glyphs_.size(); ++g) {
             glyphs_[g].advance *= scale;
             glyphs_[g].offset = scale * glyphs_[g].offset;
         }

@@ -50,7 +50,8 @@ public:
                           .first_point = out.points.size(),
                           .first_corner = out.corners.size(),
                           .first_section = static_cast<std::uint32_t>(out.sections.size())};
-        found_.clear(), triangles_.clear();
+        found_.clear();
+        triangles_.clear();
         error e = read(axis, id, masters, tolerance, glyph);
         if (!e && points_.count() != 0) e = solve(axis, id, glyph);
         if (e == error::out_of_memory) return e;
@@ -165,7 +166,8 @@ private:
         if (crosses_ && !glyph_pieces_) {  // a hole lies in no contour: as one solid, where that is possible
             if (error e = group_all()) return e;
             glyph_pieces_ = true;
-            found_.clear(), triangles_.clear();
+            found_.clear();
+            triangles_.clear();
             if (error e = prove(axis, id, whole)) return e;
         }
         glyph.refused = covered() != length;
@@ -179,7 +181,8 @@ private:
         bool good = false;
         if (error e = group_by_contours(good)) return e;
         glyph_pieces_ = good;
-        found_.clear(), triangles_.clear();  // what was found belongs to other points
+        found_.clear();
+        triangles_.clear();  // what was found belongs to other points
         if (!good) return {};
         glyph.overlapping = true;
         for (std::size_t k = outlines_.keys() - 1; k-- > 1;)  // the glyph as one solid may have been divided in vain
@@ -253,7 +256,8 @@ private:
 
     error group_all() noexcept
     {
-        members_.clear(), groups_.clear();
+        members_.clear();
+        groups_.clear();
         bool good = groups_.push_back(0);
         for (std::uint32_t c = 0; c < points_.contours(); ++c) good = good && members_.push_back(c);
         good = good && groups_.push_back(points_.contours());
@@ -265,7 +269,8 @@ private:
     /// of the solids are 0 and 1, and their sum is the glyph's. `good` is false if a hole lies in no outer contour.
     error group_by_contours(bool& good) noexcept
     {
-        members_.clear(), groups_.clear();
+        members_.clear();
+        groups_.clear();
         bool stored = groups_.push_back(0);
         std::uint32_t holes = 0, used = 0;
         for (std::uint32_t c = 0; c < points_.contours(); ++c) holes += area(c) < 0.0 ? 1u : 0u;

@@ -143,7 +143,12 @@ private:
 
     void clear() noexcept
     {
-        coordinates_.clear(), raw_.clear(), raw_starts_.clear(), recorded_.clear(), curves_.clear(), starts_.clear();
+        coordinates_.clear();
+        raw_.clear();
+        raw_starts_.clear();
+        recorded_.clear();
+        curves_.clear();
+        starts_.clear();
         bounds_ = {};
         count_ = 0;
     }

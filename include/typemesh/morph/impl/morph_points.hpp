@@ -38,7 +38,10 @@ struct morph_points {
     /// Fails  error::too_many_points, error::out_of_memory
     error divide(const keyed_outlines& outlines, double tolerance, const grid& g) noexcept
     {
-        places.clear(), edges.clear(), starts.clear(), kept_.clear();
+        places.clear();
+        edges.clear();
+        starts.clear();
+        kept_.clear();
         if (!starts.push_back(0)) return error::out_of_memory;
         const double rest = tolerance - g.snap_error() > g.snap_error() ? tolerance - g.snap_error() : g.snap_error();
         for (std::size_t c = 0; c + 1 < outlines.starts().size(); ++c)

@@ -95,7 +95,10 @@ private:
             last_place = place;
             std::size_t key = where.key + place / area_path::parts;
             auto part = static_cast<std::int32_t>(place % area_path::parts);
-            if (key == where.key + where.steps && part == 0) --key, part = area_path::parts;
+            if (key == where.key + where.steps && part == 0) {
+                --key;
+                part = area_path::parts;
+            }
             const error e = triangulate(key, part, outside);
             if (e == error::crossing_contours) {
                 crosses = crossed_anywhere_ = true;
@@ -116,7 +119,9 @@ private:
     /// The constrained Delaunay triangulation at one place, in triangles_.
     error triangulate(std::size_t key, std::int32_t part, bool outside) noexcept
     {
-        loops_.clear(), names_.clear(), triangles_.clear();
+        loops_.clear();
+        names_.clear();
+        triangles_.clear();
         bool good = loops_.starts.push_back(0);
         const auto put = [&](std::uint32_t point) noexcept {
             const grid_point p =
@@ -150,8 +155,10 @@ private:
             for (const std::uint32_t c : members_)
                 for (std::uint32_t i = points_->starts[c]; i < points_->starts[c + 1]; ++i) {
                     const grid_point p = moving_.at(k, i);
-                    left = p.x < left ? p.x : left, right = p.x > right ? p.x : right;
-                    low = p.y < low ? p.y : low, high = p.y > high ? p.y : high;
+                    left = p.x < left ? p.x : left;
+                    right = p.x > right ? p.x : right;
+                    low = p.y < low ? p.y : low;
+                    high = p.y > high ? p.y : high;
                 }
         const std::int32_t margin = (right - left > high - low ? right - left : high - low) / 4 + 1;
         frame_[0] = {left - margin, low - margin};

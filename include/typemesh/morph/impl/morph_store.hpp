@@ -106,8 +106,13 @@ struct morph_store {
 
     void clear() noexcept
     {
-        glyphs.clear(), keys.clear(), points.clear(), normals.clear(), corners.clear(), triangles.clear(),
-            sections.clear();
+        glyphs.clear();
+        keys.clear();
+        points.clear();
+        normals.clear();
+        corners.clear();
+        triangles.clear();
+        sections.clear();
     }
 };
 

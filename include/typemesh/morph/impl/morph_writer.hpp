@@ -234,9 +234,11 @@ private:
         const float square = x * x + y * y;
         if (unit && square > 1e-12f) {
             const float scale = 1.0f / std::sqrt(square);
-            x *= scale, y *= scale;
+            x *= scale;
+            y *= scale;
         } else if (unit) {
-            x = a.x, y = a.y;
+            x = a.x;
+            y = a.y;
         }
         return form.frame(x, y, 0.0f);
     }

@@ -77,7 +77,9 @@ private:
     [[nodiscard]] bool join() noexcept
     {
         const std::size_t n = points_->size(), half_edges = 3 * triangles_.size();
-        twins_.clear(), head_.clear(), next_.clear();
+        twins_.clear();
+        head_.clear();
+        next_.clear();
         if (twins_.append(half_edges) == nullptr || next_.append(half_edges) == nullptr || head_.append(n) == nullptr)
             return false;
         for (std::uint32_t& h : head_) h = none;
