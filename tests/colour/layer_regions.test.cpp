@@ -117,14 +117,14 @@ TEST_CASE("transforms, clips and composites give the areas of plane geometry", "
         return areas_of(outlines, painted_font({{1, root}}, {}, clips), layer_cut::visible);
     };
     const double disc = 200.0 * 200.0 * 3.14159265358979, rough = 0.009 * disc;
-    const paint square = test::glyph(solid(0), 5), round = test::glyph(solid(1), 10);
+    const paint square = test::glyph(solid_paint(0), 5), round = test::glyph(solid_paint(1), 10);
     const double quarter = disc / 4;  // of the disc lies in the square
 
     CHECK(are(one(moved(26, {0.125}, {250, 250}, square)).layers, {250'000.0}, 1.0));
     CHECK(are(one(moved(16, {0.5, -0.5}, {}, square)).layers, {62'500.0}));
     CHECK(are(one(moved(28, {0.125, 0.0}, {}, square)).layers, {250'000.0}, 1.0));
     CHECK(are(one(moved(14, {}, {700, 0}, square), {{1, 1, 0, 0, 800, 100}}).layers, {10'000.0}));  // clipped
-    CHECK(are(one(solid(2), {{1, 1, 10, 20, 110, 70}}).layers, {5'000.0}));
+    CHECK(are(one(solid_paint(2), {{1, 1, 10, 20, 110, 70}}).layers, {5'000.0}));
 
     CHECK(are(one(composite(round, 3, square)).layers, {250'000.0 - quarter, disc}, rough));
     CHECK(are(one(composite(round, 4, square)).layers, {disc - quarter, 250'000.0}, rough));
@@ -135,7 +135,8 @@ TEST_CASE("transforms, clips and composites give the areas of plane geometry", "
     CHECK(are(one(composite(round, 9, square)).layers, {250'000.0 - quarter, quarter}, rough));
     CHECK(are(one(composite(round, 10, square)).layers, {disc - quarter, quarter}, rough));
     CHECK(are(one(composite(round, 11, square)).layers, {250'000.0 - quarter, disc - quarter}, rough));
-    CHECK(are(one(composite(solid(2), 7, round), {{1, 1, 0, 0, 1000, 1000}}).layers, {1'000'000.0 - disc}, rough));
+    CHECK(
+        are(one(composite(solid_paint(2), 7, round), {{1, 1, 0, 0, 1000, 1000}}).layers, {1'000'000.0 - disc}, rough));
     for (const unsigned mode : {1u, 2u, 3u, 4u, 5u, 6u, 7u, 8u, 9u, 10u, 11u, 23u})
         CHECK(one(moved(24, {0.03}, {}, composite(round, mode, moved(24, {0.01}, {}, square)))).add_up);
 }
@@ -144,9 +145,10 @@ TEST_CASE("neighbouring layers share every point of their common boundary", "[co
 {
     recorded_outlines outlines = squares_and_disc();
     // A turned square, a disc over its corner and a slanted square over both.
-    const colour_font font = painted_font({{1, colr_layers(3, 0)}},
-                                          {moved(24, {0.03}, {}, test::glyph(solid(0), 7)), test::glyph(solid(1), 10),
-                                           moved(28, {0.11, 0.07}, {}, test::glyph(solid(2), 4))});
+    const colour_font font =
+        painted_font({{1, colr_layers(3, 0)}},
+                     {moved(24, {0.03}, {}, test::glyph(solid_paint(0), 7)), test::glyph(solid_paint(1), 10),
+                      moved(28, {0.11, 0.07}, {}, test::glyph(solid_paint(2), 4))});
     colour_glyph g;
     REQUIRE(read_colour_glyph(font.tables(), 1, {}, g));
     layer_regions regions;

@@ -77,7 +77,7 @@ TEST_CASE("layers of version 0 come in order with their palette's colours", "[co
 
 TEST_CASE("each transform paint maps as it says", "[colour]")
 {
-    const paint inner = test::glyph(solid(0), 4);
+    const paint inner = test::glyph(solid_paint(0), 4);
     const double half = std::sqrt(0.5);
     check_map(inner, {3, 5}, {3, 5});
     check_map(transformed({1, 2, 3, 4, 5, 6}, inner), {10, 100}, {10 + 300 + 5, 20 + 400 + 6});
@@ -129,8 +129,8 @@ TEST_CASE("glyphs within glyphs, layers and clips nest", "[colour]")
 {
     // Glyph 1 is glyph 2's layers, moved, within glyph 9.
     const colour_font font = painted_font(
-        {{1, test::glyph(moved(14, {}, {100, 0}, colr_glyph(2)), 9)}, {2, colr_layers(2, 0)}, {3, solid(1)}},
-        {test::glyph(solid(0), 5), test::glyph(solid(1, 0.5), 6)}, {{3, 4, -1, -2, 30, 40}});
+        {{1, test::glyph(moved(14, {}, {100, 0}, colr_glyph(2)), 9)}, {2, colr_layers(2, 0)}, {3, solid_paint(1)}},
+        {test::glyph(solid_paint(0), 5), test::glyph(solid_paint(1, 0.5), 6)}, {{3, 4, -1, -2, 30, 40}});
     colour_glyph g;
     REQUIRE(read_colour_glyph(font.tables(), 1, {}, g));
     REQUIRE(g.layers.size() == 2);
@@ -148,7 +148,7 @@ TEST_CASE("glyphs within glyphs, layers and clips nest", "[colour]")
     CHECK(g.shapes[g.layers[0].shape].is == layer_shape::kind::rectangle);
     CHECK((g.clip.low == point{-1, -2} && g.clip.high == point{30, 40}));
 
-    const colour_font endless = painted_font({{1, solid(0)}});
+    const colour_font endless = painted_font({{1, solid_paint(0)}});
     REQUIRE(read_colour_glyph(endless.tables(), 1, {}, g));
     CHECK(g.layers.empty());
     CHECK(g.unbounded == 1);
@@ -156,7 +156,7 @@ TEST_CASE("glyphs within glyphs, layers and clips nest", "[colour]")
 
 TEST_CASE("paints of version 1 precede layers of version 0", "[colour]")
 {
-    colour_font font = painted_font({{1, test::glyph(solid(2), 5)}});
+    colour_font font = painted_font({{1, test::glyph(solid_paint(2), 5)}});
     table_writer both = table_writer{}.u16(1).u16(2).u32(font.colr.size()).u32(font.colr.size() + 12).u16(2);
     both.bytes.insert(both.bytes.end(), font.colr.bytes.begin() + 14, font.colr.bytes.end());
     both.u16(1).u16(0).u16(1).u16(4).u16(1).u16(1).u16(7).u16(0).u16(8).u16(1);
@@ -182,7 +182,7 @@ TEST_CASE("composites keep what their mode says, in its order", "[colour]")
     for (const expected& e : all) {
         INFO("mode " << e.mode);
         const colour_font font =
-            painted_font({{1, composite(test::glyph(solid(0), 5), e.mode, test::glyph(solid(1), 6))}});
+            painted_font({{1, composite(test::glyph(solid_paint(0), 5), e.mode, test::glyph(solid_paint(1), 6))}});
         colour_glyph g;
         REQUIRE(read_colour_glyph(font.tables(), 1, {}, g));
         std::string found;
@@ -198,16 +198,16 @@ TEST_CASE("composites keep what their mode says, in its order", "[colour]")
         CHECK(found == e.layers);
         CHECK(g.blended == (e.mode >= 12 ? 1 : 0));
     }
-    const colour_font font = painted_font({{1, composite(solid(0), 28, solid(1))}});
+    const colour_font font = painted_font({{1, composite(solid_paint(0), 28, solid_paint(1))}});
     colour_glyph g;
     CHECK(read_colour_glyph(font.tables(), 1, {}, g).error() == error::bad_colours);
 }
 
 TEST_CASE("a source without bounds fills what its backdrop covers", "[colour]")
 {
-    const colour_font font = painted_font({{1, composite(solid(0), 5, test::glyph(solid(1, 0.5), 6))},
-                                           {2, composite(solid(0), 7, test::glyph(solid(1), 6))},
-                                           {3, composite(solid(0), 7, test::glyph(solid(1), 6))}},
+    const colour_font font = painted_font({{1, composite(solid_paint(0), 5, test::glyph(solid_paint(1, 0.5), 6))},
+                                           {2, composite(solid_paint(0), 7, test::glyph(solid_paint(1), 6))},
+                                           {3, composite(solid_paint(0), 7, test::glyph(solid_paint(1), 6))}},
                                           {}, {{3, 3, 0, 0, 900, 900}});
     colour_glyph g;
     REQUIRE(read_colour_glyph(font.tables(), 1, {}, g));
@@ -229,7 +229,7 @@ TEST_CASE("variable paints are read at the place on the axes", "[colour]")
     table_writer store = table_writer{}.u16(1).u32(12).u16(1).u32(22);
     store.u16(1).u16(1).fraction(0.0).fraction(1.0).fraction(1.0);
     store.u16(3).u16(1).u16(1).u16(0).i16(100).i16(-50).i16(4096);
-    const paint inner = test::glyph(solid(0), 4);
+    const paint inner = test::glyph(solid_paint(0), 4);
     colour_font font = painted_font(
         {{1, moved(15, {}, {10, 20}, inner, 0)}, {2, test::glyph(paint{}.u8(3).u16(0).fraction(0.5).u32(2), 4)}}, {},
         {}, store);
@@ -266,14 +266,15 @@ TEST_CASE("cycles, endless nesting and too many layers are refused", "[colour]")
     // Each layer list doubles the paints: 2^40 of them.
     std::vector<paint> doubling;
     for (unsigned i = 0; i < 40; ++i) doubling.push_back(composite(colr_layers(1, i + 1), 3, colr_layers(1, i + 1)));
-    doubling.push_back(test::glyph(solid(0), 1));
+    doubling.push_back(test::glyph(solid_paint(0), 1));
     CHECK(refused(painted_font({{1, colr_layers(1, 0)}}, doubling)));
-    CHECK(refused(painted_font({{1, colr_layers(2, 0)}}, {test::glyph(solid(0), 3), test::glyph(solid(0), 4)}),
-                  {.max_layers = 1}));
-    CHECK(refused(painted_font({{1, colr_layers(3, 0)}}, {test::glyph(solid(0), 3)})));
+    CHECK(refused(
+        painted_font({{1, colr_layers(2, 0)}}, {test::glyph(solid_paint(0), 3), test::glyph(solid_paint(0), 4)}),
+        {.max_layers = 1}));
+    CHECK(refused(painted_font({{1, colr_layers(3, 0)}}, {test::glyph(solid_paint(0), 3)})));
     CHECK(refused(painted_font({{1, paint{}.u8(33)}})));
     CHECK(refused(painted_font({{1, test::glyph(linear({0, 0, 1, 1, 2, 2}, colour_line(0, {})), 2)}})));
-    paint deep = test::glyph(solid(0), 4);
+    paint deep = test::glyph(solid_paint(0), 4);
     for (int i = 0; i < 62; ++i) deep = moved(14, {}, {1, 0}, deep);
     CHECK_FALSE(refused(painted_font({{1, deep}})));
     CHECK(refused(painted_font({{1, moved(14, {}, {1, 0}, deep)}})));
@@ -286,7 +287,7 @@ TEST_CASE("damaged colour tables end in layers or in one error", "[colour]")
     store.u16(3).u16(1).u16(1).u16(0).i16(100).i16(-50).i16(4096);
     colour_font fonts[] = {
         flat_font({{3, {{7, 0}, {8, 0xFFFF}, {9, 3}}}, {6, {{2, 1}, {1, 9}}}}),
-        painted_font({{3, composite(moved(27, {0.5}, {3, 4}, test::glyph(solid(0), 5), 0), 5, colr_layers(2, 0))},
+        painted_font({{3, composite(moved(27, {0.5}, {3, 4}, test::glyph(solid_paint(0), 5), 0), 5, colr_layers(2, 0))},
                       {6, test::glyph(sweep(1, 2, 0.0, 1.0, colour_line(1, {{0, 0}, {1, 1}})), 4)}},
                      {test::glyph(linear({0, 0, 1, 1, 2, 2}, colour_line(0, {{0, 1}, {1, 2}})), 2), colr_glyph(6)},
                      {{3, 6, 0, 0, 500, 500}}, store)};
@@ -324,7 +325,7 @@ TEST_CASE("damaged colour tables end in layers or in one error", "[colour]")
 TEST_CASE("colour glyphs are read with failing memory", "[colour]")
 {
     const colour_font font =
-        painted_font({{1, composite(test::glyph(solid(0), 5), 5, colr_layers(1, 0))}},
+        painted_font({{1, composite(test::glyph(solid_paint(0), 5), 5, colr_layers(1, 0))}},
                      {test::glyph(linear({0, 0, 1, 1, 2, 2}, colour_line(0, {{0, 1}, {1, 2}})), 2)});
     const std::size_t requests = check_each_failure([&](memory source) {
         colour_glyph g{source};

@@ -25,8 +25,8 @@ inline test::colour_font read_font(values& in)
     store.u16(1).u16(1).fraction(0.0).fraction(1.0).fraction(1.0);
     store.u16(3).u16(1).u16(1).u16(0).i16(100).i16(-50).i16(4096);
     const paint turned =
-        moved(27, {in.between(-1.0, 1.0)}, {300, 400}, test::glyph(test::solid(0), 1 + in.below(9)), 0);
-    const paint skewed = moved(28, {in.between(-0.2, 0.2), 0.1}, {}, test::glyph(test::solid(1, 0.5), 1 + in.below(9)));
+        moved(27, {in.between(-1.0, 1.0)}, {300, 400}, test::glyph(solid_paint(0), 1 + in.below(9)), 0);
+    const paint skewed = moved(28, {in.between(-0.2, 0.2), 0.1}, {}, test::glyph(solid_paint(1, 0.5), 1 + in.below(9)));
     colour_font font =
         painted_font({{1, composite(turned, in.below(29), skewed)}, {2, colr_layers(3, 0)}},
                      {test::glyph(linear({0, 0, 1, 1, 2, 2}, colour_line(0, {{0, 1}, {1, 2}})), 1 + in.below(9)),

@@ -42,7 +42,7 @@ struct table_writer {
 /// A paint of COLR version 1 with all that it refers to behind it, so that paints nest as they are written.
 using paint = table_writer;
 
-inline paint solid(unsigned entry, double alpha = 1.0) { return paint{}.u8(2).u16(entry).fraction(alpha); }
+inline paint solid_paint(unsigned entry, double alpha = 1.0) { return paint{}.u8(2).u16(entry).fraction(alpha); }
 inline paint glyph(const paint& inner, unsigned id) { return paint{}.u8(10).u24(6).u16(id).add(inner); }
 inline paint colr_glyph(unsigned id) { return paint{}.u8(11).u16(id); }
 inline paint colr_layers(unsigned count, unsigned first) { return paint{}.u8(1).u8(count).u32(first); }
