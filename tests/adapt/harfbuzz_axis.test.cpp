@@ -18,7 +18,7 @@ using namespace typemesh;
 
 namespace {
 
-const char* const inter_variable = "truetype/inter_variable-vf/Inter-roman.var.ttf";
+const char* const inter_variable = "truetype/inter-vf/Inter-roman.var.ttf";
 
 std::vector<axis_coordinate> sorted(const buffer<axis_coordinate>& list)
 {
