@@ -247,8 +247,7 @@ void add_line_options(CLI::App& app, options& out, raw_values& raw)
                                },
                                ""});
     app.add_flag("--colour-layers{visible},--color-layers{visible}", raw.colour_layers,
-                 "draw the colours of emoji and other colour glyphs: =visible (default) cuts what lies under other "
-                 "colours, =stacked puts a thin solid of each on the one below");
+                 "draw the colours of emoji: visible (default), cut where covered; or stacked in steps");
     app.add_option("--style", CLI::callback_t{take},
                    "style code points, counted from 0: \"6..11:colour=red,underline,size=1.5\"; may be repeated")
         ->type_name("A..B:SETTING,...")
