@@ -29,7 +29,7 @@ enum class markup_tag : std::uint8_t {
     style,        ///< [style=7]
     font,         ///< [font=Liberation Serif]
     language,     ///< [lang=ja]
-    mark,         ///< [mark=yellow]
+    mark,         ///< [mark=\#ff0]
     ruby,         ///< [ruby=...]
     box,          ///< [box=1.2,0.8]
 };
