@@ -176,6 +176,13 @@ TEST_CASE("dashes and gaps lie along the path as their lengths say", "[outline][
             CHECK(lit("M20 40h40v40", {0.1, 0.05}, offset, stroke_cap::butt, p) == (phase < 10.0));
         }
     }
+    // A gap that ends at a corner: the dash after it begins with the next line.
+    for (const char* const path : {"M20 40h20v20", "M20 40h20v20h-20z"}) {
+        CHECK(lit(path, {0.1, 0.1}, 0.0, stroke_cap::butt, {25.0, 60.0}));
+        CHECK_FALSE(lit(path, {0.1, 0.1}, 0.0, stroke_cap::butt, {35.0, 60.0}));
+        CHECK(lit(path, {0.1, 0.1}, 0.0, stroke_cap::butt, {40.0, 55.0}));
+        CHECK_FALSE(lit(path, {0.1, 0.1}, 0.0, stroke_cap::butt, {40.0, 45.0}));
+    }
     // Along a circle, measured by the angle.
     const double radius = 30.0, around = 2.0 * 3.14159265358979 * radius;
     for (int k = 0; k < 90; ++k) {

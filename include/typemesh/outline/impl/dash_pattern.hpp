@@ -79,6 +79,8 @@ public:
         place here, begin;
         for (;;) {
             const bool on = nth % 2 == 0;
+            // At the end of a curve nothing is left of it, so the dash begins with the next one.
+            if (on && here.t >= 1.0 && here.curve + 1 < path.size()) here = {here.curve + 1, 0.0};
             begin = here;
             const bool ends = !advance(path, here, left);
             if (on && (!ends || begin.curve != here.curve || begin.t < here.t))
