@@ -78,7 +78,7 @@ public:
     }
 
 private:
-    static constexpr std::size_t most_keys = 64;
+    static constexpr std::size_t max_keys = 64;
 
     static error refused(const morph_options& o) noexcept
     {
@@ -268,7 +268,7 @@ private:
                 ++k;
                 continue;
             }
-            if (keys_.size() >= most_keys) return error::bad("layout");
+            if (keys_.size() >= max_keys) return error::bad("layout");
             if (!keys_.push_back(middle)) return error::out_of_memory;
             settle(keys_, s.first);
         }

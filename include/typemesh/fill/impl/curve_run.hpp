@@ -51,12 +51,12 @@ struct curve_meeting {
     const curve &a = *of_s.shape, &b = *of_t.shape;
     const point shift_a = of_s.shift, shift_b = of_t.shift;
     double s = of_s.t, t = of_t.t;
-    constexpr int most_steps = 12;
+    constexpr int max_steps = 12;
     constexpr double close = 0x1p-10;  // a square
     const hodograph of_a{a}, of_b{b};
     const double apart = std::fabs(s - t);
     point gap = place_on(a, s, cells, shift_a) - place_on(b, t, cells, shift_b);
-    for (int step = 0; step < most_steps && dot(gap, gap) > 0x1p-40; ++step) {
+    for (int step = 0; step < max_steps && dot(gap, gap) > 0x1p-40; ++step) {
         const point along = cells * a.degree * of_a.derivative(s), other = cells * b.degree * of_b.derivative(t);
         const double turn = cross(along, other);
         if (!(turn * turn > 0x1p-30 * dot(along, along) * dot(other, other))) return {};

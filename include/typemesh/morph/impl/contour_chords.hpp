@@ -37,13 +37,13 @@ public:
     {
         changed = false;
         std::uint32_t pieces = 0;
-        for (std::uint32_t c = 0; c < points.contours() && pieces < most_pieces;) {
+        for (std::uint32_t c = 0; c < points.contours() && pieces < max_pieces;) {
             keys_ = points.places.size() / points.count();
             points_ = &points;
             const std::uint32_t first = points.starts[c], size = points.starts[c + 1] - first;
             if (!note(first, size)) return error::out_of_memory;
             ends best;
-            if (pairs_.empty() || size > most_points || !find(first, size, best)) {
+            if (pairs_.empty() || size > max_points || !find(first, size, best)) {
                 ++c;
                 continue;
             }
@@ -56,8 +56,8 @@ public:
     }
 
 private:
-    static constexpr std::uint32_t most_pieces = 64;
-    static constexpr std::uint32_t most_points = 1000;
+    static constexpr std::uint32_t max_pieces = 64;
+    static constexpr std::uint32_t max_points = 1000;
     static constexpr std::size_t most_pairs = 256;  // more are not used as ends of chords
 
     struct ends {

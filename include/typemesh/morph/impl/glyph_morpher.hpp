@@ -65,7 +65,7 @@ public:
     }
 
 private:
-    static constexpr std::size_t most_keys = 64;
+    static constexpr std::size_t max_keys = 64;
     static constexpr axis_coordinate shortest = 128;  ///< sections are not divided below this length
 
     /// A stretch of the axis that was proven, with its triangles.
@@ -120,7 +120,7 @@ private:
                 outlines_.remove(*key);
                 ++k;
             }
-            if (outlines_.keys() > most_keys) return error::bad_outline;
+            if (outlines_.keys() > max_keys) return error::bad_outline;
         }
         return {};
     }
@@ -237,7 +237,7 @@ private:
         if (last - first > 1) {
             middle = outlines_.coordinates()[(first + last) / 2];
         } else {
-            if (now.last - now.first < 2 * shortest || outlines_.keys() >= most_keys) return {};
+            if (now.last - now.first < 2 * shortest || outlines_.keys() >= max_keys) return {};
             const auto key = outlines_.insert(axis, id, middle);
             if (!key) return key.error();
             if (error e = points_.place_all(outlines_, grid_)) return e;
