@@ -10,6 +10,7 @@
 #include <typemesh/outline/svg_path.hpp>
 
 #include <cmath>
+#include <cstdint>
 #include <random>
 #include <string>
 #include <vector>
@@ -237,4 +238,32 @@ TEST_CASE("strokes refuse options, and what their source refuses", "[outline][st
     const std::size_t before = counted.requests;
     REQUIRE(record(warm, 0, out));
     CHECK(counted.requests == before);
+}
+
+TEST_CASE("each option of a stroke and each state of its source has a key of its own, so no cache confuses them",
+          "[outline][stroke]")
+{
+    svg_path tick{"M4 12l5 5L20 6"}, other{"M4 12l5 5L20 7"};
+    const double pattern[] = {0.1, 0.05}, longer[] = {0.1, 0.06};
+    std::vector<std::uint64_t> keys;
+    const auto add = [&](svg_path& path, const stroke_style& style, double tolerance) {
+        keys.push_back(stroked_outlines{path, style, tolerance}.variation_key());
+    };
+    const stroke_style plain;
+    stroke_style wide = plain, round = plain, joined = plain, sharp = plain, moved = plain, dashed = plain,
+                 spread = plain;
+    wide.width = 0.06;
+    round.cap = stroke_cap::round;
+    joined.join = stroke_join::round;
+    sharp.mitre_limit = 5.0;
+    moved.dash_offset = 0.1;
+    dashed.dashes = pattern;
+    spread.dashes = longer;
+    for (const stroke_style& style : {plain, wide, round, joined, sharp, moved, dashed, spread}) add(tick, style, 1e-4);
+    add(tick, plain, 1e-3);
+    add(other, plain, 1e-4);
+    for (std::size_t i = 0; i < keys.size(); ++i)
+        for (std::size_t k = 0; k < i; ++k) CHECK(keys[i] != keys[k]);
+    add(tick, plain, 1e-4);
+    CHECK(keys.back() == keys.front());
 }

@@ -9,8 +9,11 @@
 #include <typemesh/core/memory.hpp>
 #include <typemesh/core/point.hpp>
 #include <typemesh/outline/impl/stroker.hpp>
+#include <typemesh/outline/impl/variation_key.hpp>
 #include <typemesh/outline/outline_source.hpp>
 #include <typemesh/outline/stroke_style.hpp>
+
+#include <cstdint>
 
 namespace typemesh::inline TYPEMESH_ABI {
 
@@ -127,6 +130,17 @@ public:
 
     [[nodiscard]] double units_per_em() const noexcept { return source_->units_per_em(); }
     [[nodiscard]] fill_rule fill() const noexcept { return fill_rule::non_zero; }
+
+    /// See outline_source. Covers the other source, the style with its dashes, and the tolerance.
+    [[nodiscard]] std::uint64_t variation_key() const noexcept
+    {
+        const auto kinds = static_cast<std::uint64_t>(style_.cap) << 8 | static_cast<std::uint64_t>(style_.join);
+        std::uint64_t key = mixed_key(variation_of(*source_), kinds);
+        for (const double number : {style_.width, style_.mitre_limit, style_.dash_offset, tolerance_})
+            key = mixed_key(key, detail::bits_of(number));
+        for (const double length : style_.dashes) key = mixed_key(key, detail::bits_of(length));
+        return key;
+    }
 
     template <outline_sink Sink>
     error outline(glyph_id id, Sink& sink) noexcept

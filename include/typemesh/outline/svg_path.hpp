@@ -9,12 +9,12 @@
 #include <typemesh/core/result.hpp>
 #include <typemesh/outline/impl/elliptical_arc.hpp>
 #include <typemesh/outline/impl/path_numbers.hpp>
+#include <typemesh/outline/impl/variation_key.hpp>
 #include <typemesh/outline/outline_sink.hpp>
 #include <typemesh/outline/outline_source.hpp>
 
 #include <cstddef>
 #include <cstdint>
-#include <cstring>
 #include <string_view>
 
 namespace typemesh::inline TYPEMESH_ABI {
@@ -26,13 +26,6 @@ enum class path_mistakes : std::uint8_t {
 };
 
 namespace detail {
-
-[[nodiscard]] inline std::uint64_t bits_of(double number) noexcept
-{
-    std::uint64_t bits = 0;
-    std::memcpy(&bits, &number, sizeof bits);
-    return bits;
-}
 
 /// Reads path data and draws it into a sink, in one pass.
 template <outline_sink Sink>

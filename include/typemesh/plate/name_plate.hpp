@@ -49,6 +49,8 @@ public:
     static constexpr cell_set gaps = cells_of_layer(3);     ///< squares that separate touching corners
     static constexpr cell_set bridges = cells_of_layer(4);  ///< the bridges of a stencil
 
+    name_plate(name_plate&&) = delete;  // its solids refer to its cells
+    name_plate& operator=(name_plate&&) = delete;
     explicit name_plate(memory source = heap()) noexcept
         : space_{source},
           letters_{source},

@@ -26,14 +26,23 @@ template <class Source>
         return 0;
 }
 
+namespace detail {
+
+/// The bits of a number, for keys.
+[[nodiscard]] inline std::uint64_t bits_of(double number) noexcept
+{
+    std::uint64_t bits = 0;
+    std::memcpy(&bits, &number, sizeof bits);
+    return bits;
+}
+
+}  // namespace detail
+
 /// Mixes a map into a key.
 [[nodiscard]] inline std::uint64_t mixed_key(std::uint64_t key, const affine& map) noexcept
 {
-    for (const double number : {map.xx, map.xy, map.dx, map.yx, map.yy, map.dy}) {
-        std::uint64_t bits = 0;
-        std::memcpy(&bits, &number, sizeof bits);
-        key = mixed_key(key, bits);
-    }
+    for (const double number : {map.xx, map.xy, map.dx, map.yx, map.yy, map.dy})
+        key = mixed_key(key, detail::bits_of(number));
     return key;
 }
 
