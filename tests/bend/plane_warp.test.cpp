@@ -29,7 +29,7 @@ void each_warp(const Check& check)
     for (const double scale : {0.5, 1.0, 1.5}) check(fitted_to(perspective{.scale = scale}, text));
 }
 
-constexpr double step = 1e-4;
+constexpr double difference_step = 1e-4;
 
 }  // namespace
 
@@ -40,8 +40,10 @@ TEST_CASE("the derivatives of every warp are those of its images", "[bend][warp]
         for (double x = -1.0; x < 2.2; x += 0.31)
             for (double y = -0.3; y < 1.0; y += 0.17) {
                 const warped_point at = w({x, y});
-                const point by_x = (w({x + step, y}).at - w({x - step, y}).at) * (0.5 / step),
-                            by_y = (w({x, y + step}).at - w({x, y - step}).at) * (0.5 / step);
+                const point by_x = (w({x + difference_step, y}).at - w({x - difference_step, y}).at) *
+                                   (0.5 / difference_step),
+                            by_y = (w({x, y + difference_step}).at - w({x, y - difference_step}).at) *
+                                   (0.5 / difference_step);
                 CHECK(length(by_x - at.x) < 1e-6);
                 CHECK(length(by_y - at.y) < 1e-6);
             }
@@ -57,12 +59,12 @@ TEST_CASE("second derivatives never exceed a warp's bounds, which are not far to
         for (int i = 0; i <= 40; ++i)
             for (int k = 0; k <= 40; ++k) {
                 const point p{b.low.x + b.width() * i / 40, b.low.y + b.height() * k / 40};
-                const warped_point right = w({p.x + step, p.y}), left = w({p.x - step, p.y}),
-                                   above = w({p.x, p.y + step}), below = w({p.x, p.y - step});
-                xx = (std::max)(xx, length(right.x - left.x) * 0.5 / step);
-                xy = (std::max)(xy, length(right.y - left.y) * 0.5 / step);
-                yy = (std::max)(yy, length(above.y - below.y) * 0.5 / step);
-                CHECK(length(above.x - below.x) * 0.5 / step <= by.xy + 1e-3 * by.xy + 1e-6);
+                const warped_point right = w({p.x + difference_step, p.y}), left = w({p.x - difference_step, p.y}),
+                                   above = w({p.x, p.y + difference_step}), below = w({p.x, p.y - difference_step});
+                xx = (std::max)(xx, length(right.x - left.x) * 0.5 / difference_step);
+                xy = (std::max)(xy, length(right.y - left.y) * 0.5 / difference_step);
+                yy = (std::max)(yy, length(above.y - below.y) * 0.5 / difference_step);
+                CHECK(length(above.x - below.x) * 0.5 / difference_step <= by.xy + 1e-3 * by.xy + 1e-6);
             }
         CHECK(xx <= by.xx * 1.001 + 1e-6);
         CHECK(xy <= by.xy * 1.001 + 1e-6);

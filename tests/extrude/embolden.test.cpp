@@ -30,7 +30,7 @@ static_assert(extruder<test::emboldened<>> && capping_extruder<test::emboldened<
 static_assert(extruder<test::emboldened<flat>> && !has_hard_edges<test::emboldened<flat>>);
 static_assert(part_count_of<test::emboldened<>> == 3 && part_count_of<test::emboldened<bevelled>> == 5);
 
-constexpr double cells = 512000.0;  // in an em
+constexpr double cells_per_em = 512000.0;  // in an em
 
 std::vector<shapes::shape> all_shapes()
 {
@@ -63,7 +63,7 @@ std::vector<std::vector<point>> loops_of(std::span<const grid_point> points, std
     for (std::size_t k = 0; k + 1 < starts.size(); ++k) {
         all.emplace_back();
         for (std::uint32_t i = starts[k]; i < starts[k + 1]; ++i)
-            all.back().push_back({points[i].x / cells, points[i].y / cells});
+            all.back().push_back({points[i].x / cells_per_em, points[i].y / cells_per_em});
     }
     return all;
 }
@@ -119,7 +119,7 @@ TEST_CASE("a bolder letter contains all within the distance, and nothing beyond 
             for (const float by : {0.02f, 0.05f, -0.01f}) {
                 INFO(s.name << " by " << by << ", limit " << limit);
                 const bolder loops = bolder_of(s, test::emboldened<>{.by = by, .mitre_limit = limit});
-                const double wide = std::abs(double(by)), slack = (100.0 + 3.0) / cells;
+                const double wide = std::abs(double(by)), slack = (100.0 + 3.0) / cells_per_em;
                 std::size_t sampled = 0;
                 for (double x = -0.2; x < 1.3; x += 0.0342)
                     for (double y = -0.6; y < 1.3; y += 0.0346) {
@@ -190,7 +190,8 @@ TEST_CASE("a sharp corner that grows becomes round and shades smoothly, and a bl
         std::size_t hard = 0, near = 0;
         const auto arrays = m.data.data.read();
         for (const side_point& p : arrays.of<side_point>()) hard += p.doubled;
-        for (const grid_point p : m.data.loops.points) near += typemesh::length({p.x / cells, p.y / cells}) < 0.08;
+        for (const grid_point p : m.data.loops.points)
+            near += typemesh::length({p.x / cells_per_em, p.y / cells_per_em}) < 0.08;
         CHECK((joins == bevel_joins::round ? near > 6 : near == 2));
         CHECK(hard == (joins == bevel_joins::round ? 2 : 4));
     }
@@ -209,13 +210,13 @@ TEST_CASE("narrow counters close in a bolder letter, and thin parts vanish from 
     CHECK(euler(capped(ring, test::emboldened<>{.by = 0.16f})) == 2);
     CHECK(euler(capped(shapes::pair(), test::emboldened<>{.by = -0.03f})) == 2);  // both, the second with a hole: 2 + 0
     const auto pair = capped(shapes::pair(), test::emboldened<>{.by = -0.06f});   // the triangle is gone
-    for (const grid_point p : pair.data.loops.points) CHECK(p.x / cells > 0.4);
+    for (const grid_point p : pair.data.loops.points) CHECK(p.x / cells_per_em > 0.4);
     capped_mesh<test::emboldened<>> none;
     CHECK(build_capped(ring, test::emboldened<>{.by = -0.08f}, none) == error::nothing_left);
     CHECK(build_capped(shapes::rectangle(), test::emboldened<>{.by = -0.21f}, none) == error::nothing_left);
 }
 
-TEST_CASE("a letter moved by less than four cells stays the same", "[emboldened]")
+TEST_CASE("a letter moved by less than four cells_per_em stays the same", "[emboldened]")
 {
     const auto s = shapes::letter_d(8);
     const auto plain = build(s, extruded<>{});
@@ -260,8 +261,8 @@ TEST_CASE("an emboldened solid obeys its laws in every frame, and its box contai
             const test::emboldened<> how{.by = 0.03f, .solid = {.centred = true, .texture = texture}};
             const auto m = capped(shapes::letter_d(8), how, with_box_texture(in_em(f)));
             check_laws(m, f);
-            CHECK(m.plan.around.low.x == Approx(-0.03 * cells).margin(2.0));
-            CHECK(m.plan.around.high.y == Approx((0.7 + 0.03) * cells).margin(2.0));
+            CHECK(m.plan.around.low.x == Approx(-0.03 * cells_per_em).margin(2.0));
+            CHECK(m.plan.around.high.y == Approx((0.7 + 0.03) * cells_per_em).margin(2.0));
         }
     CHECK(test::emboldened<>{.solid = {.depth = 0.5f}}.heights().low == -0.5);
 }
