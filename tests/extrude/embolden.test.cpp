@@ -216,7 +216,7 @@ TEST_CASE("narrow counters close in a bolder letter, and thin parts vanish from 
     CHECK(build_capped(shapes::rectangle(), test::emboldened<>{.by = -0.21f}, none) == error::nothing_left);
 }
 
-TEST_CASE("a letter moved by less than four cells_per_em stays the same", "[emboldened]")
+TEST_CASE("a letter moved by less than four cells stays the same", "[emboldened]")
 {
     const auto s = shapes::letter_d(8);
     const auto plain = build(s, extruded<>{});
