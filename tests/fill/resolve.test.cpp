@@ -257,8 +257,8 @@ TEST_CASE("edges keep their curve and t through resolve()", "[fill][resolve]")
     for (std::size_t i = 0; i < 8; ++i) {
         const grid_point a = made->points()[i], b = made->points()[(i + 1) % 8];
         const contour_edge e = made->edges()[i];
-        const test::polyline square = e.curve < 4 ? test::square(0, 0, 8) : test::square(4, 4, 8);
-        const grid_point from = square[e.curve % 4], to = square[(e.curve + 1) % 4];
+        const test::polyline drawn = e.curve < 4 ? test::square(0, 0, 8) : test::square(4, 4, 8);
+        const grid_point from = drawn[e.curve % 4], to = drawn[(e.curve + 1) % 4];
         const auto at = [&](float t) {
             return grid_point{from.x + static_cast<std::int32_t>(t * static_cast<float>(to.x - from.x)),
                               from.y + static_cast<std::int32_t>(t * static_cast<float>(to.y - from.y))};

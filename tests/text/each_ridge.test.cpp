@@ -198,10 +198,10 @@ TEST_CASE("letters of straight strokes have the ridges that they should have", "
     CHECK(lines_of("ii", carved{}).all.empty());  // carved::ridges is off
     CHECK(lines_of("", groove).all.empty());
     // A ring has one line, which comes back.
-    const ridge_lines ring = lines_of("o", groove);
-    REQUIRE(ring.all.size() == 1);
-    CHECK(ring.all[0].front().x == ring.all[0].back().x);
-    CHECK(ring.all[0].front().y == ring.all[0].back().y);
+    const ridge_lines ridge = lines_of("o", groove);
+    REQUIRE(ridge.all.size() == 1);
+    CHECK(ridge.all[0].front().x == ridge.all[0].back().x);
+    CHECK(ridge.all[0].front().y == ridge.all[0].back().y);
 }
 
 TEST_CASE("the ridges of the letters are those of the text, in order", "[text][ridges]")
