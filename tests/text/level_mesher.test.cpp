@@ -77,8 +77,9 @@ std::size_t check_levels(text_mesher<Solid>& mesher, text_mesher<Solid>& plain, 
 
 }  // namespace
 
-TEST_CASE("levels are closed, with the same holes and with vertices of the finer level; the first is the text itself",
-          "[text][levels]")
+TEST_CASE(
+    "levels are closed, with the same holes and with vertices of the finer level, and the first is the text itself",
+    "[text][levels]")
 {
     test::toy_font font;
     text_mesher mesher{font}, plain{font};
@@ -155,7 +156,7 @@ TEST_CASE("levels out of turn are refused by name", "[text][levels]")
     CHECK(option(levels.coarser(0.02)) == "level_mesher::plan");
 }
 
-TEST_CASE("levels of a run are those of its text; a blank text has blank levels", "[text][levels]")
+TEST_CASE("levels of a run are those of its text, and a blank text has blank levels", "[text][levels]")
 {
     test::toy_font font;
     text_mesher mesher{font}, other{font};

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <typemesh/adapt/harfbuzz.hpp>
-#include <typemesh/adapt/impl/axis_regions.hpp>
+#include <typemesh/adapt/impl/harfbuzz_axis_regions.hpp>
 #include <typemesh/core/buffer.hpp>
 #include <typemesh/core/result.hpp>
 #include <typemesh/layout/variation_axis.hpp>
@@ -71,13 +71,13 @@ public:
     /// See variation_axis. Cost: proportional to the number of glyphs
     error append_masters(buffer<axis_coordinate>& out) const noexcept
     {
-        detail::axis_regions regions{hb_font_get_face(font_.handle()), info_.axis_index, out};
+        detail::harfbuzz_axis_regions regions{hb_font_get_face(font_.handle()), info_.axis_index, out};
         return regions.read_masters() ? error{} : error{error::out_of_memory};
     }
     /// See variation_axis. Cost: proportional to the number of conditions
     error append_changes(buffer<axis_coordinate>& out) const noexcept
     {
-        detail::axis_regions regions{hb_font_get_face(font_.handle()), info_.axis_index, out};
+        detail::harfbuzz_axis_regions regions{hb_font_get_face(font_.handle()), info_.axis_index, out};
         return regions.read_changes() ? error{} : error{error::out_of_memory};
     }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <typemesh/adapt/impl/axis_regions.hpp>
+#include <typemesh/adapt/impl/harfbuzz_axis_regions.hpp>
 
 #include <algorithm>
 #include <cstdint>
@@ -35,13 +35,13 @@ struct made_face {
     [[nodiscard]] std::vector<std::int32_t> masters(std::uint32_t axis)
     {
         buffer<std::int32_t> out;
-        CHECK(detail::axis_regions(face, axis, out).read_masters());
+        CHECK(detail::harfbuzz_axis_regions(face, axis, out).read_masters());
         return sorted(out);
     }
     [[nodiscard]] std::vector<std::int32_t> changes(std::uint32_t axis)
     {
         buffer<std::int32_t> out;
-        CHECK(detail::axis_regions(face, axis, out).read_changes());
+        CHECK(detail::harfbuzz_axis_regions(face, axis, out).read_changes());
         return sorted(out);
     }
     static std::vector<std::int32_t> sorted(const buffer<std::int32_t>& out)

@@ -45,9 +45,9 @@ private:
 /// The influence of a region on one axis rises from its start to its peak and falls to its end, both evenly; on the
 /// other axes it is constant here. So a list of all starts, peaks and ends is complete. If a region ends at its own
 /// peak, its influence ends there abruptly, and the next coordinate is listed, too.
-class axis_regions {
+class harfbuzz_axis_regions {
 public:
-    axis_regions(hb_face_t* face, std::uint32_t axis, buffer<std::int32_t>& out) noexcept
+    harfbuzz_axis_regions(hb_face_t* face, std::uint32_t axis, buffer<std::int32_t>& out) noexcept
         : face_{face}, axis_{axis}, out_{out}
     {
     }
