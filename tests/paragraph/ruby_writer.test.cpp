@@ -88,6 +88,8 @@ TEST_CASE("a ruby that cannot be set leaves the run as it was", "[paragraph][rub
     CHECK(failures > 5);
     CHECK(page.run.missing == 1);
     ruby_writer rubies;
+    const ruby_span two_lines = ruby_on(0, 1, u"x\ny");
+    CHECK(rubies.write(page.font, page.laid(), {&two_lines, 1}, {}, page.run) == error::bad_option);
     for (const double size : {0.0, -1.0, 1.5})
         CHECK(rubies.write(page.font, page.laid(), bad, {.size = size}, page.run) == error::bad_option);
     test::counting_memory counted;
@@ -297,6 +299,7 @@ TEST_CASE("rooms are refused for what has no room, and allocate nothing after wa
     CHECK(refused(ruby_on(2, 1, u"x")) == "spans");
     CHECK(refused(ruby_on(1, 4, u"x")) == "spans");
     CHECK(refused(ruby_on(0, 1, u"!")) == "shaper");
+    CHECK(refused(ruby_on(0, 1, u"x\ny")) == "spans");
     CHECK(refused(ruby_on(0, 1, u"x"), {.overhang = 1.5}) == "overhang");
     const ruby_span spans[] = {ruby_on(1, 3, u"xyzxyz"), ruby_on(0, 1, u"x")};
     std::size_t failures = 0;

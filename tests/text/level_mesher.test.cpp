@@ -156,6 +156,10 @@ TEST_CASE("levels out of turn are refused by name", "[text][levels]")
     CHECK(option(levels.coarser(0.02)) == "level_mesher::plan");
 }
 
+template <class Levels>
+concept plans_a_temporary = requires(Levels levels) { levels.plan(glyph_run{}); };
+static_assert(!plans_a_temporary<level_mesher<extruded<>>>);
+
 TEST_CASE("levels of a run are those of its text, and a blank text has blank levels", "[text][levels]")
 {
     test::toy_font font;

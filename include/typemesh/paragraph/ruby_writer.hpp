@@ -75,7 +75,8 @@ public:
     ///
     ///     text    the text above which they stand
     ///
-    /// Fails  error::bad_option: an option is out of range, or "spans": a range is; as plain_layout does
+    /// Fails  error::bad_option: an option is out of range, or "spans": a range is, or a ruby has a line break; as
+    ///        plain_layout does
     /// Cost   O(n log n) for n rubies, and shaping; without allocations after the first texts of this size
     template <shaper Shaper>
     result<std::span<const text_room>> rooms(Shaper& shaper, text_view text, std::span<const ruby_span> spans,
@@ -104,7 +105,8 @@ public:
 
     /// Appends the rubies to the run of the paragraph's last layout.
     ///
-    /// Fails  error::bad_option: an option is out of range; as plain_layout does. The run then has no further glyphs.
+    /// Fails  error::bad_option: an option is out of range, or "spans": a ruby has a line break; as plain_layout does.
+    ///        The run then has no further glyphs.
     /// Cost   O(rubies), shaping, and the lines' clusters; without allocations after the first texts of this size
     template <shaper Shaper>
     result<void> write(Shaper& shaper, const laid_text& laid, std::span<const ruby_span> spans,
@@ -134,7 +136,8 @@ private:
         if (down != (how.direction == direction::top_to_bottom))
             how.direction = down ? direction::top_to_bottom : direction::automatic;
         const auto done = layout_(shaper, span.text, how, {.align = alignment::left}, own_);
-        return done ? error{} : done.error().at(no_glyph, span.first);
+        if (!done) return done.error().at(no_glyph, span.first);
+        return own_.lines.size() > 1 ? error::bad("spans").at(no_glyph, span.first) : error{};
     }
     [[nodiscard]] double own_length() const noexcept { return own_.lines.empty() ? 0.0 : own_.lines[0].advance; }
 

@@ -61,6 +61,7 @@ public:
         if (error e = begin(options)) return e;
         return level([&] { return mesher_->plan_run(run, options_, nullptr); }, &run);
     }
+    result<plan_type> plan(glyph_run&& run, const text_options& options = {}) noexcept = delete;  // coarser() reads it
 
     /// Plans the next level of the same text: within a tolerance, in em, which is at least as large as the one before.
     ///
