@@ -82,6 +82,7 @@ TEST_CASE("boxes and rooms that cannot be are refused by name", "[layout]")
     CHECK(box({.unit = 1, .width = -0.1}) == "boxes");
     CHECK(box({.unit = 1, .width = nan}) == "boxes");
     CHECK(box({.unit = 1, .ascent = inf}) == "boxes");
+    CHECK(box({.unit = 1, .ascent = 1e308, .descent = 1e308}) == "boxes");
     CHECK(box({.unit = 1, .ascent = 1.0, .descent = -1.5}) == "boxes");
     const inline_box twice[] = {{.unit = 1}, {.unit = 1}};
     CHECK(read_insets{u"a\uFFFCb", {.boxes = twice}}.option() == "boxes");

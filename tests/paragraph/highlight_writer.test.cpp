@@ -194,6 +194,10 @@ TEST_CASE("backgrounds that cannot be written leave the glyphs as they were", "[
     CHECK(refused({.pad_along = std::nan("")}) == "pad_along");
     CHECK(refused({.pad_across = std::nan("")}) == "pad_across");
     CHECK(p.run.glyphs.size() == 6);
+    glyph_run other;
+    highlight_writer writer;
+    CHECK(std::string{writer.write(p.font, p.laid(), spans, {}, other).error().option} == "run");
+    CHECK(other.glyphs.empty());
     std::size_t failures = 0;
     for (std::size_t n = 1; n < 20; ++n) {
         test::counting_memory failing{.fail_at = n};

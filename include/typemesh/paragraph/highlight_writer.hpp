@@ -54,8 +54,8 @@ public:
 
     /// Inserts the backgrounds into the run of the paragraph's last layout, before the rubies or after.
     ///
-    /// Fails  error::bad_option: an option is out of range; error::too_large; error::out_of_memory. The run is then
-    ///        unchanged, except for glyph styles.
+    /// Fails  error::bad_option: an option is out of range, or the run has fewer lines than the layout ("run");
+    ///        error::too_large; error::out_of_memory. The run is then unchanged, except for glyph styles.
     /// Cost   O(glyphs), O(n log n) for n parts, and the clusters of the ranges' lines for each range; without
     ///        allocations after the first texts of this size
     template <shaper Shaper>
@@ -64,6 +64,7 @@ public:
     {
         parts_.clear();
         error e = options.refused();
+        if (!e && run.lines.size() < laid.lines().size()) e = error::bad("run");
         for (std::size_t i = 0; i < spans.size() && !e;) {
             text_highlight all = spans[i++];
             for (; i < spans.size() && spans[i].first == all.last && spans[i].style == all.style; ++i)

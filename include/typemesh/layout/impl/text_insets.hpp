@@ -181,8 +181,8 @@ private:
     {
         for (const inline_box& b : given) {
             const std::uint32_t units = object_at(text, b.unit);
-            const bool sound = is_finite(b.width) && b.width >= 0.0 && is_finite(b.ascent) && is_finite(b.descent) &&
-                               b.ascent + b.descent >= 0.0;
+            const double height = b.ascent + b.descent;  // finite only if both are
+            const bool sound = is_finite(b.width) && b.width >= 0.0 && is_finite(height) && height >= 0.0;
             if (!sound || units == 0 || boxes_.size() >= blank_bar) return error::bad("boxes").at(no_glyph, b.unit);
             if (!boxes_.push_back({b, static_cast<std::uint32_t>(boxes_.size())})) return error::out_of_memory;
             found.marks[b.unit] = found.marks[b.unit] | text_mark::grapheme;
