@@ -11,8 +11,9 @@ usage: tests/run.sh [--quick | --all] [--with TIER[,TIER...]] [--only TIER[,TIER
 This script installs what is missing, builds the tests and runs them: the tier gcc by default. The tiers are:
   quick      some tests of each stage with g++, in five minutes on two cores; the last lines list what is left out
   gcc        all tests of the core and its adapters with g++
-  clang      the folders of tests that the tier sanitize does not build, with clang++; it also builds the benchmarks
-  sanitize   the tests that use much memory, under the address and undefined behaviour sanitizers of clang++ and g++
+  clang      the folders of tests that no sanitizer runs, with clang++; it also builds the benchmarks
+  sanitize   the tests of what reads texts, fonts and files, under clang++'s address and undefined behaviour sanitizers
+  slow       the tests that compute for long, under the same sanitizers, and some with g++ -ffast-math
   tsan       the tests that use threads with g++ under the thread sanitizer
   windows    the tests of the core and of DirectWrite as Windows programs (mingw-w64), run under Wine
   external   other people's tools (admesh, OpenSCAD, gltf-validator) read what text_to_mesh writes
@@ -27,7 +28,7 @@ the first test that fails.
 END
 }
 
-all_tiers="gcc clang sanitize tsan windows external engines web packages machines"
+all_tiers="gcc clang sanitize slow tsan windows external engines web packages machines"
 tiers=gcc
 more=
 everything=
@@ -132,7 +133,6 @@ tier_gcc() {
     (install_missing clang-format) || say "The run continues without it: the format of the sources is not checked."
     (install_missing doxygen) || say "The run continues without it: the reference is not built."
     test_preset gcc
-    test_preset fast-math typemesh_tests
 }
 tier_quick() {
     local room test left=
@@ -152,7 +152,12 @@ tier_clang() {
 tier_sanitize() {
     install_missing clang++ asan
     test_preset sanitize typemesh_tests
+}
+tier_slow() {
+    install_missing clang++ asan
+    test_preset sanitize-geometry typemesh_tests
     test_preset sanitize-optimised typemesh_tests
+    test_preset fast-math typemesh_tests
 }
 tier_tsan() { test_preset tsan typemesh_tests; }
 
