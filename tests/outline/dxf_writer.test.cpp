@@ -5,6 +5,7 @@
 #include <typemesh/core/curve.hpp>
 #include <typemesh/outline/dxf_writer.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <sstream>
 #include <string>
@@ -154,4 +155,58 @@ TEST_CASE("a drawing that cannot be written is refused", "[outline][dxf]")
     REQUIRE(twice.finish());
     CHECK(counted.requests == before);
     CHECK(std::string{twice.text()} == first);
+}
+
+TEST_CASE("pieces that are points after rounding are left out of a drawing", "[outline][dxf]")
+{
+    dxf_writer drawing;
+    drawing.move({1e-8, 0});
+    drawing.line({3e-7, 4e-7});                          // no way from 0, 0
+    drawing.quadratic({1e-7, 2e-7}, {2e-7, 1e-7});       // nor here
+    drawing.cubic({0, 4e-7}, {4e-7, 0}, {-4e-7, 4e-7});  // nor here
+    drawing.line({5, 0});
+    drawing.cubic({5, 1e-7}, {6, 0}, {5, 0});  // there and back
+    drawing.line({1e-7, 3e-7});
+    drawing.close();
+    REQUIRE(drawing.finish());
+    const auto found = entities_of(read(drawing.text()));
+    REQUIRE(found.size() == 3);
+    point last = found.back().points.back();
+    for (const entity& e : found) {
+        CHECK(last == e.points.front());
+        last = e.points.back();
+        bool moves = false;
+        for (const point p : e.points) moves = moves || !(p == e.points.front());
+        CHECK(moves);
+    }
+}
+
+TEST_CASE("a drawing has all tables of its version, and no handle twice", "[outline][dxf]")
+{
+    dxf_writer drawing;
+    draw(drawing);
+    REQUIRE(drawing.finish());
+    const pairs all = read(drawing.text());
+    std::vector<std::string> tables, sections, handles, referred;
+    bool header = false;
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        const auto& [code, value] = all[i];
+        if (code == 0 && value == "SECTION") sections.push_back(all[i + 1].second);
+        if (code == 0 && value == "TABLE") tables.push_back(all[i + 1].second);
+        header = sections.size() == 1;
+        if (header) continue;
+        if (code == 5 || code == 105) handles.push_back(value);
+        if ((code == 330 || code == 340 || code == 350 || code == 390) && value != "0") referred.push_back(value);
+    }
+    CHECK(sections == std::vector<std::string>{"HEADER", "CLASSES", "TABLES", "BLOCKS", "ENTITIES", "OBJECTS"});
+    std::sort(tables.begin(), tables.end());
+    CHECK(tables == std::vector<std::string>{"APPID", "BLOCK_RECORD", "DIMSTYLE", "LAYER", "LTYPE", "STYLE", "UCS",
+                                             "VIEW", "VPORT"});
+    std::sort(handles.begin(), handles.end());
+    CHECK(std::adjacent_find(handles.begin(), handles.end()) == handles.end());
+    for (const std::string& handle : referred) {
+        INFO(handle);
+        CHECK(std::binary_search(handles.begin(), handles.end(), handle));
+    }
+    for (const entity& e : entities_of(all)) CHECK(std::binary_search(handles.begin(), handles.end(), e.handle));
 }

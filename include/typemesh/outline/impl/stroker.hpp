@@ -4,6 +4,7 @@
 #include <typemesh/core/array_view.hpp>
 #include <typemesh/core/curve.hpp>
 #include <typemesh/core/error.hpp>
+#include <typemesh/core/impl/steady.hpp>
 #include <typemesh/core/impl/tangent.hpp>
 #include <typemesh/core/point.hpp>
 #include <typemesh/outline/impl/dash_pattern.hpp>
@@ -170,7 +171,7 @@ private:
             forwards = forwards && some[k].growth > least;
             backwards = backwards && !(some[k].growth > least);
         }
-        const double turn = std::atan2(cross(a.along, b.along), dot(a.along, b.along));
+        const double turn = steady_angle(cross(a.along, b.along), dot(a.along, b.along));
         if (forwards && std::fabs(turn) < 1.0) {
             const double third = (b.t - a.t) / 3.0;
             const cubic side{a.rim, a.rim + third * a.rim_along, b.rim - third * b.rim_along, b.rim};
@@ -221,7 +222,7 @@ private:
             return line(rim);
         }
         if (how == stroke_join::round) {
-            double sweep = std::atan2(turn, same_way);
+            double sweep = steady_angle(turn, same_way);
             if (sweep > 0.0) sweep -= 2.0 * half_turn;
             return arc(corner, n, sweep, rim);
         }
