@@ -84,7 +84,13 @@ private:
     };
 
     [[nodiscard]] static point left_of(point along) noexcept { return {-along.y, along.x}; }
-    [[nodiscard]] static point unit(point p) noexcept { return (1.0 / length(p)) * p; }
+    /// Of any vector but 0, however short: its square may be 0.
+    [[nodiscard]] static point unit(point p) noexcept
+    {
+        const double x = std::fabs(p.x), y = std::fabs(p.y), most = x > y ? x : y;
+        if (most < 0x1p-500) p = 0x1p600 * p;
+        return most > 0.0 ? (1.0 / length(p)) * p : point{1.0, 0.0};
+    }
     /// A curve of a stretch, counted in the direction of a side.
     [[nodiscard]] static curve nth(const stretch& path, std::size_t i, bool forwards) noexcept
     {
