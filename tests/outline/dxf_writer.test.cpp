@@ -5,7 +5,6 @@
 #include <typemesh/core/curve.hpp>
 #include <typemesh/outline/dxf_writer.hpp>
 
-#include <algorithm>
 #include <cmath>
 #include <sstream>
 #include <string>
@@ -179,34 +178,4 @@ TEST_CASE("pieces that are points after rounding are left out of a drawing", "[o
         for (const point p : e.points) moves = moves || !(p == e.points.front());
         CHECK(moves);
     }
-}
-
-TEST_CASE("a drawing has all tables of its version, and no handle twice", "[outline][dxf]")
-{
-    dxf_writer drawing;
-    draw(drawing);
-    REQUIRE(drawing.finish());
-    const pairs all = read(drawing.text());
-    std::vector<std::string> tables, sections, handles, referred;
-    bool header = false;
-    for (std::size_t i = 0; i < all.size(); ++i) {
-        const auto& [code, value] = all[i];
-        if (code == 0 && value == "SECTION") sections.push_back(all[i + 1].second);
-        if (code == 0 && value == "TABLE") tables.push_back(all[i + 1].second);
-        header = sections.size() == 1;
-        if (header) continue;
-        if (code == 5 || code == 105) handles.push_back(value);
-        if ((code == 330 || code == 340 || code == 350 || code == 390) && value != "0") referred.push_back(value);
-    }
-    CHECK(sections == std::vector<std::string>{"HEADER", "CLASSES", "TABLES", "BLOCKS", "ENTITIES", "OBJECTS"});
-    std::sort(tables.begin(), tables.end());
-    CHECK(tables == std::vector<std::string>{"APPID", "BLOCK_RECORD", "DIMSTYLE", "LAYER", "LTYPE", "STYLE", "UCS",
-                                             "VIEW", "VPORT"});
-    std::sort(handles.begin(), handles.end());
-    CHECK(std::adjacent_find(handles.begin(), handles.end()) == handles.end());
-    for (const std::string& handle : referred) {
-        INFO(handle);
-        CHECK(std::binary_search(handles.begin(), handles.end(), handle));
-    }
-    for (const entity& e : entities_of(all)) CHECK(std::binary_search(handles.begin(), handles.end(), e.handle));
 }

@@ -26,10 +26,10 @@ namespace typemesh::inline TYPEMESH_ABI {
 ///     if (auto done = drawing.finish(); !done) ...
 ///     fwrite(drawing.text().data(), 1, drawing.text().size(), file);
 ///
-/// Lines are entities LINE, and each curve is one SPLINE of its own degree without inner knots, so it is exact up to the
-/// rounding of its points. The pieces of a contour follow each other, and each begins with the same digits with which
-/// the one before it ends. A piece whose points are all one after the rounding is left out. Everything lies on the
-/// layer 0 in the model space; the unit is the millimetre, by name.
+/// Lines are entities LINE, and each curve is one SPLINE of its own degree without inner knots, so it is exact up to
+/// the rounding of its points. The pieces of a contour follow each other, and each begins with the same digits with
+/// which the one before it ends. A piece whose points are all one after the rounding is left out. Everything lies on
+/// the layer 0 in the model space; the unit is the millimetre, by name.
 ///
 /// The file has the sections, tables and dictionaries of a drawing of that version. Older programs, which read only
 /// version R12, know no SPLINE: flatten the outlines for them.
