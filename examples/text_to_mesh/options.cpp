@@ -123,8 +123,7 @@ void add_text_options(CLI::App& app, options& out, raw_values& raw)
     app.add_option("--batch", out.batch,
                    "make a mesh of each line of a file, or of standard input (-); {n} and {text} name the files")
         ->type_name("FILE");
-    app.add_option("--svg", out.svg,
-                   "make solids of the fills and strokes of an SVG file instead of a text; an em is its larger side")
+    app.add_option("--svg", out.svg, "instead of a text, the shapes of an SVG file, whose larger side is one em")
         ->type_name("FILE");
     app.add_option("-f,--font", out.font,
                    "a font file (TrueType, OpenType, collection) or an installed family: \"DejaVu Sans:bold\"")
@@ -410,8 +409,7 @@ void add_weight_options(CLI::App& app, options& out, raw_values& raw)
                               {"centre", outline_place::centre},
                               {"outer", outline_place::outer}},
                              {"centre"});
-    app.add_option("--stroke", raw.stroke,
-                   "draw letters as strokes along their outlines: 0.03 or 0.03,round,0.1,0.05 with bevel, dashes, gaps")
+    app.add_option("--stroke", raw.stroke, "letters are strokes along their outlines: 0.03 or 0.03,round,0.1,0.05")
         ->type_name("EM[,JOIN][,DASH,GAP...]");
     app.add_flag("--outline-letter", out.outline.letter, "also make the letter inside the ring, as parts of its own");
 }
@@ -453,7 +451,7 @@ void add_output_options(CLI::App& app, options& out, raw_values& raw)
 {
     app.add_option(
            "-o,--output", out.output,
-           "write a mesh: .glb, .obj (with .mtl), .stl, .ply or .3mf; or curves: .svg, .dxf; - is standard output")
+           "write .glb, .obj (with .mtl), .stl, .ply or .3mf; curves: .svg, .dxf; - is standard output")
         ->type_name("FILE");
     app.add_option("--format", raw.format, "the format of --output, whatever its name is")
         ->check(one_of({"glb", "obj", "stl", "ply", "3mf", "svg", "dxf"}));
@@ -559,7 +557,7 @@ std::string settle_weight(options& out, const raw_values& raw)
     const double around = out.outline.place == outline_place::outer    ? width
                           : out.outline.place == outline_place::centre ? 0.5 * width
                                                                        : 0.0;
-    if (!raw.stroke.empty())
+    if (std::find(raw.given.begin(), raw.given.end(), "--stroke") != raw.given.end())
         if (const std::string trouble = read_stroke(raw.stroke, out.stroke); !trouble.empty())
             return "--stroke " + trouble;
     const double wider = 2.0 * (bolder + around + 0.5 * out.stroke.width);
@@ -1046,6 +1044,7 @@ std::optional<int> parse(int argc, char** argv, options& out)
         using namespace typemesh;
         constexpr double em[] = {quality::low, quality::normal, quality::high, quality::best};
         out.tolerance = em[static_cast<int>(out.quality)];
+        if (!out.svg.empty() && !out.quality_given) out.tolerance *= 0.2;  // its em is not a letter, but the whole
     }
     if (const std::string trouble = settle(out, raw); !trouble.empty()) return complain(trouble);
     return {};

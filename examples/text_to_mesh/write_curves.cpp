@@ -85,22 +85,19 @@ struct keeping_pen {
     }
 };
 
+/// The line that ends a loop is left to close().
 template <outline_sink Sink>
 void draw(const coloured_curves& from, Sink& to)
 {
-    bool open = false;
-    for (const coloured_curves::piece& p : from.pieces) {
-        if (p.begins && open) to.close();
-        if (p.begins) to.move(p.shape.start());
-        open = true;
-        if (p.shape.degree == 1)
-            to.line(p.shape.p[1]);
-        else if (p.shape.degree == 2)
-            to.quadratic(p.shape.p[1], p.shape.p[2]);
-        else
-            to.cubic(p.shape.p[1], p.shape.p[2], p.shape.p[3]);
+    for (std::size_t i = 0; i < from.pieces.size(); ++i) {
+        const auto& [c, begins] = from.pieces[i];
+        const bool is_last = i + 1 == from.pieces.size() || from.pieces[i + 1].begins;
+        if (begins) to.move(c.start());
+        if (c.degree == 2) to.quadratic(c.p[1], c.p[2]);
+        if (c.degree == 3) to.cubic(c.p[1], c.p[2], c.p[3]);
+        if (c.degree == 1 && !is_last) to.line(c.p[1]);
+        if (is_last) to.close();
     }
-    if (open) to.close();
 }
 
 /// The curves behind those of one colour, or a new colour's.

@@ -542,7 +542,7 @@ printf '%s\n' '<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 24 24"><styl
     '</svg>' >drawing.svg
 if "$program" --svg drawing.svg --output probe.glb >out 2>err; then
     for kind in glb obj stl ply svg dxf; do expect 0 "" --svg drawing.svg --output drawn.$kind; done
-    that "colours of a drawing are parts" [ "$(grep -cE '^usemtl front_(black|0000ff|ff0000|ffffff)' drawn.obj)" = 4 ]
+    that "colours of a drawing are parts" [ "$(grep -cE '^usemtl front_(000000|0000ff|ff0000|ffffff)' drawn.obj)" = 4 ]
     that "each colour of a drawing is a path" [ "$(grep -c '<path fill="#' drawn.svg)" = 4 ]
     that "what is covered is cut" [ "$(grep -o 'fill="#0000ff" d="[^"]*"' drawn.svg)" = 'fill="#0000ff" d="M0.8333 -5.8333L4.1667 -5.8333L4.1667 -9.1667L0.8333 -9.1667Z"' ]
     expect 0 "" --svg drawing.svg --output stacked.glb --colour-layers=stacked --picture stacked.png
@@ -713,7 +713,7 @@ expect 2 "TEXT" --font $sans --output x.glb
 expect 2 "--font" x --output x.glb
 expect 2 "nothing to do" x --font $sans
 expect 2 "^text_to_mesh: two was not expected" one --font $sans --output x.glb -- two
-expect 2 "must end in .*3mf, not x.fbx" x --font $sans --output x.fbx
+expect 2 "must end in .*3mf, .svg or .dxf, not x.fbx" x --font $sans --output x.fbx
 expect 2 "^text_to_mesh: --quality must be low, normal, high or best, not superb\.$" x --font $sans --output x.glb --quality superb
 that "what to do comes after what is wrong" lines 2
 expect 2 "align must be left, center, right, start, end or justify, not middle" x --font $sans --output x.glb --align middle
@@ -810,7 +810,7 @@ expect 1 "taken cannot be read: Is a directory" --batch taken -f $sans -o "{n}.g
 expect 2 "--text-file does not work with TEXT" x --text-file two.txt -f $sans -o x.glb
 expect 2 "--batch does not work with --text-file" --batch two.txt --text-file two.txt -f $sans -o "{n}.glb"
 expect 2 "--output must contain .n. or .text. for --batch" --batch two.txt -f $sans -o x.glb
-expect 2 "there is no text: give TEXT, --text-file or --batch" -f $sans -o x.glb
+expect 2 "there is no text: give TEXT, --text-file, --batch or --svg" -f $sans -o x.glb
 mkdir tags && printf 'Anna\n\n \nB/o:b\n@c\n../d\n' >names.txt
 expect 0 "" --batch names.txt -f $sans -o "tags/{n} {text}.stl" --picture "tags/{n}.png"
 that "a batch makes a file a line" [ "$(cd tags && printf '%s,' *)" = "1 Anna.stl,1.png,4 B_o_b.stl,4.png,5 @c.stl,5.png,6 _._d.stl,6.png," ]

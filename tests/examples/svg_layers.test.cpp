@@ -22,7 +22,7 @@ double area_of(const typemesh::outline& o)
 {
     double area = 0.0;
     for (const typemesh::curve& c : o.curves)
-        for (int k = 0; k < 16; ++k) area += 0.5 * cross(c.at(k / 16.0), c.at((k + 1) / 16.0));
+        for (int k = 0; k < 200; ++k) area += 0.5 * cross(c.at(k / 200.0), c.at((k + 1) / 200.0));
     return area;
 }
 
