@@ -35,6 +35,7 @@ tinygltf     header:tiny_gltf.h,tinygltf/tiny_gltf.h          libtinygltf-dev   
 stb          header:stb/stb_image_write.h,stb_image_write.h   libstb-dev         stb_image_write-devel  stb         vcpkg:stb         stb
 fontconfig-dev header:fontconfig/fontconfig.h                 libfontconfig-dev  fontconfig-devel       fontconfig  fontconfig        fontconfig
 lib3mf       header:lib3mf/Model/COM/NMR_DLLInterfaces.h      lib3mf-dev         -                      -           -                 -
+pugixml      header:pugixml.hpp                               libpugixml-dev     pugixml-devel          pugixml     pugixml           pugixml
 admesh       command:admesh                                   admesh             admesh                 admesh      admesh            -
 openscad     command:openscad                                 openscad           openscad               openscad    openscad          -
 python3      command:python3                                  python3            python3                python      python            -

@@ -217,6 +217,7 @@ install_npm() {  # install_npm FOLDER PACKAGE VERSION
 tier_external() {
     (install_missing admesh openscad node npm) || say "The run continues without them: the tests that need them are skipped."
     (install_missing lib3mf) || say "The run continues without it: text_to_mesh writes no 3MF."
+    (install_missing pugixml) || say "The run continues without it: text_to_mesh reads no SVG."
     mkdir -p "$typemesh_root/build/external"
     build gcc text_to_mesh  # which is there already, if that tier has run
     install_npm external gltf-validator 2.0.0-dev.3.10

@@ -14,9 +14,11 @@
 #include "report.hpp"
 #include "sewn.hpp"
 #include "statistics.hpp"
+#include "svg/svg_layers.hpp"
 #include "text_fonts.hpp"
 #include "text_source.hpp"
 #include "write_3mf.hpp"
+#include "write_curves.hpp"
 #include "write_glb.hpp"
 #include "write_morph.hpp"
 #include "write_obj.hpp"
@@ -240,14 +242,14 @@ typemesh::result<void> write_solids(const options& o, font_set& font, const type
     return {};
 }
 
-bool is_stacked(const options& o) { return o.layers && o.colour_layers == typemesh::layer_cut::stacked; }
+bool is_stacked(const options& o) { return (o.layers || o.drawing) && o.colour_layers == typemesh::layer_cut::stacked; }
 
-/// The whole mesh of a run with stacked layers. The lowest level is as deep as the text, and each further level a thin
-/// solid on the front of the level below it.
-typemesh::result<void> write_levels(const options& o, const typemesh::glyph_run& page,
+/// The whole mesh of a run with stacked layers, which `source` draws. The lowest level is as deep as the text, and each
+/// further level a thin solid on the front of the level below it.
+template <class Source>
+typemesh::result<void> write_levels(const options& o, Source& source, const typemesh::glyph_run& page,
                                     const typemesh::text_options& how, model& out)
 {
-    auto& source = o.layers->source();
     chosen_mesher mesher{source};
     for (std::uint32_t level = 0; level < source.level_count(); ++level) {
         typemesh::glyph_run run;
@@ -266,6 +268,20 @@ typemesh::result<void> write_levels(const options& o, const typemesh::glyph_run&
     return {};
 }
 
+typemesh::result<void> write_levels(const options& o, const typemesh::glyph_run& page,
+                                    const typemesh::text_options& how, model& out)
+{
+    return o.drawing ? write_levels(o, *o.drawing, page, how, out)
+                     : write_levels(o, o.layers->source(), page, how, out);
+}
+
+/// Gives a mesher what draws the glyphs of the run, if that is not the fonts alone.
+void use_source(const options& o, chosen_mesher& mesher)
+{
+    if (o.layers) mesher.use(o.layers->source());
+    if (o.drawing) mesher.use(*o.drawing);
+}
+
 /// Gives an empty string, or one sentence.
 std::string write_output(const options& o, const chosen_plan& plan, model& mesh, file_set& files)
 {
@@ -280,6 +296,8 @@ std::string write_output(const options& o, const chosen_plan& plan, model& mesh,
         mesh.parts.clear();
         return write_stl(mesh, o.output, files);
     }
+    case file_kind::svg:
+    case file_kind::dxf:
     case file_kind::png:
     case file_kind::unknown: break;
     }
@@ -315,7 +333,7 @@ std::string draw_picture(const options& o, font_set& font, const typemesh::glyph
     look.texture = o.checker ? texture::checker : texture::none;
 
     chosen_mesher mesher{font};
-    if (o.layers) mesher.use(o.layers->source());
+    use_source(o, mesher);
     choose_policies(o, font.units_per_em(), mesher);
     typemesh::text_options how = text_options_of(o);
     how.size = 1.0;
@@ -358,6 +376,7 @@ std::string name_warnings(const options& o, const chosen_plan& plan, const font_
 {
     bool warned = name_missing_features(fonts, o.features, o.who);
     if (o.layers) warned = name_colour_losses(o.layers->report(), o.who) || warned;
+    if (o.drawing) warned = o.drawing->name_losses(o.who) || warned;
     const std::u32string missing = missing_characters(plan.run(), o.text, fonts);
     warned = name_losses(plan.report(), o.family || !o.fallback.empty(), o.who, missing) || warned;
     if (!o.output.empty() && !o.instances) {
@@ -366,6 +385,7 @@ std::string name_warnings(const options& o, const chosen_plan& plan, const font_
     }
     if (warned && o.strict) return "--strict: nothing is written.";
     if ((o.output.empty() && o.picture.empty()) || !plan.glyphs().empty()) return {};
+    if (o.drawing) return "the drawing is blank: nothing is written.";
     return plan.report().complete() ? "the text is blank: nothing is written."
                                     : "no character of the text can be drawn: nothing is written.";
 }
@@ -438,7 +458,12 @@ public:
         typemesh::text_options how = text_options_of(o_);
         stage_clock clock{.tell = &tell_};
         clock(typemesh::stage::shape);
-        if (std::string trouble = lay_out(o_, font_, page_, how.size); !trouble.empty()) return trouble;
+        if (o_.drawing) {
+            if (const auto done = o_.drawing->lay_out(page_, holds_colours(o_.kind)); !done)
+                return in_words(done.error());
+        } else if (std::string trouble = lay_out(o_, font_, page_, how.size); !trouble.empty()) {
+            return trouble;
+        }
         clock(typemesh::stage::idle);
         if (o_.layers)
             if (std::string trouble = o_.layers->split(page_); !trouble.empty()) return trouble;
@@ -446,7 +471,7 @@ public:
         if (!holds_colours(o_.kind))  // else letters of different colours would not merge
             keep_only_solids(o_, page_);
         chosen_mesher mesher{font_, typemesh::observer_ref{clock}};
-        if (o_.layers) mesher.use(o_.layers->source());
+        use_source(o_, mesher);
         options of_file = o_;
         if (o_.kind == file_kind::three_mf) of_file.normals = normals_name::shared;  // see write_3mf()
         choose_policies(of_file, font_.units_per_em(), mesher);
@@ -454,6 +479,8 @@ public:
         if (!o_.picture.empty()) {
             tell_.begin("drawing " + o_.picture);
             std::copy(glyph_styles.begin(), glyph_styles.end(), page_.glyph_styles.begin());
+            if (o_.drawing)
+                if (const auto done = o_.drawing->lay_out(page_, true); !done) return in_words(done.error());
             if (std::string trouble = draw_picture(o_, font_, page_, files_); !trouble.empty()) return trouble;
         }
         tell_.clear();
@@ -461,7 +488,8 @@ public:
             return "the statistics cannot be written.";
         if (std::string trouble = files_.finish(); !trouble.empty()) return trouble;
         if (o_.stats || o_.output.empty() || o_.output == standard_output) return {};
-        std::puts((o_.output + ": " + size_in_words(facts_, is_printed(o_.kind)) + levels_).c_str());
+        if (curves_.empty()) curves_ = size_in_words(facts_, is_printed(o_.kind)) + levels_;
+        std::puts((o_.output + ": " + curves_).c_str());
         return std::fflush(stdout) == 0 ? std::string{} : "the size cannot be printed.";
     }
 
@@ -505,6 +533,7 @@ private:
         if (o_.output.empty()) return {};
         if (std::string trouble = add_levels(mesher, how, up, mesh); !trouble.empty()) return trouble;
         tell_.begin("writing " + o_.output);
+        if (holds_curves(o_.kind)) return write_curves(o_, font_, page_, how, files_, curves_);
         return write_output(o_, *plan, mesh, files_);
     }
 
@@ -533,6 +562,7 @@ private:
     mesh_facts facts_;
     std::string stats_;
     std::string levels_;  // what is said of levels of detail
+    std::string curves_;  // what is said of the file
 };
 
 /// One text. Gives an empty string, or one sentence.
@@ -570,7 +600,13 @@ int run_all(options& o)
         {
             progress tell;
             trouble = o.markup ? read_markup(o) : std::string{};
-            if (o.colour_layers && !o.layers) o.layers = std::make_shared<colour_layers>(fonts.set(), o);
+            if (o.colour_layers && !o.layers && o.svg.empty())
+                o.layers = std::make_shared<colour_layers>(fonts.set(), o);
+            if (!o.svg.empty()) {
+                o.drawing = std::make_shared<svg_layers>();
+                trouble = o.drawing->open(o.svg, o.tolerance, o.colour_layers.value_or(typemesh::layer_cut::visible),
+                                          o.colour.value_or(rgb_colour{{0, 0, 0}}));
+            }
             if (trouble.empty()) trouble = run(o, tell, fonts.set());
         }
         if (!trouble.empty()) status = complain(trouble);

@@ -4,6 +4,7 @@
 #include "colour_layers.hpp"
 #include "option_values.hpp"
 #include "options.hpp"
+#include "svg/svg_layers.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -95,6 +96,10 @@ std::string read_markup(options& o)
 
 std::optional<rgb_colour> colour_of_style(const options& o, typemesh::style_id style)
 {
+    if (o.drawing) {
+        const auto own = o.drawing->colour_of(style);
+        return own ? own : o.colour;
+    }
     if (o.layers && o.layers->owns(style)) return o.layers->colour_of(style, o);
     const auto number = static_cast<std::size_t>(style);
     if (number == 0) return o.colour;

@@ -75,6 +75,9 @@ public:
     {
         return "Usage: " + name +
                " (TEXT | --text-file FILE | --batch FILE) (--font FONT | --family FAMILY)\n"
+               "       " +
+               name +
+               " --svg FILE\n"
                "                    (--output FILE | --picture FILE.png | --stats) [options]\n";
     }
     std::string make_option_opts(const CLI::Option* option) const override
@@ -105,6 +108,8 @@ struct raw_values {
         of_inflating;                   // the first option that only a bevel, ... has
     std::string of_columns;             // likewise
     std::vector<std::string> of_lines;  // options for lines that depend on each other; those that are given
+    std::vector<std::string> given;     // all options that are given
+    std::string stroke;
 };
 
 void add_text_options(CLI::App& app, options& out, raw_values& raw)
@@ -117,6 +122,8 @@ void add_text_options(CLI::App& app, options& out, raw_values& raw)
         ->type_name("FILE");
     app.add_option("--batch", out.batch,
                    "make a mesh of each line of a file, or of standard input (-); {n} and {text} name the files")
+        ->type_name("FILE");
+    app.add_option("--svg", out.svg, "instead of a text, the shapes of an SVG file, whose larger side is one em")
         ->type_name("FILE");
     app.add_option("-f,--font", out.font,
                    "a font file (TrueType, OpenType, collection) or an installed family: \"DejaVu Sans:bold\"")
@@ -262,7 +269,7 @@ void add_line_options(CLI::App& app, options& out, raw_values& raw)
 void add_mesh_options(CLI::App& app, options& out, raw_values& raw)
 {
     add_number(
-        app, "--size", "the size of an em in the file (default 1; in .stl and .3mf 10 millimetres)",
+        app, "--size", "the size of an em in the file (default 1; in .stl, .3mf, .svg and .dxf 10 millimetres)",
         "a number from 1e-30 to 1000000", [](double n) { return n >= 1e-30 && n <= 1e6; },
         [&raw](double n) { raw.size = n; })
         ->type_name("N");
@@ -382,7 +389,7 @@ void add_carve_options(CLI::App& app, options& out)
                        {{"relief", carving::relief}, {"groove", carving::groove}, {"cutter", carving::cutter}});
 }
 
-void add_weight_options(CLI::App& app, options& out)
+void add_weight_options(CLI::App& app, options& out, raw_values& raw)
 {
     using namespace typemesh;
     add_number(
@@ -402,6 +409,8 @@ void add_weight_options(CLI::App& app, options& out)
                               {"centre", outline_place::centre},
                               {"outer", outline_place::outer}},
                              {"centre"});
+    app.add_option("--stroke", raw.stroke, "letters are strokes along their outlines: 0.03 or 0.03,round,0.1,0.05")
+        ->type_name("EM[,JOIN][,DASH,GAP...]");
     app.add_flag("--outline-letter", out.outline.letter, "also make the letter inside the ring, as parts of its own");
 }
 
@@ -440,11 +449,12 @@ void add_inflate_options(CLI::App& app, options& out)
 
 void add_output_options(CLI::App& app, options& out, raw_values& raw)
 {
-    app.add_option("-o,--output", out.output,
-                   "write the mesh: .glb, .obj (with .mtl), .stl, .ply or .3mf; - writes to standard output")
+    app.add_option(
+           "-o,--output", out.output,
+           "write .glb, .obj (with .mtl), .stl, .ply or .3mf; curves: .svg, .dxf; - is standard output")
         ->type_name("FILE");
     app.add_option("--format", raw.format, "the format of --output, whatever its name is")
-        ->check(one_of({"glb", "obj", "stl", "ply", "3mf"}));
+        ->check(one_of({"glb", "obj", "stl", "ply", "3mf", "svg", "dxf"}));
     app.add_option("--picture", out.picture, "write a picture, as fine as its pixels, or of the given quality")
         ->type_name("FILE.png");
     add_named<shading>(app, "--shading", out.shading, "the shading of the picture (default phong)",
@@ -547,11 +557,14 @@ std::string settle_weight(options& out, const raw_values& raw)
     const double around = out.outline.place == outline_place::outer    ? width
                           : out.outline.place == outline_place::centre ? 0.5 * width
                                                                        : 0.0;
-    const double wider = 2.0 * (bolder + around);
+    if (std::find(raw.given.begin(), raw.given.end(), "--stroke") != raw.given.end())
+        if (const std::string trouble = read_stroke(raw.stroke, out.stroke); !trouble.empty())
+            return "--stroke " + trouble;
+    const double wider = 2.0 * (bolder + around + 0.5 * out.stroke.width);
     out.letter_spacing = raw.letter_spacing.value_or(wider);
     out.columns.combined_gap = wider;
     const double bevel = out.bevel.outward ? static_cast<double>(out.bevel.width) : 0.0;
-    out.growth = std::max(0.0, bolder + around + bevel);
+    out.growth = std::max(0.0, bolder + around + 0.5 * out.stroke.width + bevel);
     return {};
 }
 
@@ -730,7 +743,7 @@ std::string settle_colour_layers(options& out, const raw_values& raw)
     const bool stacked = raw.colour_layers == "stacked";
     out.colour_layers = stacked ? typemesh::layer_cut::stacked : typemesh::layer_cut::visible;
     if (!out.output.empty() && !holds_colours(out.kind))
-        return "--colour-layers needs a file with colours: .glb, .obj or .3mf";
+        return "--colour-layers needs a file with colours: .glb, .obj, .3mf or .svg";
     if (out.markup) return "--colour-layers does not work with --markup";
     if (out.discretiser != discretiser_name::certified) return "--colour-layers needs --discretiser certified";
     if (out.show_contours || out.show_points || out.show_control) return "--colour-layers does not work with --show";
@@ -740,6 +753,54 @@ std::string settle_colour_layers(options& out, const raw_values& raw)
     if (!out.lod.empty()) return "--colour-layers=stacked does not work with --lod";
     if (out.bevel.width > 0.0f || out.carve.tool_angle > 0.0f || out.inflate.height > 0.0f)
         return "--colour-layers=stacked does not work with bevelled, carved or inflated letters";
+    return {};
+}
+
+/// Why letters cannot be strokes, or an empty string.
+std::string refused_stroke(const options& o, const raw_values& raw)
+{
+    if (o.stroke.width == 0.0) return {};
+    if (o.bend.warp.index() != 0) return "--stroke does not work with a --bend in the plane";
+    if (!raw.path.empty()) return "--stroke does not work with --path";
+    if (!raw.morph.empty()) return "--stroke does not work with --morph";
+    if (o.colour_layers) return "--stroke does not work with --colour-layers";
+    if (o.instances) return "--stroke does not work with --instances";
+    return {};
+}
+
+/// Why there can be no file of curves, or an empty string.
+std::string refused_curves(const options& o)
+{
+    if (!holds_curves(o.kind)) return {};
+    const std::string file = o.kind == file_kind::svg ? "A .svg file" : "A .dxf file";
+    const bool formed = o.bevel.width > 0.0f || o.carve.tool_angle > 0.0f || o.outline.width > 0.0f ||
+                        o.inflate.height > 0.0f || o.refine.refiner != refiner_name::none || o.bend.is_on;
+    if (formed) return file + " has the letters' outlines: leave out bevels and whatever else is made of solids";
+    if (!o.svg.empty() && (o.embolden != 0.0f || o.bend.warp.index() != 0))
+        return file + " has the outlines of --svg: leave out --embolden and --bend";
+    if (o.colour_layers == typemesh::layer_cut::stacked) return file + " has no stacked layers";
+    if (o.markup) return file + " does not work with --markup";
+    return {};
+}
+
+/// Why an option does not fit to a drawing instead of a text, or an empty string.
+std::string settle_svg(options& out, const raw_values& raw)
+{
+    constexpr std::string_view of_texts[] = {
+        "--text-file",  "--batch",          "--font",         "--fallback",  "--family",
+        "--face",       "--variation",      "--morph",        "--feature",   "--language",
+        "--script",     "--direction",      "--latin",        "--columns",   "--combine-digits",
+        "--align",      "--letter-spacing", "--line-spacing", "--width",     "--wrap",
+        "--breaker",    "--justify",        "--indent",       "--max-lines", "--ellipsis",
+        "--elide",      "--style",          "--markup",       "--lod",       "--fill",
+        "--instances",  "--letters",        "--per-letter",   "--path",      "--stroke",
+        "--discretiser"};
+    if (raw.text_given) return "--svg does not work with TEXT: give one of them";
+    for (const std::string_view option : of_texts)
+        if (std::find(raw.given.begin(), raw.given.end(), option) != raw.given.end())
+            return std::string{option} + " does not work with --svg";
+    if (out.show_contours || out.show_points || out.show_control)
+        return "--show contours, points and control do not work with --svg";
     return {};
 }
 
@@ -759,7 +820,7 @@ std::string settle_files(options& out, const raw_values& raw)
     }
     if (piped && raw.format.empty()) return "--output - needs --format, because standard output has no file name";
     if (!out.output.empty() && (out.kind == file_kind::unknown || out.kind == file_kind::png))
-        return "--output must end in .glb, .obj, .stl, .ply or .3mf, not " + out.output;
+        return "--output must end in .glb, .obj, .stl, .ply, .3mf, .svg or .dxf, not " + out.output;
     if (!out.picture.empty() && out.picture != standard_output && kind_of(out.picture) != file_kind::png)
         return "--picture must end in .png, not " + out.picture;
     if (out.output.empty() && out.picture.empty() && !out.stats)
@@ -794,8 +855,9 @@ std::string settle_place(options& out, const raw_values& raw)
 /// Decides where the text comes from. Gives an empty string, or what is wrong.
 std::string settle_source(options& out, const raw_values& raw)
 {
+    if (!out.svg.empty()) return {};
     const bool file = !out.text_file.empty(), batch = !out.batch.empty();
-    if (!raw.text_given && !file && !batch) return "there is no text: give TEXT, --text-file or --batch";
+    if (!raw.text_given && !file && !batch) return "there is no text: give TEXT, --text-file, --batch or --svg";
     if (raw.text_given && (file || batch))
         return std::string{file ? "--text-file" : "--batch"} + " does not work with TEXT: give one of them";
     if (file && batch) return "--batch does not work with --text-file: give one of them";
@@ -845,7 +907,11 @@ std::string settle(options& out, const raw_values& raw)
     out.checker = shown("checker");
 
     if (out.markup && !out.styles.empty()) return "--style does not work with --markup: give its settings as tags";
-    if (std::string trouble = settle_font(out, raw); !trouble.empty()) return trouble;
+    if (!out.svg.empty()) {
+        if (std::string trouble = settle_svg(out, raw); !trouble.empty()) return trouble;
+    } else if (std::string trouble = settle_font(out, raw); !trouble.empty()) {
+        return trouble;
+    }
     if (std::string trouble = settle_lines(out, raw); !trouble.empty()) return trouble;
     if (std::string trouble = refused_columns(out, raw); !trouble.empty()) return trouble;
     if (out.depth == 0.0f && out.segments != 1)
@@ -863,6 +929,8 @@ std::string settle(options& out, const raw_values& raw)
     if (std::string trouble = settle_carving(out, raw); !trouble.empty()) return trouble;
     if (std::string trouble = settle_place(out, raw); !trouble.empty()) return trouble;
     if (std::string trouble = settle_colour_layers(out, raw); !trouble.empty()) return trouble;
+    if (std::string trouble = refused_stroke(out, raw); !trouble.empty()) return trouble;
+    if (std::string trouble = refused_curves(out); !trouble.empty()) return trouble;
     if (out.picture.empty() && !raw.show.empty()) return "--show needs --picture";
     if (out.picture.empty() && raw.shading_given) return "--shading needs --picture";
     if (out.picture.empty() && out.turn) return "--turn needs --picture";
@@ -872,14 +940,15 @@ std::string settle(options& out, const raw_values& raw)
         return "--quality does not work with --discretiser two_lines, which makes two lines of every curve";
     if (out.instances && out.kind != file_kind::glb) return "--instances needs --output FILE.glb";
     if (std::string trouble = refused_letters(out); !trouble.empty()) return trouble;
-    out.size = raw.size.value_or(is_printed(out.kind) ? 10.0 : 1.0);
+    out.size = raw.size.value_or(has_millimetres(out.kind) ? 10.0 : 1.0);
     using typemesh::touching;
     out.keeps_apart = raw.no_merge;
     out.corners = raw.corners.value_or(wants_two_faces(out.kind) ? touching::part : touching::keep);
     const bool edges_move =
         out.bevel.width > 0.0f || out.carve.tool_angle > 0.0f || out.outline.width > 0.0f || out.embolden != 0.0f;
-    out.merge = out.merge || (!raw.no_merge && !out.instances &&
-                              (holds_solids(out.kind) || edges_move || out.corners != touching::keep));
+    out.merge = out.merge ||
+                (!raw.no_merge && !out.instances &&
+                 (holds_solids(out.kind) || holds_curves(out.kind) || edges_move || out.corners != touching::keep));
     if (std::string trouble = refused_faces(out); !trouble.empty()) return "--style: " + trouble;
     return settle_source(out, raw);
 }
@@ -917,6 +986,7 @@ std::optional<int> parse(int argc, char** argv, options& out)
         "  text_to_mesh --text-file page.txt -f F.ttf --width 30 --align justify -o page.glb --instances\n"
         "  text_to_mesh \"Letters that move\" -f F.ttf --per-letter -o letters.glb\n"
         "  text_to_mesh --batch names.txt -f F.ttf --anchor centre,middle -o \"tags/{n} {text}.stl\"\n"
+        "  text_to_mesh --svg logo.svg --depth 0.1 --bevel 0.01 -o logo.glb\n"
         "  fortune | text_to_mesh - --family \"Noto Sans\" -o - --format obj | less\n");
     app.set_version_flag("--version", version(), "print the version and exit");
     raw_values raw;
@@ -925,7 +995,7 @@ std::optional<int> parse(int argc, char** argv, options& out)
     add_mesh_options(app, out, raw);
     add_bevel_options(app, out, raw);
     add_carve_options(app, out);
-    add_weight_options(app, out);
+    add_weight_options(app, out, raw);
     add_refine_options(app, out, raw);
     add_inflate_options(app, out);
     add_output_options(app, out, raw);
@@ -943,7 +1013,10 @@ std::optional<int> parse(int argc, char** argv, options& out)
         return complain(in_words(wrong, app, argc, argv));
     }
     raw.text_given = app.count("TEXT") > 0;
-    for (const auto& [option, value] : {std::pair{"--text-file", &out.text_file}, std::pair{"--batch", &out.batch}})
+    for (const CLI::Option* option : app.get_options())
+        if (option->count() > 0 && !option->get_lnames().empty()) raw.given.push_back("--" + option->get_lnames()[0]);
+    for (const auto& [option, value] :
+         {std::pair{"--text-file", &out.text_file}, std::pair{"--batch", &out.batch}, std::pair{"--svg", &out.svg}})
         if (app.count(option) > 0 && value->empty())
             return complain(std::string{option} + " must be a file's name or -");
     raw.of_lines.erase(std::remove_if(raw.of_lines.begin(), raw.of_lines.end(),
@@ -971,6 +1044,7 @@ std::optional<int> parse(int argc, char** argv, options& out)
         using namespace typemesh;
         constexpr double em[] = {quality::low, quality::normal, quality::high, quality::best};
         out.tolerance = em[static_cast<int>(out.quality)];
+        if (!out.svg.empty() && !out.quality_given) out.tolerance *= 0.2;  // its em is not a letter, but the whole
     }
     if (const std::string trouble = settle(out, raw); !trouble.empty()) return complain(trouble);
     return {};

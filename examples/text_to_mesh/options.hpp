@@ -4,6 +4,7 @@
 #include "chosen_bend.hpp"
 #include "chosen_morph.hpp"
 #include "chosen_path.hpp"
+#include "chosen_stroke.hpp"
 #include "file_kind.hpp"
 #include "marked_text.hpp"
 #include "picture/picture_options.hpp"
@@ -27,6 +28,7 @@
 namespace text_to_mesh {
 
 class colour_layers;
+class svg_layers;
 
 enum class discretiser_name { certified, two_lines, adaptive };
 enum class triangulator_name { monotone, delaunay };
@@ -86,6 +88,7 @@ struct options {
     std::string who = "text_to_mesh: ";  ///< begins a sentence on standard error; of a batch it names the line
     std::string text;
     std::string text_file;  ///< instead of it, "-" is standard input; empty: none
+    std::string svg;        ///< a file of SVG instead of a text and fonts; empty: none
     std::string batch;      ///< likewise, a text a line
     std::string font;       ///< a file's name or a family's
     bool family = false;    ///< it is the font of --family: other installed fonts stand in for it
@@ -106,6 +109,7 @@ struct options {
     std::optional<rgb_colour> colour;                     ///< of what no style has a colour for
     std::optional<typemesh::layer_cut> colour_layers;     ///< colour glyphs are drawn as layers
     std::shared_ptr<text_to_mesh::colour_layers> layers;  ///< they have been read
+    std::shared_ptr<svg_layers> drawing;                  ///< the file of --svg has been read
     bool even_lines = false;                              ///< by total_fit, else by first_fit
     double fit_width = 0.0, fit_height = 0.0;             ///< of the box that gives the size; 0: none
 
@@ -117,6 +121,7 @@ struct options {
     carve_options carve;
     float embolden = 0.0f;  ///< em; how far edges move outwards
     outline_options outline;
+    chosen_stroke stroke;
     refine_options refine;
     bend_options bend;
     chosen_path path;

@@ -5,6 +5,7 @@
 
 #include <typemesh/bend/warped.hpp>
 #include <typemesh/extrude/embolden.hpp>
+#include <typemesh/outline/stroked.hpp>
 #include <typemesh/typemesh.hpp>
 
 #include <type_traits>
@@ -41,6 +42,7 @@ void use_stages(const options& o, double units_per_em, Mesher& mesher)
                 mesher.use(typemesh::no_outline_step{});
         },
         o.bend.warp);
+    if (o.stroke.width > 0.0) mesher.use(typemesh::stroked{o.stroke.style()});
     with_discretiser(o, units_per_em, [&mesher](const auto& discretiser) { mesher.use(discretiser); });
     if (o.triangulator == triangulator_name::delaunay)
         mesher.use(typemesh::constrained_delaunay{});

@@ -44,6 +44,13 @@ typemesh::result<typemesh::harfbuzz_font*> installed_fallback::font_for(typemesh
 
 std::string text_fonts::open(const options& o)
 {
+    if (!o.svg.empty()) {  // no text: an empty font stands in
+        auto none = typemesh::harfbuzz_font::wrap(hb_font_get_empty());
+        if (!none) return in_words(none.error());
+        opened_.push_back(std::move(*none));
+        set_.emplace(opened_.back(), installed_);
+        return {};
+    }
     if (o.family && is_a_file(o.font)) return "--family must be an installed family, not the file " + o.font;
     if (o.family)
         if (std::string trouble = installed_.open(o.font); !trouble.empty()) return trouble;

@@ -20,7 +20,31 @@ namespace {
 
 constexpr std::size_t max_bytes = std::size_t{64} << 20;  // else a device without an end fills the memory
 
-std::string read_all(const std::string& path, std::string& out)
+/// A text as a part of a file's name, on any system.
+std::string as_name(std::string_view text)
+{
+    constexpr std::string_view refused = "/\\:*?\"<>|";
+    std::string name{text.substr(0, 100)};
+    while (name.size() < text.size() && !name.empty() && (static_cast<unsigned char>(text[name.size()]) & 0xC0) == 0x80)
+        name.pop_back();  // no half of a character
+    for (char& c : name)
+        if (static_cast<unsigned char>(c) < 0x20 || c == 0x7F || refused.find(c) != std::string_view::npos) c = '_';
+    if (name.starts_with('.') || name.starts_with('-')) name[0] = '_';
+    if (name.ends_with('.') || name.ends_with(' ')) name.back() = '_';
+    return name;
+}
+
+void replace(std::string& in, std::string_view what, std::string_view by)
+{
+    for (std::size_t at = 0; (at = in.find(what, at)) != std::string::npos; at += by.size())
+        in.replace(at, what.size(), by);
+}
+
+bool is_blank(std::string_view line) { return line.find_first_not_of(" \t") == std::string_view::npos; }
+
+}  // namespace
+
+std::string read_file(const std::string& path, std::string& out)
 {
     const bool piped = path == standard_output;  // "-": standard input here
     const std::string name = piped ? "standard input" : path;
@@ -47,30 +71,6 @@ std::string read_all(const std::string& path, std::string& out)
     out.resize(kept);
     return {};
 }
-
-/// A text as a part of a file's name, on any system.
-std::string as_name(std::string_view text)
-{
-    constexpr std::string_view refused = "/\\:*?\"<>|";
-    std::string name{text.substr(0, 100)};
-    while (name.size() < text.size() && !name.empty() && (static_cast<unsigned char>(text[name.size()]) & 0xC0) == 0x80)
-        name.pop_back();  // no half of a character
-    for (char& c : name)
-        if (static_cast<unsigned char>(c) < 0x20 || c == 0x7F || refused.find(c) != std::string_view::npos) c = '_';
-    if (name.starts_with('.') || name.starts_with('-')) name[0] = '_';
-    if (name.ends_with('.') || name.ends_with(' ')) name.back() = '_';
-    return name;
-}
-
-void replace(std::string& in, std::string_view what, std::string_view by)
-{
-    for (std::size_t at = 0; (at = in.find(what, at)) != std::string::npos; at += by.size())
-        in.replace(at, what.size(), by);
-}
-
-bool is_blank(std::string_view line) { return line.find_first_not_of(" \t") == std::string_view::npos; }
-
-}  // namespace
 
 std::string file_name(std::string_view pattern, std::string_view text, std::size_t line, std::size_t last_line)
 {
@@ -99,7 +99,7 @@ std::string read_texts(const options& o, std::vector<text_job>& out)
         return {};
     }
     std::string all;
-    if (std::string trouble = read_all(o.batch.empty() ? o.text_file : o.batch, all); !trouble.empty()) return trouble;
+    if (std::string trouble = read_file(o.batch.empty() ? o.text_file : o.batch, all); !trouble.empty()) return trouble;
     if (all.ends_with('\n')) all.pop_back();
     if (o.batch.empty()) {
         out.push_back({all, o.output, o.picture, 0});

@@ -17,6 +17,10 @@ struct text_job {
     std::size_t line = 0;  ///< of a batch, from 1; else 0
 };
 
+/// Reads a whole file, or standard input for "-", up to 64 MB: without a byte order mark, and "\r\n" becomes "\n".
+/// Gives an empty string, or one sentence.
+[[nodiscard]] std::string read_file(const std::string& path, std::string& out);
+
 /// The name that a pattern has for a line of a batch.
 ///
 ///     {n}      the line's number, from 1, in as many digits as the last one's

@@ -500,6 +500,86 @@ that "statistics alone move nothing" corners 0
 expect 2 "--touching must be part, join or keep, not apart" x --font $sans --touching apart --stats
 expect 0 "" "▚▚" --font $mono --touching part --output letters.glb --instances
 
+# Curves out: .svg and .dxf.
+expect 0 "" "Hello" --font $sans --output curves.svg
+that "a text's curves are one path" [ "$(grep -c '<path d="M' curves.svg)" = 1 ]
+that "curves stay curves" grep -q 'd="[^"]*Q' curves.svg
+that "an em is ten millimetres in curves" grep -qE '<svg [^>]*width="[12][0-9](\.[0-9]+)?mm"' curves.svg
+that "the file's size is told" grep -qE '^curves\.svg: [0-9]+ curves and lines, [0-9.]+ x [0-9.]+ mm$' out
+expect 0 "" "Hello" --font $sans --output curves.dxf --size 40
+that "a drawing has splines" grep -q '^SPLINE' curves.dxf
+that "a drawing ends" [ "$(tail -n 1 curves.dxf)" = EOF ]
+expect 0 "" "مرحبا" --font $arabic --output - --format dxf
+that "a drawing goes to standard output" grep -q '^EOF' out
+expect 0 "" "Red" --font $sans --output curves.svg --style "0..1:colour=red" --colour "#102030"
+that "curves have colours" [ "$(grep -cE '<path fill="#(d0282c|102030)"' curves.svg)" = 2 ]
+expect 0 "" "Ego" --font $sans --output bold.svg --embolden 0.02 --bend arc:90
+for option in "--bevel 0.01" "--carve 60" "--outline 0.02" "--inflate 1" "--refine delaunay" "--bend cylinder:2"; do
+    # shellcheck disable=SC2086  # words
+    expect 2 "A .svg file has the letters' outlines" "Ego" --font $sans --output no.svg $option
+done
+expect 2 "A .dxf file does not work with --markup" "Ego" --font $sans --output no.dxf --markup
+expect 1 "the text is blank" " " --font $sans --output no.svg
+that "no curves are half-written" [ ! -e no.svg ]
+
+# Strokes.
+expect 0 "" "Ego" --font $sans --output stroke.stl --stroke 0.03
+expect 0 "" "Ego" --font $sans --output stroke.svg --stroke 0.03,round
+expect 0 "" "Ego" --font $sans --output dashes.svg --stroke 0.03,bevel,square,0.05,0.08
+that "dashes are pieces" [ "$(grep -o Z dashes.svg | wc -l)" -gt 20 ]
+for wrong in 0 -1 11 x 0.03,flat 0.03,-1 "0.03,round,0.1;0.2" ""; do
+    expect 2 "--stroke" "Ego" --font $sans --output no.glb --stroke "$wrong"
+done
+expect 2 "--stroke does not work with a --bend in the plane" "Ego" --font $sans --stats --stroke 0.03 --bend arc:90
+expect 2 "--stroke does not work with --path" "Ego" --font $sans --stats --stroke 0.03 --path circle:2
+expect 2 "--stroke does not work with --instances" "Ego" --font $sans --output no.glb --stroke 0.03 --instances
+
+# SVG where pugixml is there, else a sentence.
+printf '%s\n' '<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 24 24"><style>.b, #c { fill: #0000ff }</style>' \
+    '<defs><g id="dot"><circle r="2"/></g></defs><rect width="24" height="24" fill="currentColor"/>' \
+    '<path class="b" d="M2 2h8v8H2z"/><use href="#dot" x="16" y="6" fill="red"/>' \
+    '<g transform="translate(4 14)" stroke="#fff" stroke-width="2" fill="none"><path d="M0 2h16" stroke-dasharray="3 1"/></g>' \
+    '</svg>' >drawing.svg
+if "$program" --svg drawing.svg --output probe.glb >out 2>err; then
+    for kind in glb obj stl ply svg dxf; do expect 0 "" --svg drawing.svg --output drawn.$kind; done
+    that "colours of a drawing are parts" [ "$(grep -cE '^usemtl front_(000000|0000ff|ff0000|ffffff)' drawn.obj)" = 4 ]
+    that "each colour of a drawing is a path" [ "$(grep -c '<path fill="#' drawn.svg)" = 4 ]
+    that "what is covered is cut" [ "$(grep -o 'fill="#0000ff" d="[^"]*"' drawn.svg)" = 'fill="#0000ff" d="M0.8333 -5.8333L4.1667 -5.8333L4.1667 -9.1667L0.8333 -9.1667Z"' ]
+    expect 0 "" --svg drawing.svg --output stacked.glb --colour-layers=stacked --picture stacked.png
+    expect 0 "" --svg drawing.svg --output bevelled.stl --bevel 0.01 --colour red --size 40 --anchor centre,middle
+    expect 0 "" --svg - --stats <drawing.svg
+    printf '<svg xmlns="http://www.w3.org/2000/svg"><text>a</text><text>b</text><path fill="url(#g)" d="M0 0h9v9z"/><linearGradient id="g"><stop stop-color="red"/></linearGradient><path d="M0 0h9v9zx"/></svg>' >lossy.svg
+    expect 0 "^text_to_mesh: warning: <text> is not drawn\.$" --svg lossy.svg --output lossy.glb
+    that "each kind of loss is named once" lines 3
+    expect 1 "--strict: nothing is written" --svg lossy.svg --output no.glb --strict
+    printf '<svg>\n<g>\n</svg>' >broken.svg
+    expect 1 "^text_to_mesh: broken.svg, line 3: this is not XML: .*\.$" --svg broken.svg --output no.glb
+    that "a malformed file has one sentence" lines 1
+    printf '<html/>' >other.svg
+    expect 1 "other.svg is not an SVG file: its root is <html>" --svg other.svg --output no.glb
+    printf '<svg/>' >blank.svg
+    expect 1 "the drawing is blank: nothing is written" --svg blank.svg --output no.glb
+    printf '<svg xmlns="http://www.w3.org/2000/svg"><path id="a" d="M0 0h9v9z"/><g id="b"><use href="#b"/><use href="#a"/></g></svg>' >loop.svg
+    expect 0 "warning: <use> of an element within itself is not drawn" --svg loop.svg --output loop.glb
+    awk 'BEGIN { print "<svg><path id=\"a0\" d=\"M0 0h9v9z\"/>"; for (i = 1; i < 30; ++i) printf "<g id=\"a%d\"><use href=\"#a%d\"/><use href=\"#a%d\"/></g>\n", i, i - 1, i - 1; print "</svg>" }' >bomb.svg
+    expect 1 "bomb.svg draws more than 200000 elements" --svg bomb.svg --output no.glb
+    awk 'BEGIN { printf "<svg>"; for (i = 0; i < 5000; ++i) printf "<g>"; for (i = 0; i < 5000; ++i) printf "</g>"; print "</svg>" }' >deep.svg
+    expect 1 "deep.svg has elements in each other.*more than 200 levels deep" --svg deep.svg --output no.glb
+    printf '\037\213' >packed.svg
+    expect 1 "packed.svg is compressed: unpack it with gunzip" --svg packed.svg --output no.glb
+    expect 1 "none.svg cannot be read: No such file" --svg none.svg --output no.glb
+    expect 2 "--svg does not work with TEXT" x --svg drawing.svg --output no.glb
+    expect 2 "--font does not work with --svg" --svg drawing.svg --font $sans --output no.glb
+    expect 2 "--stroke does not work with --svg" --svg drawing.svg --stroke 0.1 --output no.glb
+    expect 2 "--svg must be a file's name or -" --svg "" --output no.glb
+    expect 2 "leave out --embolden and --bend" --svg drawing.svg --embolden 0.1 --output no.svg
+    expect 2 "A .svg file has no stacked layers" --svg drawing.svg --colour-layers=stacked --output no.svg
+    that "nothing is left of refused drawings" [ ! -e no.glb ]
+else
+    expect 1 "^text_to_mesh: --svg is not built in: this program was built without pugixml, which reads XML\.$" --svg drawing.svg --output probe.glb
+    that "nothing is left without pugixml" [ ! -e probe.glb ]
+fi
+
 # 3MF where lib3mf is there, else a sentence.
 # Every directed edge is met by its reverse, and no edge by more than two triangles.
 closed_3mf() {  # closed_3mf XML
@@ -633,7 +713,7 @@ expect 2 "TEXT" --font $sans --output x.glb
 expect 2 "--font" x --output x.glb
 expect 2 "nothing to do" x --font $sans
 expect 2 "^text_to_mesh: two was not expected" one --font $sans --output x.glb -- two
-expect 2 "must end in .*3mf, not x.fbx" x --font $sans --output x.fbx
+expect 2 "must end in .*3mf, .svg or .dxf, not x.fbx" x --font $sans --output x.fbx
 expect 2 "^text_to_mesh: --quality must be low, normal, high or best, not superb\.$" x --font $sans --output x.glb --quality superb
 that "what to do comes after what is wrong" lines 2
 expect 2 "align must be left, center, right, start, end or justify, not middle" x --font $sans --output x.glb --align middle
@@ -730,7 +810,7 @@ expect 1 "taken cannot be read: Is a directory" --batch taken -f $sans -o "{n}.g
 expect 2 "--text-file does not work with TEXT" x --text-file two.txt -f $sans -o x.glb
 expect 2 "--batch does not work with --text-file" --batch two.txt --text-file two.txt -f $sans -o "{n}.glb"
 expect 2 "--output must contain .n. or .text. for --batch" --batch two.txt -f $sans -o x.glb
-expect 2 "there is no text: give TEXT, --text-file or --batch" -f $sans -o x.glb
+expect 2 "there is no text: give TEXT, --text-file, --batch or --svg" -f $sans -o x.glb
 mkdir tags && printf 'Anna\n\n \nB/o:b\n@c\n../d\n' >names.txt
 expect 0 "" --batch names.txt -f $sans -o "tags/{n} {text}.stl" --picture "tags/{n}.png"
 that "a batch makes a file a line" [ "$(cd tags && printf '%s,' *)" = "1 Anna.stl,1.png,4 B_o_b.stl,4.png,5 @c.stl,5.png,6 _._d.stl,6.png," ]

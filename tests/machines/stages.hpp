@@ -23,6 +23,8 @@
 #include <typemesh/extrude/inflated.hpp>
 #include <typemesh/extrude/outlined.hpp>
 #include <typemesh/extrude/refined.hpp>
+#include <typemesh/outline/stroked.hpp>
+#include <typemesh/outline/svg_path.hpp>
 #include <typemesh/paragraph/paragraph.hpp>
 #include <typemesh/paragraph/total_fit.hpp>
 #include <typemesh/refine/non_obtuse.hpp>
@@ -186,6 +188,28 @@ inline typemesh::glyph_run row_of(const face& f)
     return run;
 }
 
+/// The cubics of elliptical arcs, at several tolerances.
+inline void hash_arcs(hash& h)
+{
+    struct pen {
+        hash& h;
+        void add(typemesh::point p) const noexcept { h.add(p.x), h.add(p.y); }
+        void move(typemesh::point) const noexcept {}
+        void line(typemesh::point p) const noexcept { add(p); }
+        void quadratic(typemesh::point c, typemesh::point p) const noexcept { add(c), add(p); }
+        void cubic(typemesh::point a, typemesh::point b, typemesh::point p) const noexcept { add(a), add(b), add(p); }
+        void close() const noexcept {}
+    } to{h};
+    for (int turn = 0; turn < 360; turn += 7)
+        for (int flags = 0; flags < 4; ++flags)
+            for (const double tolerance : {1e-2, 1e-5}) {
+                const std::string data = "M1 2A" + std::to_string(3 + turn % 40) + " 5 " + std::to_string(turn) + " " +
+                                         std::to_string(flags % 2) + " " + std::to_string(flags / 2) + " 7." +
+                                         std::to_string(turn) + " 1.5";
+                if (!typemesh::draw_svg_path(data, tolerance, to)) stop("an arc is refused");
+            }
+}
+
 /// Every written number.
 template <class Policy>
 void hash_mesh(hash& h, const faces& all, const Policy& policy, const typemesh::text_options& how = {})
@@ -301,6 +325,7 @@ inline std::vector<stage_hash> hash_stages(const faces& all)
         stage(even ? "grid: constrained_delaunay, even-odd" : "grid: constrained_delaunay",
               [&](hash& h) { hash_grid(h, all, rule, constrained_delaunay{}); });
     }
+    stage("curves: arcs of svg", [](hash& h) { hash_arcs(h); });
     stage("mesh: flat", [&](hash& h) { hash_mesh(h, all, flat{}); });
     stage("mesh: extruded", [&](hash& h) { hash_mesh(h, all, extruded<>{}); });
     stage("mesh: extruded, merged", [&](hash& h) { hash_mesh(h, all, extruded<>{}, {.merge = true}); });
@@ -320,6 +345,9 @@ inline std::vector<stage_hash> hash_stages(const faces& all)
     stage("mesh: warped, arc", [&](hash& h) { hash_mesh(h, all, warped{arc{.degrees = 90.0}}); });
     stage("mesh: carved", [&](hash& h) { hash_mesh(h, all, carved{}); });
     stage("mesh: inflated", [&](hash& h) { hash_mesh(h, all, inflated{.edge = 0.1f}); });
+    stage("mesh: stroked", [&](hash& h) {
+        hash_mesh(h, all, stroked{{.width = 0.03, .cap = stroke_cap::round, .join = stroke_join::round}});
+    });
     stage("mesh: flat_curved", [&](hash& h) { hash_mesh(h, all, flat_curved{}); });
     stage("text: levels, graphemes, breaks, scripts", [](hash& h) { hash_analysis(h); });
     stage("text: lines, first_fit", [](hash& h) { hash_lines(h, {}, first_fit{}); });

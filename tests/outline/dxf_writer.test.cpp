@@ -155,3 +155,27 @@ TEST_CASE("a drawing that cannot be written is refused", "[outline][dxf]")
     CHECK(counted.requests == before);
     CHECK(std::string{twice.text()} == first);
 }
+
+TEST_CASE("pieces that are points after rounding are left out of a drawing", "[outline][dxf]")
+{
+    dxf_writer drawing;
+    drawing.move({1e-8, 0});
+    drawing.line({3e-7, 4e-7});                          // no way from 0, 0
+    drawing.quadratic({1e-7, 2e-7}, {2e-7, 1e-7});       // nor here
+    drawing.cubic({0, 4e-7}, {4e-7, 0}, {-4e-7, 4e-7});  // nor here
+    drawing.line({5, 0});
+    drawing.cubic({5, 1e-7}, {6, 0}, {5, 0});  // there and back
+    drawing.line({1e-7, 3e-7});
+    drawing.close();
+    REQUIRE(drawing.finish());
+    const auto found = entities_of(read(drawing.text()));
+    REQUIRE(found.size() == 3);
+    point last = found.back().points.back();
+    for (const entity& e : found) {
+        CHECK(last == e.points.front());
+        last = e.points.back();
+        bool moves = false;
+        for (const point p : e.points) moves = moves || !(p == e.points.front());
+        CHECK(moves);
+    }
+}

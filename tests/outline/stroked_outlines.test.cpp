@@ -58,6 +58,23 @@ std::vector<point> around(const std::vector<point>& some, double reach, unsigned
     return all;
 }
 
+/// One open path, there and back; without a move it ends in another mistake.
+struct there_and_back {
+    std::uint32_t lines = 0;
+    bool headless = false;
+
+    [[nodiscard]] double units_per_em() const noexcept { return 1000.0; }
+    [[nodiscard]] fill_rule fill() const noexcept { return fill_rule::non_zero; }
+    template <outline_sink Sink>
+    error outline(glyph_id, Sink& sink) const noexcept
+    {
+        if (!headless) sink.move({0.0, 0.0});
+        for (std::uint32_t i = 1; i <= lines; ++i) sink.line({static_cast<double>(i % 2), 0.0});
+        if (headless) sink.line({std::nan(""), 0.0});  // the second error
+        return {};
+    }
+};
+
 }  // namespace
 
 TEST_CASE("a round stroke is what is near the path, however tightly that turns", "[outline][stroke]")
@@ -238,6 +255,19 @@ TEST_CASE("strokes refuse options, and what their source refuses", "[outline][st
     const std::size_t before = counted.requests;
     REQUIRE(record(warm, 0, out));
     CHECK(counted.requests == before);
+}
+
+TEST_CASE("strokes keep the first error of a drawing, and refuse a path of too many curves", "[outline][stroke]")
+{
+    outline out;
+    there_and_back headless{1, true}, longest{decltype(stroked_outlines{headless})::max_curves + 1};
+    stroked_outlines lines{headless};
+    CHECK(record(lines, 0, out) == error::bad_outline);
+    test::counting_memory counted;
+    stroked_outlines bounded{longest, {}, 1e-4, counted.source()};
+    const auto refused = record(bounded, 0, out);
+    REQUIRE(refused == error::too_many_points);
+    CHECK(refused.error().count == bounded.max_curves);
 }
 
 TEST_CASE("each option of a stroke and each state of its source has a key of its own, so no cache confuses them",

@@ -51,3 +51,21 @@ TEST_CASE("no place is wound counter-clockwise by a stroke of random curves", "[
         }
     }
 }
+
+TEST_CASE("strokes of pieces whose squared length is 0 are finite", "[outline][stroke]")
+{
+    for (const double tiny : {1e-321, 1e-300, 1e-200, 1e-160, 1e-20})
+        for (const std::uint32_t degree : {1u, 2u, 3u}) {
+            const point end{tiny, 1.0 - 1.0}, bend{tiny, tiny};
+            const curve piece = degree == 1   ? curve::from(point{}, end)
+                                : degree == 2 ? curve::from(quadratic{{}, bend, end})
+                                              : curve::from(cubic{{}, bend, bend, end});
+            const curve path[] = {curve::from(point{-1.0, 0.0}, {}), piece, curve::from(end, point{1.0, 1.0})};
+            outline out;
+            outline_recorder to{out};
+            detail::stroker draw{stroke_style{.width = 0.3, .join = stroke_join::round}, 1.0, 1e-3, to};
+            REQUIRE(draw.stroke(path, false) == error::none);
+            INFO(tiny << ", degree " << degree);
+            CHECK(to.finish() == error::none);
+        }
+}

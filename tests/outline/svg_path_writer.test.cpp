@@ -95,3 +95,23 @@ TEST_CASE("a path that cannot be written is refused", "[outline][svg]")
     poor.move({});
     CHECK(poor.finish() == error::out_of_memory);
 }
+
+TEST_CASE("path data without a move before its first segment is not written", "[outline][svg]")
+{
+    svg_path_writer line, curve, after, closed;
+    line.line({1.0, 1.0});
+    CHECK(line.finish() == error::bad_outline);
+    line.clear();
+    CHECK(line.finish());
+    curve.cubic({}, {1.0, 0.0}, {1.0, 1.0});
+    CHECK(curve.finish() == error::bad_outline);
+    after.move({});
+    after.line({1.0, 0.0});
+    after.close();
+    CHECK(after.finish());
+    after.quadratic({1.0, 1.0}, {0.0, 1.0});
+    CHECK(after.finish() == error::bad_outline);
+    closed.close();
+    CHECK(closed.finish());
+    CHECK(closed.text().empty());
+}

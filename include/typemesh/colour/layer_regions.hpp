@@ -3,6 +3,7 @@
 
 #include <typemesh/colour/colour_glyph.hpp>
 #include <typemesh/colour/impl/region_pool.hpp>
+#include <typemesh/colour/impl/tangent_pen.hpp>
 #include <typemesh/core/box.hpp>
 #include <typemesh/core/buffer.hpp>
 #include <typemesh/core/contours.hpp>
@@ -106,6 +107,15 @@ public:
     [[nodiscard]] result<region> silhouette(contours& loops) const noexcept
     {
         return pool_.region_of(silhouette_, whole_.curves.view(), loops);
+    }
+
+    /// Draws a region of this object into an outline sink: each edge is a line, or a cubic that hardly deviates from
+    /// its chord and has the tangents of the curve. Every discretiser that keeps the tolerance of build() makes it the
+    /// same chord again, so drawn layers still tile; normals follow the curves.
+    template <outline_sink Sink>
+    static void draw(const region& drawn, Sink& sink) noexcept
+    {
+        detail::draw_region(drawn, sink);
     }
 
 private:

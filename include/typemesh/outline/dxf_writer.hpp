@@ -4,13 +4,13 @@
 #include <typemesh/core/affine.hpp>
 #include <typemesh/core/buffer.hpp>
 #include <typemesh/core/error.hpp>
-#include <typemesh/core/finite.hpp>
 #include <typemesh/core/memory.hpp>
 #include <typemesh/core/point.hpp>
 #include <typemesh/core/result.hpp>
+#include <typemesh/outline/impl/dxf_frame.hpp>
+#include <typemesh/outline/impl/fixed_point.hpp>
 #include <typemesh/outline/outline_sink.hpp>
 
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <initializer_list>
@@ -26,11 +26,15 @@ namespace typemesh::inline TYPEMESH_ABI {
 ///     if (auto done = drawing.finish(); !done) ...
 ///     fwrite(drawing.text().data(), 1, drawing.text().size(), file);
 ///
-/// Lines are entities LINE, and each curve is one SPLINE of its own degree without inner knots, so it is exact. The
-/// pieces of a contour follow each other, and each begins with the same digits with which the one before it ends.
-/// Everything lies on the layer 0; the unit is the millimetre, by name.
+/// Lines are entities LINE, and each curve is one SPLINE of its own degree without inner knots, so it is exact up to
+/// the rounding of its points. The pieces of a contour follow each other, and each begins with the same digits with
+/// which the one before it ends. A piece whose points are all one after the rounding is left out. Everything lies on
+/// the layer 0 in the model space; the unit is the millimetre, by name.
 ///
-/// From  AutoCAD 2000 DXF Reference, chapter 6
+/// The file has the sections, tables and dictionaries of a drawing of that version. Older programs, which read only
+/// version R12, know no SPLINE: flatten the outlines for them.
+///
+/// From  AutoCAD 2000 DXF Reference, chapters 2 to 7
 class dxf_writer {
 public:
     /// `map` is applied to each point. Numbers have six digits after the point.
@@ -39,18 +43,18 @@ public:
     void move(point p) noexcept
     {
         close();
-        start_ = current_ = map_(p);
+        start_ = current_ = rounded(p);
         open_ = true;
     }
-    void line(point p) noexcept { add_line(map_(p)); }
-    void quadratic(point control, point p) noexcept { spline({current_, map_(control), map_(p)}); }
+    void line(point p) noexcept { add_line(rounded(p)); }
+    void quadratic(point control, point p) noexcept { spline({current_, rounded(control), rounded(p)}); }
     void cubic(point control1, point control2, point p) noexcept
     {
-        spline({current_, map_(control1), map_(control2), map_(p)});
+        spline({current_, rounded(control1), rounded(control2), rounded(p)});
     }
     void close() noexcept
     {
-        if (open_ && !(current_ == start_)) add_line(start_);
+        if (open_) add_line(start_);
         open_ = false;
     }
 
@@ -72,7 +76,7 @@ public:
     [[nodiscard]] result<void> finish() noexcept
     {
         close();
-        put("0\nENDSEC\n0\nEOF\n");
+        put(detail::dxf_end);
         return error_;
     }
 
@@ -82,12 +86,20 @@ public:
 private:
     static constexpr std::uint32_t first_handle = 0x100;
 
-    void begin() noexcept
+    /// A point in millionths of the unit, as it is written.
+    struct place {
+        std::int64_t x = 0, y = 0;
+        friend constexpr bool operator==(place, place) = default;
+    };
+    [[nodiscard]] place rounded(point p) noexcept
     {
-        put("0\nSECTION\n2\nHEADER\n9\n$ACADVER\n1\nAC1015\n9\n$HANDSEED\n5\nFFFFFFF\n9\n$"
-            "INSUNITS\n70\n4\n0\nENDSEC\n");
-        put("0\nSECTION\n2\nENTITIES\n");
+        place made;
+        p = map_(p);
+        if (const error e = numbers_.round(p.x, made.x)) refuse(e);
+        if (const error e = numbers_.round(p.y, made.y)) refuse(e);
+        return made;
     }
+    void begin() noexcept { put(detail::dxf_begin); }
     void put(std::string_view words) noexcept
     {
         if (error_) return;
@@ -106,25 +118,13 @@ private:
         put({first, static_cast<std::size_t>(digits + 24 - first)});
         put("\n");
     }
-    void put_number(const char* code, double value) noexcept
+    void put_number(const char* code, std::int64_t number) noexcept
     {
-        constexpr std::int64_t scale = 1'000'000;
-        const double wanted = std::floor(value * static_cast<double>(scale) + 0.5);
-        if (!is_finite(wanted)) return refuse(error::outline_not_finite);
-        if (!(std::fabs(wanted) < 1e15)) return refuse(error::too_large);
-        const auto whole = static_cast<std::int64_t>(wanted);
         put(code);
-        if (whole < 0) put("-");
-        auto left = static_cast<std::uint64_t>(whole < 0 ? -whole : whole);
-        char digits[24], *first = digits + 24;
-        *--first = '\n';
-        for (int i = 0; i < 6; ++i, left /= 10) *--first = static_cast<char>('0' + left % 10);
-        *--first = '.';
-        do *--first = static_cast<char>('0' + left % 10);
-        while ((left /= 10) != 0);
-        put({first, static_cast<std::size_t>(digits + 24 - first)});
+        put(numbers_.text(number, true));
+        put("\n");
     }
-    void put_point(const char* x, const char* y, const char* z, point p) noexcept
+    void put_point(const char* x, const char* y, const char* z, place p) noexcept
     {
         put_number(x, p.x);
         put_number(y, p.y);
@@ -133,15 +133,17 @@ private:
     }
     void entity(const char* name, const char* subclass) noexcept
     {
-        if (!open_) refuse(error::bad_outline);
         put("0\n");
         put(name);
         put_integer("\n5\n", handle_++, 16);
-        put("100\nAcDbEntity\n8\n0\n100\n");
+        put("330\n");
+        put(detail::dxf_model_space);
+        put("\n100\nAcDbEntity\n8\n0\n100\n");
         put(subclass);
     }
-    void add_line(point p) noexcept
+    void add_line(place p) noexcept
     {
+        if (!open_) return refuse(error::bad_outline);
         if (p == current_) return;
         entity("LINE", "AcDbLine\n");
         put_point("10\n", "20\n", "30\n", current_);
@@ -149,8 +151,12 @@ private:
         current_ = p;
     }
     /// A Bezier curve is a spline whose knots are 0 and 1 only, as often as it has points.
-    void spline(std::initializer_list<point> points) noexcept
+    void spline(std::initializer_list<place> points) noexcept
     {
+        if (!open_) return refuse(error::bad_outline);
+        bool is_point = true;
+        for (const place p : points) is_point = is_point && p == current_;
+        if (is_point) return;
         const std::uint64_t count = points.size();
         entity("SPLINE", "AcDbSpline\n210\n0.0\n220\n0.0\n230\n1.0\n70\n8\n");
         put_integer("71\n", count - 1);
@@ -158,16 +164,17 @@ private:
         put_integer("73\n", count);
         put("74\n0\n");
         for (std::uint64_t k = 0; k < 2 * count; ++k) put(k < count ? "40\n0.0\n" : "40\n1.0\n");
-        for (const point p : points) put_point("10\n", "20\n", "30\n", current_ = p);
+        for (const place p : points) put_point("10\n", "20\n", "30\n", current_ = p);
     }
-    void refuse(error::kind k) noexcept
+    void refuse(const error& e) noexcept
     {
-        if (!error_) error_ = k;
+        if (!error_) error_ = e;
     }
 
     buffer<char> text_;
     affine map_;
-    point start_, current_;
+    detail::fixed_point numbers_{6};
+    place start_, current_;
     std::uint32_t handle_ = first_handle;
     bool open_ = false;
     error error_;

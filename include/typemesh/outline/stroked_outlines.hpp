@@ -23,7 +23,10 @@ namespace detail {
 template <outline_sink Sink>
 class stroking_sink {
 public:
-    stroking_sink(const stroker<Sink>& draw, buffer<curve>& path) noexcept : draw_{draw}, path_{path} {}
+    stroking_sink(const stroker<Sink>& draw, std::uint32_t most, buffer<curve>& path) noexcept
+        : draw_{draw}, most_{most}, path_{path}
+    {
+    }
 
     void move(point p) noexcept
     {
@@ -66,9 +69,13 @@ public:
     }
 
 private:
+    void refuse(const error& e) noexcept
+    {
+        if (!error_) error_ = e;
+    }
     void note(point p) noexcept
     {
-        if (!is_finite(p.x) || !is_finite(p.y)) error_ = error::outline_not_finite;
+        if (!is_finite(p.x) || !is_finite(p.y)) refuse(error::outline_not_finite);
     }
     void go(point p) noexcept
     {
@@ -79,9 +86,11 @@ private:
     void keep(const curve& c) noexcept
     {
         if (!begun_)
-            error_ = error::bad_outline;
-        else if (!path_.push_back(c))
-            error_ = error::out_of_memory;
+            refuse(error::bad_outline);
+        else if (path_.size() >= most_)
+            refuse({error::too_many_points, most_});
+        else if (!error_ && !path_.push_back(c))
+            refuse(error::out_of_memory);
     }
     void end(bool closed) noexcept
     {
@@ -96,6 +105,7 @@ private:
     }
 
     stroker<Sink> draw_;
+    std::uint32_t most_;
     buffer<curve>& path_;
     point start_, current_;
     bool begun_ = false, drawn_ = false;
@@ -117,10 +127,12 @@ private:
 /// Fails  in outline(): as the other source does; error::bad_option: "width", "mitre_limit", "dashes",
 ///        "dash_offset", "tolerance";
 ///        error::outline_not_finite, error::bad_outline, error::out_of_memory; error::outline_beyond_grid: a coordinate
-///        is more than 2^40 tolerances from 0
+///        is more than 2^40 tolerances from 0; error::too_many_points: one path has more than max_curves
 template <outline_source Source>
 class stroked_outlines {
 public:
+    static constexpr std::uint32_t max_curves = 1u << 20;  ///< of one path, which is kept until it ends
+
     /// `tolerance` is the distance between the sides of a stroke and their cubics, in em.
     explicit stroked_outlines(Source& source, const stroke_style& style = {}, double tolerance = 1e-4,
                               memory from = heap()) noexcept
@@ -150,7 +162,7 @@ public:
         path_.clear();
         const double em = source_->units_per_em();
         const detail::stroker<Sink> draw{style_, em, tolerance_ * em, sink};
-        detail::stroking_sink<Sink> through{draw, path_};
+        detail::stroking_sink<Sink> through{draw, max_curves, path_};
         if (error e = source_->outline(id, through)) return e;
         return through.finish();
     }

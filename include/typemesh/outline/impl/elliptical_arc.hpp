@@ -4,6 +4,7 @@
 #include <typemesh/core/affine.hpp>
 #include <typemesh/core/finite.hpp>
 #include <typemesh/core/impl/same.hpp>
+#include <typemesh/core/impl/steady.hpp>
 #include <typemesh/core/point.hpp>
 
 #include <cmath>
@@ -12,6 +13,8 @@
 namespace typemesh::inline TYPEMESH_ABI::detail {
 
 inline constexpr double half_turn = 3.14159265358979323846;  // radians
+
+// Sines and angles are rounded to 2^-40, so that the number and the points of cubics are the same with every libm.
 
 /// The number of equal cubics that keep an arc of a circle, or of an ellipse, within a tolerance: at least one for each
 /// quarter, at most 4,096.
@@ -29,7 +32,7 @@ inline constexpr double half_turn = 3.14159265358979323846;  // radians
     auto count = static_cast<std::uint32_t>(std::ceil(turn / (0.5 * half_turn) - 1e-9));
     if (count == 0) count = 1;
     for (; count < most; count += 1 + count / 4) {
-        const double s = std::sin(0.25 * turn / count), c = std::cos(0.25 * turn / count);
+        const double s = steady_sine(0.25 * turn / count), c = steady_cosine(0.25 * turn / count);
         if (!(radius * (2.0 / 27.0) * s * s * s * s * s * s > tolerance * c * c)) break;
     }
     return count < most ? count : most;
@@ -52,25 +55,25 @@ struct elliptical_arc {
         double rx = std::fabs(radii.x), ry = std::fabs(radii.y);
         if (!(rx > 0.0) || !(ry > 0.0)) return arc;
         const double turn = std::fmod(degrees, 360.0) * (half_turn / 180.0);
-        const double c = std::cos(turn), s = std::sin(turn);
+        const double c = steady_cosine(turn), s = steady_sine(turn);
         const point half = 0.5 * (from - to);
         // The chord's half in the space where the ellipse is the unit circle.
         point own{(c * half.x + s * half.y) / rx, (c * half.y - s * half.x) / ry};
-        const double square = dot(own, own);
+        double square = dot(own, own);
         if (!(square > 0.0) || !is_finite(square)) return arc;
-        point centre;
+        double away = 0.0;  // of the centre from the chord, in halves of the chord
         if (square > 1.0) {
             const double grow = std::sqrt(square);
             rx *= grow;
             ry *= grow;
             own = (1.0 / grow) * own;
+            square = 1.0;
         } else {
-            const double away = (large == positive ? -1.0 : 1.0) * std::sqrt((1.0 - square) / square);
-            centre = {away * own.y, -away * own.x};
+            away = (large == positive ? -1.0 : 1.0) * std::sqrt((1.0 - square) / square);
         }
-        const point first = own - centre, last = -1.0 * own - centre;
-        arc.start = std::atan2(first.y, first.x);
-        arc.sweep = std::atan2(last.y, last.x) - arc.start;
+        const point centre{away * own.y, -away * own.x}, first = own - centre;
+        arc.start = steady_angle(first.y, first.x);
+        arc.sweep = steady_angle(2.0 * away * square, 1.0 - 2.0 * square);
         if (positive && arc.sweep < 0.0) arc.sweep += 2.0 * half_turn;
         if (!positive && arc.sweep > 0.0) arc.sweep -= 2.0 * half_turn;
         if (!is_finite(arc.sweep)) return {};
@@ -83,23 +86,25 @@ struct elliptical_arc {
         return arc;
     }
 
-    [[nodiscard]] point at(double angle) const noexcept { return map({std::cos(angle), std::sin(angle)}); }
+    [[nodiscard]] point at(double angle) const noexcept { return map(on_circle(angle)); }
 
     /// put(control, control, end) for the cubics that follow the arc within the tolerance; the last one ends at `to`.
     template <class Put>
     void cubics(point to, double tolerance, Put&& put) const noexcept
     {
         const std::uint32_t count = cubics_for(sweep, radius, tolerance);
-        const double step = sweep / count, handle = 4.0 / 3.0 * std::tan(0.25 * step);
-        point last{std::cos(start), std::sin(start)};
+        const double step = sweep / count, handle = 4.0 / 3.0 * steady_tangent(0.25 * step);
+        point last = on_circle(start);
         for (std::uint32_t k = 1; k <= count; ++k) {
-            const double angle = start + step * k;
-            const point next{std::cos(angle), std::sin(angle)};
+            const point next = on_circle(start + step * k);
             put(map(last + handle * point{-last.y, last.x}), map(next - handle * point{-next.y, next.x}),
                 k == count ? to : map(next));
             last = next;
         }
     }
+
+private:
+    [[nodiscard]] static point on_circle(double angle) noexcept { return {steady_cosine(angle), steady_sine(angle)}; }
 };
 
 }  // namespace typemesh::inline TYPEMESH_ABI::detail

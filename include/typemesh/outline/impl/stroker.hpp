@@ -4,6 +4,7 @@
 #include <typemesh/core/array_view.hpp>
 #include <typemesh/core/curve.hpp>
 #include <typemesh/core/error.hpp>
+#include <typemesh/core/impl/steady.hpp>
 #include <typemesh/core/impl/tangent.hpp>
 #include <typemesh/core/point.hpp>
 #include <typemesh/outline/impl/dash_pattern.hpp>
@@ -83,7 +84,13 @@ private:
     };
 
     [[nodiscard]] static point left_of(point along) noexcept { return {-along.y, along.x}; }
-    [[nodiscard]] static point unit(point p) noexcept { return (1.0 / length(p)) * p; }
+    /// Of any vector but 0, however short: its square may be 0.
+    [[nodiscard]] static point unit(point p) noexcept
+    {
+        const double x = std::fabs(p.x), y = std::fabs(p.y), most = x > y ? x : y;
+        if (most < 0x1p-500) p = 0x1p600 * p;
+        return most > 0.0 ? (1.0 / length(p)) * p : point{1.0, 0.0};
+    }
     /// A curve of a stretch, counted in the direction of a side.
     [[nodiscard]] static curve nth(const stretch& path, std::size_t i, bool forwards) noexcept
     {
@@ -170,7 +177,7 @@ private:
             forwards = forwards && some[k].growth > least;
             backwards = backwards && !(some[k].growth > least);
         }
-        const double turn = std::atan2(cross(a.along, b.along), dot(a.along, b.along));
+        const double turn = steady_angle(cross(a.along, b.along), dot(a.along, b.along));
         if (forwards && std::fabs(turn) < 1.0) {
             const double third = (b.t - a.t) / 3.0;
             const cubic side{a.rim, a.rim + third * a.rim_along, b.rim - third * b.rim_along, b.rim};
@@ -221,7 +228,7 @@ private:
             return line(rim);
         }
         if (how == stroke_join::round) {
-            double sweep = std::atan2(turn, same_way);
+            double sweep = steady_angle(turn, same_way);
             if (sweep > 0.0) sweep -= 2.0 * half_turn;
             return arc(corner, n, sweep, rim);
         }

@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: MIT
+
+// Files of SVG have the areas of their shapes, whichever way they are written.
+
+#include "text_to_mesh/svg/svg_layers.hpp"
+
+#include <cmath>
+#include <fstream>
+#include <string>
+#include <vector>
+
+#include "scratch_folder.hpp"
+#include "support/catch.hpp"
+
+using namespace text_to_mesh;
+
+namespace {
+
+constexpr double pi = 3.14159265358979323846;
+
+double area_of(const typemesh::outline& o)
+{
+    double area = 0.0;
+    for (const typemesh::curve& c : o.curves)
+        for (int k = 0; k < 200; ++k) area += 0.5 * cross(c.at(k / 200.0), c.at((k + 1) / 200.0));
+    return area;
+}
+
+/// What a file of a view box of 100 x 100 covers, in its own units; the last number is the silhouette.
+struct read_file_of {
+    bool is_built_in = true;
+    std::string trouble;
+    std::vector<double> areas;
+    std::vector<typemesh::box> bounds;
+    std::vector<rgb_colour> colours;
+
+    explicit read_file_of(const std::string& body, const std::string& head = "viewBox='0 0 100 100'")
+    {
+        const scratch_folder folder;
+        const std::string path = folder.file("drawing.svg");
+        std::ofstream{path} << "<svg xmlns='http://www.w3.org/2000/svg' " << head << ">" << body << "</svg>";
+        svg_layers layers;
+        trouble = layers.open(path, 1e-5, typemesh::layer_cut::visible, rgb_colour{{1, 2, 3}});
+        is_built_in = trouble.find("not built in") == std::string::npos;
+        typemesh::glyph_run run;
+        if (!trouble.empty() || !layers.lay_out(run, true)) return;
+        typemesh::outline found;
+        typemesh::glyph_id last = 0;
+        for (const typemesh::placed_glyph& g : run.glyphs) {
+            REQUIRE(layers.boundary(g.id, found));
+            areas.push_back(area_of(found) / 100.0);
+            bounds.push_back(found.bounds);
+            colours.push_back(*layers.colour_of(run.glyph_styles[g.glyph_style].style));
+        }
+        REQUIRE(layers.lay_out(run, false));
+        for (const typemesh::placed_glyph& g : run.glyphs) last = g.id;
+        if (run.glyphs.empty()) return;
+        REQUIRE(layers.boundary(last, found));
+        areas.push_back(area_of(found) / 100.0);
+    }
+    [[nodiscard]] double all() const { return areas.empty() ? 0.0 : areas.back(); }
+};
+
+void check_area(const std::string& body, double wanted)
+{
+    const read_file_of file{body};
+    if (!file.is_built_in) return;
+    INFO(body);
+    CHECK(file.trouble.empty());
+    CHECK(file.all() == Approx(wanted).epsilon(1e-4).margin(1e-6));
+}
+
+}  // namespace
+
+TEST_CASE("shapes of SVG have their areas", "[examples][svg]")
+{
+    check_area("<rect x='10' y='10' width='50' height='20'/>", 1000.0);
+    check_area("<rect x='10' y='10' width='50' height='20' rx='5'/>", 1000.0 - (4.0 - pi) * 25.0);
+    check_area("<rect x='10' y='10' width='50' height='20' rx='50' ry='5'/>", 1000.0 - (4.0 - pi) * 125.0);
+    check_area("<rect x='10' y='10' width='0' height='20'/>", 0.0);
+    check_area("<circle cx='50' cy='50' r='20'/>", pi * 400.0);
+    check_area("<ellipse cx='50%' cy='50' rx='20' ry='10'/>", pi * 200.0);
+    check_area("<polygon points='0,0 10,0 10 10'/><polyline points='50 50,60 50,60,60'/>", 100.0);
+    check_area("<line x1='10' y1='50' x2='60' y2='50'/>", 0.0);
+    check_area("<path d='M0 0h50v50h-50zM10 10h30v30h-30z' fill-rule='evenodd'/>", 1600.0);
+    check_area("<path d='M0 0h50v50h-50zM10 10h30v30h-30z'/>", 2500.0);
+    check_area("<path d='M0 0h50v50h-50z' fill='none'/>", 0.0);
+    check_area("<path d='M0 0h50v50h-50z' display='none'/><path d='M0 0h9v9z' style='visibility:hidden'/>", 0.0);
+    check_area("<rect x='-10' y='90' width='50' height='20'/>", 400.0);  // the view box cuts
+}
+
+TEST_CASE("strokes of SVG have their areas", "[examples][svg]")
+{
+    check_area("<path stroke='red' stroke-width='4' d='M10 50H60'/>", 200.0);
+    check_area("<path stroke='red' stroke-width='4' stroke-linecap='square' d='M10 50H60'/>", 216.0);
+    check_area("<path stroke='red' stroke-width='4' stroke-linecap='round' d='M10 50H60'/>", 200.0 + 4.0 * pi);
+    check_area("<path stroke='red' stroke-width='4' stroke-dasharray='5 5' d='M10 50H60'/>", 100.0);
+    check_area("<path stroke='red' stroke-width='4' stroke-dasharray='10%' d='M10 50H60'/>", 120.0);
+    check_area("<rect fill='none' stroke='red' stroke-width='4' x='20' y='20' width='20' height='20'/>", 320.0);
+    check_area(
+        "<rect fill='none' stroke='red' stroke-width='4' stroke-linejoin='bevel' x='20' y='20' width='20' "
+        "height='20'/>",
+        320.0 - 8.0);
+    check_area("<g stroke='red' stroke-width='2' transform='scale(2 1)'><path d='M10 50H30'/></g>", 80.0);
+}
+
+TEST_CASE("groups, uses and viewports of SVG nest", "[examples][svg]")
+{
+    check_area("<g transform='translate(50 50) rotate(30)scale(2,3)'><rect x='-5' y='-5' width='10' height='10'/></g>",
+               600.0);
+    check_area("<g transform='matrix(1 0 .5 1 0 0),skewX(10)'><rect width='10' height='10'/></g>", 100.0);
+    check_area("<defs><rect id='r' width='10' height='10'/></defs><use href='#r'/><use href='#r' x='20'/>", 200.0);
+    check_area(
+        "<symbol id='s' viewBox='0 0 1 2'><rect width='1' height='2'/></symbol><use href='#s' width='40' height='40'/>",
+        800.0);
+    check_area("<svg x='10' y='10' width='20' height='20' viewBox='0 0 1 1'><rect width='5' height='.5'/></svg>",
+               200.0);
+    check_area(
+        "<svg x='10' y='10' width='20' height='10' viewBox='0 0 1 1' preserveAspectRatio='none'><rect width='1' "
+        "height='1'/></svg>",
+        200.0);
+    check_area(
+        "<clipPath id='c'><circle cx='20' cy='20' r='10'/></clipPath><rect width='20' height='90' "
+        "clip-path='url(#c)'/>",
+        50.0 * pi);
+    check_area("<clipPath id='c'/><rect width='20' height='90' clip-path='url(#c)'/>", 0.0);
+    check_area("<g id='g'><use href='#g'/><rect width='10' height='10'/></g>", 100.0);
+}
+
+TEST_CASE("colours of SVG cascade, and what covers others is cut out of them", "[examples][svg]")
+{
+    const read_file_of file{
+        "<style>/* } */ rect { fill: red } .b { fill: #00f } #c { fill: rgb(0 50% 0) } @media print { rect { fill: "
+        "none } }"
+        "</style><rect width='40' height='40'/><rect class='a b' x='20' width='40' height='40'/>"
+        "<rect id='c' class='b' x='50' width='40' height='40' fill='white'/>"
+        "<rect class='b' style='fill:currentColor;fill-opacity:50%' y='60' width='10' height='10' opacity='.5'/>"};
+    if (!file.is_built_in) return;
+    REQUIRE(file.colours.size() == 4);
+    const auto is = [&](std::size_t i, int r, int g, int b, int a) {
+        const rgb_colour& c = file.colours[i];
+        return c.rgb[0] == r && c.rgb[1] == g && c.rgb[2] == b && c.alpha == a;
+    };
+    CHECK(is(0, 255, 0, 0, 255));
+    CHECK(is(1, 0, 0, 255, 255));
+    CHECK(is(2, 0, 128, 0, 255));
+    CHECK(is(3, 1, 2, 3, 64));
+    const double wanted[] = {800.0, 1200.0, 1600.0, 100.0, 3700.0};
+    double sum = 0.0;
+    for (std::size_t i = 0; i < 5; ++i) CHECK(file.areas[i] == Approx(wanted[i]));
+    for (std::size_t i = 0; i < 4; ++i) sum += file.areas[i];
+    CHECK(sum == Approx(file.all()));
+    // The y axis is turned round: the square at the bottom is low.
+    CHECK(file.bounds[3].low.y == Approx(300.0));
+    CHECK(file.bounds[3].high.y == Approx(400.0));
+}
+
+TEST_CASE("a file without a view box is as large as its shapes", "[examples][svg]")
+{
+    const read_file_of file{"<rect x='-30' y='7' width='200' height='50'/>", ""};
+    if (!file.is_built_in) return;
+    REQUIRE(file.bounds.size() == 1);
+    CHECK(file.bounds[0].low.x == Approx(0.0).margin(1e-6));
+    CHECK(file.bounds[0].low.y == Approx(0.0).margin(1e-6));
+    CHECK(file.bounds[0].high.x == Approx(1000.0));
+    CHECK(file.bounds[0].high.y == Approx(250.0));
+}
