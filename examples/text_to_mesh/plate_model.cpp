@@ -99,10 +99,9 @@ result<void> plate_model::add_solid(std::size_t k, model& out) const
         add(k == 0 ? "plate" : "inlay", 0, indices.size());
         return {};
     }
-    for (std::uint32_t p = 0; p < plate_parts; ++p) {
-        const auto of = static_cast<plate_part>(p);
-        const mesh_range r = plate_.solid(k).range(of);
-        add(name_of(o_.plate.how.style, of), r.first_index, r.index_count);
+    for (const plate_part p : all_plate_parts) {
+        const mesh_range r = plate_.solid(k).range(p);
+        add(name_of(o_.plate.how.style, p), r.first_index, r.index_count);
     }
     return {};
 }

@@ -133,8 +133,12 @@ TEST_CASE("tapered options are refused by name, and have keys", "[extrude][taper
     check_unknown_em<tapered>();
     check_empty_region(tapered{});
     const tapered plain;
-    const std::vector<tapered> others{{.depth = 0.3f},           {.degrees = 6.0f}, {.mitre_limit = 3.0f},
-                                      {.crease_degrees = 20.0f}, {.front = false},  {.back = false},
+    const std::vector<tapered> others{{.depth = 0.3f},
+                                      {.degrees = 6.0f},
+                                      {.mitre_limit = 3.0f},
+                                      {.crease_degrees = 20.0f},
+                                      {.front = false},
+                                      {.back = false},
                                       {.texture = texture_mapping::box}};
     check_different_keys(plain, others);
 }
