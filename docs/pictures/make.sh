@@ -156,6 +156,17 @@ montage "$scratch"/{arc,perspective}.png -tile 2x1 -geometry 700x420+2+2 -backgr
 "$program" "بسم الله الرحمن الرحيم" --font $arabic --path arc:5,110 --bevel 0.01 --turn -10 --picture "$scratch/bow.png"
 montage "$scratch"/{ring,bow}.png -tile 2x1 -geometry 700x560+2+2 -background '#eef0f3' path.png
 
+# Plates, and walls that lean.
+bold=/usr/share/fonts/truetype/dejavu/DejaVuSans-Bold.ttf
+"$program" "Anna" --font $bold --plate 0.2,0.15,0.12 --picture "$scratch/standing.png"
+"$program" "Tea & Co" --font $serif-Bold.ttf --plate 0.25,0.1,0.1 --inlay --colour '#2060a0' --picture "$scratch/inlay.png"
+"$program" "ABO8" --font $bold --plate 0.2,0.1,0.08 --stencil 0.05 --picture "$scratch/stencil.png"
+"$program" "Okapi" --font $bold --backing 0.1,0.12 --keyring 0.08 --picture "$scratch/keyring.png"
+montage "$scratch"/{standing,inlay,stencil,keyring}.png -tile 2x2 -geometry 560x260+2+2 -background '#eef0f3' plates.png
+"$program" "Headline" --font $bold --depth 0.3 --taper 12 --turn -22 --picture "$scratch/headline.png"
+"$program" "Roofs" --font $serif-Bold.ttf --depth 0.3 --taper 40 --turn 22 --picture "$scratch/roofs.png"
+montage "$scratch"/{headline,roofs}.png -tile 2x1 -geometry 560x300+2+2 -background '#eef0f3' tapered.png
+
 # A headline of three styles in three fonts; the styled range of a line of both directions is two stretches.
 "$program" "Type سلام 活字" --font $serif-Bold.ttf --fallback ${arabic/Regular/Bold} --fallback $japanese --bevel 0.015 --profile round \
     --style 0..4:colour=blue,underline --style 5..9:colour=red,size=1.25 --style 10..12:colour=green,overline --picture "$scratch/headline.png"
@@ -195,4 +206,4 @@ for motion in wave ring score; do
     convert -delay 6 -loop 0 "$scratch/$motion"/*.ppm +dither -colors 96 -layers optimize $motion.gif
 done
 
-pngquant --quality 90-100 --speed 1 --force --ext .png beside.png paragraph.png normals.png bevels.png bevelled_scripts.png bent.png carved.png inflated.png markup.png meshing.png path.png warped.png bold_and_hollow.png refined.png styles.png textures.png
+pngquant --quality 90-100 --speed 1 --force --ext .png beside.png paragraph.png normals.png bevels.png bevelled_scripts.png bent.png carved.png inflated.png markup.png meshing.png path.png warped.png bold_and_hollow.png plates.png tapered.png refined.png styles.png textures.png

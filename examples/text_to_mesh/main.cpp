@@ -9,6 +9,7 @@
 #include "options.hpp"
 #include "page.hpp"
 #include "picture/picture.hpp"
+#include "plate_model.hpp"
 #include "policies.hpp"
 #include "progress.hpp"
 #include "report.hpp"
@@ -32,8 +33,10 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <functional>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -60,8 +63,8 @@ typemesh::text_options text_options_of(const options& o)
     how.tolerance = o.tolerance;
     how.fill = o.fill;
     how.size = o.size;
-    how.merge = o.merge;
-    how.corners = o.corners;
+    how.merge = o.merge && !o.plate.is_on;  // a plate merges them itself, and parts their corners
+    how.corners = o.plate.is_on ? typemesh::touching::keep : o.corners;
     return how;
 }
 
@@ -290,9 +293,10 @@ std::string write_output(const options& o, const chosen_plan& plan, model& mesh,
     case file_kind::obj: return write_obj(mesh, o.output, files);
     case file_kind::ply: return write_ply(mesh, o.output, files);
     case file_kind::three_mf:
-        return write_3mf(o.bevel.width > 0.0f || o.carve.tool_angle > 0.0f ? sewn(mesh) : mesh, o.output, files);
+        return write_3mf(o.bevel.width > 0.0f || o.carve.tool_angle > 0.0f || o.plate.is_on ? sewn(mesh) : mesh,
+                         o.output, files);
     case file_kind::stl: {
-        if (solids_of(o) == 1) mesh.indices = solid_by_solid(plan, mesh.indices);
+        if (solids_of(o) == 1 && !o.plate.is_on) mesh.indices = solid_by_solid(plan, mesh.indices);
         mesh.parts.clear();
         return write_stl(mesh, o.output, files);
     }
@@ -302,6 +306,22 @@ std::string write_output(const options& o, const chosen_plan& plan, model& mesh,
     case file_kind::unknown: break;
     }
     return {};
+}
+
+/// Why a text cannot be planned; of an option that no check of the command line can know, as it depends on the font, by
+/// its name there.
+std::string refusal_in_words(const options& o, const typemesh::error& e)
+{
+    if (e.code != typemesh::error::bad_option) return in_words(e);
+    if (o.plate.is_on) return plate_refusal_in_words(o, e);
+    const std::string_view option = e.option;
+    constexpr float narrow = 1e-4f;  // a ring is refused that is narrower than a few cells
+    if (option == "max_edge") return "--max-edge is too small for this font: give a larger number.";
+    if (option == "outlined::width")
+        return o.outline.width < narrow ? "--outline is too narrow for this font: give a larger number."
+                                        : "--outline is too wide for this font: give a smaller number.";
+    if (option != "width") return in_words(e);
+    return std::string{o.taper > 0.0f ? "--taper" : "--bevel"} + " is too wide for this font: give a smaller number.";
 }
 
 /// The tolerance in em of the picture's own mesh, by the size at which it will be drawn; but the requested one where
@@ -346,29 +366,15 @@ std::string draw_picture(const options& o, font_set& font, const typemesh::glyph
     auto plan = mesher.plan(page, how);
     if (!plan) return in_words(plan.error());
     model mesh;
-    const auto done = is_stacked(o)       ? write_levels(o, page, how, mesh)
+    const auto done = o.plate.is_on       ? plate_model{o, font}.make(*plan, page, how, mesh)
+                      : is_stacked(o)     ? write_levels(o, page, how, mesh)
                       : solids_of(o) == 1 ? write_model(o, *plan, mesh)
                                           : write_solids(o, font, page, how, mesh);
-    if (!done) return in_words(done.error());
+    if (!done) return refusal_in_words(o, done.error());
     int width = 0, height = 0;
     const overlay over = annotate(o, font, plan->run(), plan->glyphs(), mesh);
     const auto pixels = draw(mesh, over, look, width, height);
     return write_png(pixels, width, height, o.picture, files);
-}
-
-/// Why a text cannot be planned; of an option that no check of the command line can know, as it depends on the font, by
-/// its name there.
-std::string refusal_in_words(const options& o, const typemesh::error& e)
-{
-    if (e.code != typemesh::error::bad_option) return in_words(e);
-    const std::string_view option = e.option;
-    constexpr float narrow = 1e-4f;  // a ring is refused that is narrower than a few cells
-    if (option == "max_edge") return "--max-edge is too small for this font: give a larger number.";
-    if (option == "outlined::width")
-        return o.outline.width < narrow ? "--outline is too narrow for this font: give a larger number."
-                                        : "--outline is too wide for this font: give a smaller number.";
-    if (option != "width") return in_words(e);
-    return "--bevel is too wide for this font: give a smaller number.";
 }
 
 /// Warns the user about a plan. Gives why nothing is written, or an empty string.
@@ -379,7 +385,7 @@ std::string name_warnings(const options& o, const chosen_plan& plan, const font_
     if (o.drawing) warned = o.drawing->name_losses(o.who) || warned;
     const std::u32string missing = missing_characters(plan.run(), o.text, fonts);
     warned = name_losses(plan.report(), o.family || !o.fallback.empty(), o.who, missing) || warned;
-    if (!o.output.empty() && !o.instances) {
+    if (!o.output.empty() && !o.instances && !o.plate.is_on) {
         const bool instances_help = o.kind == file_kind::glb && !o.merge;
         warned = name_flipped_triangles(flipped_triangles(plan), instances_help, o.who) || warned;
     }
@@ -408,34 +414,50 @@ public:
             g.origin = g.origin + way;
         }
     }
+    [[nodiscard]] bool has_moved() const { return !before_.empty(); }
+    [[nodiscard]] const typemesh::glyph_run& run() const { return *run_; }
 
 private:
     typemesh::glyph_run* run_;
     std::vector<typemesh::point> before_;
 };
 
+typemesh::bounds3 bounds_of_mesh(const model& mesh)
+{
+    const mesh_facts f = facts_of(mesh);
+    const auto place = [](const double* at) {
+        return typemesh::vec3{static_cast<float>(at[0]), static_cast<float>(at[1]), static_cast<float>(at[2])};
+    };
+    return {place(f.low), place(f.high)};
+}
+
+/// The bounds of what is made of a plan.
+using measure = std::function<typemesh::result<typemesh::bounds3>(const chosen_plan&)>;
+
 /// Plans the text as large as the box of --fit has it, and where --anchor and --origin put it: for that it is planned
 /// again. `up` is by how much the mesh has to be lifted then.
-typemesh::result<chosen_plan> placed_plan(const options& o, chosen_mesher& mesher, const typemesh::glyph_run& page,
-                                          typemesh::text_options& how, moved_run& moved, double& up)
+typemesh::result<chosen_plan> placed_plan(const options& o, chosen_mesher& mesher, typemesh::text_options& how,
+                                          moved_run& moved, const measure& bounds_of, double& up)
 {
-    auto plan = mesher.plan(page, how);
+    auto plan = mesher.plan(moved.run(), how);
     if (!plan || plan->glyphs().empty()) return plan;
-    typemesh::bounds3 b = plan->bounds();
+    auto b = bounds_of(*plan);
+    if (!b) return b.error();
     if (o.fit_width > 0.0) {
         constexpr double rounding = 4e-7;  // what is seen must not be larger than the box by a float's last digit
-        const double width = double{b.high.x} - double{b.low.x}, height = double{b.high.y} - double{b.low.y};
+        const double width = double{b->high.x} - double{b->low.x}, height = double{b->high.y} - double{b->low.y};
         how.size *= (1.0 - rounding) * std::min(o.fit_width / width, o.fit_height / height);
-        plan = mesher.plan(page, how);
+        plan = mesher.plan(moved.run(), how);
         if (!plan) return plan;
-        b = plan->bounds();
+        b = bounds_of(*plan);
+        if (!b) return b.error();
     }
-    const shift by = o.output.empty() ? shift{} : shift_of(o.place, b);
+    const shift by = o.output.empty() ? shift{} : shift_of(o.place, *b);
     up = by.z;
     if (by.x == 0.0 && by.y == 0.0) return plan;
-    const double units = page.units_per_em / how.size;
+    const double units = moved.run().units_per_em / how.size;
     moved.by({by.x * units, by.y * units});
-    return mesher.plan(page, how);
+    return mesher.plan(moved.run(), how);
 }
 
 /// Why lift() has failed.
@@ -511,16 +533,29 @@ private:
     {
         moved_run moved{page_};
         double up = 0.0;
-        auto plan = placed_plan(o_, mesher, page_, how, moved, up);
+        model mesh;
+        mesh.name = o_.text;
+        std::optional<plate_model> plate;
+        if (o_.plate.is_on) plate.emplace(o_, font_);
+        const auto bounds_of = [&](const chosen_plan& of) -> typemesh::result<typemesh::bounds3> {
+            if (!plate) return of.bounds();
+            if (const auto done = plate->make(of, page_, how, mesh); !done) return done.error();
+            return bounds_of_mesh(mesh);
+        };
+        auto plan = placed_plan(o_, mesher, how, moved, bounds_of, up);
         if (!plan) return refusal_in_words(o_, plan.error());
         tell_.clear();
         if (std::string trouble = name_warnings(o_, *plan, font_); !trouble.empty()) return trouble;
+        if (plate && moved.has_moved())
+            if (const auto done = plate->make(*plan, page_, how, mesh); !done)
+                return refusal_in_words(o_, done.error());
+        if (plate && plate->name_faults() && o_.strict) return "--strict: nothing is written.";
+        if (plate) levels_ = plate->bridges_in_words();
 
-        model mesh;
-        mesh.name = o_.text;
         tell_.begin("making " + std::to_string(plan->size().triangles) + " triangles");
         clock(typemesh::stage::extrude);
-        const auto written = o_.instances         ? write_letters(o_, *plan, font_, mesh)
+        const auto written = plate                ? typemesh::result<void>{}
+                             : o_.instances       ? write_letters(o_, *plan, font_, mesh)
                              : is_stacked(o_)     ? write_levels(of_file, page_, how, mesh)
                              : solids_of(o_) == 1 ? write_model(o_, *plan, mesh)
                                                   : write_solids(of_file, font_, page_, how, mesh);
@@ -529,7 +564,12 @@ private:
         if (const auto told = tell_letters(o_, *plan, mesh); !told) return in_words(told.error());
         if (!lift(mesh, up)) return heights_lost(o_);
         facts_ = facts_of(mesh);
-        if (o_.stats) stats_ = stats_of(*plan, quality_of_front(mesh), facts_, is_printed(o_.kind), clock);
+        if (plate && o_.kind == file_kind::glb) part_solids(mesh);
+        if (o_.stats) {
+            const typemesh::mesh_size size =
+                plate ? typemesh::mesh_size{mesh.vertices.size(), mesh.indices.size() / 3} : plan->size();
+            stats_ = stats_of(*plan, size, quality_of_front(mesh), facts_, is_printed(o_.kind), clock);
+        }
         if (o_.output.empty()) return {};
         if (std::string trouble = add_levels(mesher, how, up, mesh); !trouble.empty()) return trouble;
         tell_.begin("writing " + o_.output);
@@ -561,7 +601,7 @@ private:
     file_set files_;
     mesh_facts facts_;
     std::string stats_;
-    std::string levels_;  // what is said of levels of detail
+    std::string levels_;  // what is said of levels of detail, and of bridges
     std::string curves_;  // what is said of the file
 };
 

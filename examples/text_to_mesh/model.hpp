@@ -28,12 +28,14 @@ struct rgb_colour {
 struct model {
     /// A run of indices that share a material: "front", "back", "side", "front_bevel", "back_bevel"; of the letter within
     /// a ring, which is a solid of its own, "letter_front", "letter_back", "letter_side". With a colour of their own
-    /// they have its name at the end: "front_red", "front_2060c0".
+    /// they have its name at the end: "front_red", "front_2060c0". Of a plate the letters are "front" and "side", the
+    /// plate is "plate_front", "plate_back", "plate_side", "cut_side", what is engraved "pocket_front" and "pocket_side";
+    /// of an inlay the two solids are "plate" and "inlay".
     struct part {
         std::string name;
         std::size_t first_index;
         std::size_t index_count;
-        unsigned solid = 0;                     ///< 1: the letter within a ring
+        unsigned solid = 0;                     ///< 1: the letter within a ring, or an inlay
         std::optional<rgb_colour> colour = {};  ///< of its own; else the usual one
         bool is_named = false;  ///< the name ends in one of its own, "front_style7", also without a colour
 
@@ -77,6 +79,7 @@ struct model {
     std::vector<place> places;
     std::vector<vertex_letter> vertex_letters;  ///< one for each vertex, or none at all
     std::vector<std::string> letter_texts;      ///< what each letter of vertex_letters shows
+    std::vector<std::string> solid_names;       ///< of solids that are objects of their own in a file, or none
     std::string name;                           ///< UTF-8, best effort: writers replace what their format cannot hold
 };
 

@@ -7,6 +7,8 @@
 #include "text_source.hpp"
 #include "wrong_usage.hpp"
 
+#include <typemesh/extrude/tapered.hpp>
+
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
@@ -97,6 +99,9 @@ std::string version()
 
 /// Words of the command line that become something else after parsing.
 struct raw_values {
+    plate_words plate;
+    std::string not_with_plates;  // an option that is given and does not work with a plate
+    std::string not_with_taper;   // likewise, with --taper
     std::vector<std::string> variations, features, show;
     std::string uv, fill, fit, lod, morph, colour_layers, profile = "chamfer", refine, bend, path, family, format,
                                                           anchor, origin;
@@ -371,6 +376,17 @@ void add_bevel_options(CLI::App& app, options& out, raw_values& raw)
                            {{"front", bevel_sides::front}, {"back", bevel_sides::back}, {"both", bevel_sides::both}});
 }
 
+void add_taper_option(CLI::App& app, options& out)
+{
+    add_number(
+        app, "--taper",
+        "let the walls lean inwards by this angle, so that letters come out of a mould; thin ones get a "
+        "ridge",
+        "a number from 0 to 89", [](double n) { return n >= 0.0 && n <= 89.0; },
+        [&out](double n) { out.taper = static_cast<float>(n); })
+        ->type_name("DEGREES");
+}
+
 void add_carve_options(CLI::App& app, options& out)
 {
     using namespace typemesh;
@@ -445,6 +461,30 @@ void add_inflate_options(CLI::App& app, options& out)
     add_named<inflated_form>(app, "--inflate-form", out.inflate.form,
                              "inflate front and back (balloon, default), or the front on walls of --depth (dome)",
                              {{"balloon", inflated_form::balloon}, {"dome", inflated_form::dome}});
+}
+
+void add_plate_options(CLI::App& app, plate_words& words)
+{
+    app.add_option("--plate", words.plate,
+                   "stand the letters, --depth high (default 0.05), on a plate: the margin around them, the radius of "
+                   "its corners, and its thickness (default 0.1 each)")
+        ->type_name("MARGIN[,RADIUS[,THICKNESS]]");
+    app.add_option("--backing", words.backing,
+                   "stand them on a plate that follows their outline: its distance, and its thickness (default 0.1)")
+        ->type_name("EM[,THICKNESS]");
+    app.add_flag("--open-counters", words.open_counters, "leave the counters of a --backing open");
+    app.add_option("--keyring", words.keyring,
+                   "a hole at the left end of the plate: its radius, and the width of its ring (default 0.06)")
+        ->type_name("EM[,WIDTH]");
+    app.add_option("--engrave", words.engrave, "engrave the letters into the plate, this deep")->type_name("EM");
+    app.add_flag("--cut", words.cut, "cut the letters through the plate");
+    app.add_option("--stencil", words.stencil,
+                   "cut them through with bridges of this width, so that nothing falls out, and how many per counter "
+                   "(default 2)")
+        ->type_name("EM[,N]");
+    app.add_flag("--inlay", words.inlay,
+                 "fill what --engrave (default 0.05) or --cut removes with a second solid, in .3mf, .glb and .obj");
+    app.add_flag("--stamp", words.stamp, "mirror the plate and its letters");
 }
 
 void add_output_options(CLI::App& app, options& out, raw_values& raw)
@@ -528,6 +568,21 @@ std::string settle_bevel(options& out, const raw_values& raw)
     return std::string{raw.bevel_depth ? "--bevel-depth" : "--bevel without --bevel-depth"} + " must be " +
            (leaves_some ? "less than " : "at most ") + (both ? "half of " : "") + "--depth " + written(out.depth) +
            ", not " + written(out.bevel.depth);
+}
+
+/// Finishes walls that lean: they are one bevel over the whole depth. Gives an empty string, or one sentence of what is
+/// wrong.
+std::string settle_taper(options& out, const raw_values& raw)
+{
+    if (out.taper == 0.0f) return {};
+    if (!raw.not_with_taper.empty()) return raw.not_with_taper + " does not work with --taper";
+    if (out.depth == 0.0f) return "--taper needs a solid, but --depth 0 makes a flat mesh: give a larger --depth";
+    if (raw.normals_given) return "--normals does not work with --taper, which takes all normals from the curves";
+    const typemesh::bevelled walls = typemesh::tapered{.depth = out.depth, .degrees = out.taper}.walls();
+    out.bevel.width = walls.width;
+    out.bevel.depth = walls.bevel_depth;
+    out.bevel.sides = walls.sides;
+    return {};
 }
 
 /// Finishes carved letters. Gives an empty string, or one sentence of what is wrong.
@@ -626,6 +681,24 @@ std::string settle_path(options& out, const raw_values& raw)
         return "--path does not work with --anchor and --origin: the curve says where the text is";
     if (out.show_contours || out.show_points || out.show_control)
         return "--path does not work with --show-contours, --show-points and --show-control";
+    return {};
+}
+
+/// Finishes a plate. Gives an empty string, or one sentence of what is wrong.
+std::string settle_plate(options& out, const raw_values& raw)
+{
+    const std::optional<float> depth = raw.depth_given ? std::optional{out.depth} : std::nullopt;
+    if (std::string trouble = read_plate(raw.plate, depth, out.plate); !trouble.empty()) return trouble;
+    if (!out.plate.is_on) return {};
+    const std::string option = out.plate.follows ? "--backing" : "--plate";
+    if (!raw.not_with_plates.empty()) return raw.not_with_plates + " does not work with " + option;
+    if (out.bend.is_on) return "--bend works with " + option + " only in the plane: arc, arch, flag, perspective";
+    for (const styled_range& r : out.styles)
+        if (r.colour) return "--style: colours do not work with " + option + ", whose letters have one colour";
+    if (out.show_contours || out.show_points || out.show_control)
+        return "--show contours, points and control do not work with " + option;
+    if (out.plate.how.style == typemesh::plate_style::inlay && !out.output.empty() && !holds_colours(out.kind))
+        return "--inlay needs a file that keeps its two solids apart: .3mf, .glb or .obj";
     return {};
 }
 
@@ -917,6 +990,7 @@ std::string settle(options& out, const raw_values& raw)
     if (out.depth == 0.0f && out.segments != 1)
         return "--segments needs a solid, but --depth 0 makes a flat mesh: give a larger --depth";
     if (std::string trouble = settle_bevel(out, raw); !trouble.empty()) return trouble;
+    if (std::string trouble = settle_taper(out, raw); !trouble.empty()) return trouble;
     if (std::string trouble = settle_weight(out, raw); !trouble.empty()) return trouble;
     if (std::string trouble = settle_refine(out, raw); !trouble.empty()) return trouble;
     if (std::string trouble = settle_bend(out, raw); !trouble.empty()) return trouble;
@@ -924,6 +998,7 @@ std::string settle(options& out, const raw_values& raw)
     if (std::string trouble = refused_inflation(out, raw); !trouble.empty()) return trouble;
 
     if (std::string trouble = settle_files(out, raw); !trouble.empty()) return trouble;
+    if (std::string trouble = settle_plate(out, raw); !trouble.empty()) return trouble;
     if (std::string trouble = settle_levels(out, raw); !trouble.empty()) return trouble;
     if (std::string trouble = settle_morph(out, raw); !trouble.empty()) return trouble;
     if (std::string trouble = settle_carving(out, raw); !trouble.empty()) return trouble;
@@ -943,7 +1018,8 @@ std::string settle(options& out, const raw_values& raw)
     out.size = raw.size.value_or(has_millimetres(out.kind) ? 10.0 : 1.0);
     using typemesh::touching;
     out.keeps_apart = raw.no_merge;
-    out.corners = raw.corners.value_or(wants_two_faces(out.kind) ? touching::part : touching::keep);
+    const bool parts = wants_two_faces(out.kind) || out.plate.is_on;
+    out.corners = raw.corners.value_or(parts ? touching::part : touching::keep);
     const bool edges_move =
         out.bevel.width > 0.0f || out.carve.tool_angle > 0.0f || out.outline.width > 0.0f || out.embolden != 0.0f;
     out.merge = out.merge ||
@@ -985,6 +1061,7 @@ std::optional<int> parse(int argc, char** argv, options& out)
         "  text_to_mesh Rag -f F.ttf --bevel 0.03 --profile round --colour red -o rag.glb --picture rag.png\n"
         "  text_to_mesh --text-file page.txt -f F.ttf --width 30 --align justify -o page.glb --instances\n"
         "  text_to_mesh \"Letters that move\" -f F.ttf --per-letter -o letters.glb\n"
+        "  text_to_mesh Anna -f F.ttf --plate 0.2 -o plate.3mf\n"
         "  text_to_mesh --batch names.txt -f F.ttf --anchor centre,middle -o \"tags/{n} {text}.stl\"\n"
         "  text_to_mesh --svg logo.svg --depth 0.1 --bevel 0.01 -o logo.glb\n"
         "  fortune | text_to_mesh - --family \"Noto Sans\" -o - --format obj | less\n");
@@ -994,10 +1071,12 @@ std::optional<int> parse(int argc, char** argv, options& out)
     add_line_options(app, out, raw);
     add_mesh_options(app, out, raw);
     add_bevel_options(app, out, raw);
+    add_taper_option(app, out);
     add_carve_options(app, out);
     add_weight_options(app, out, raw);
     add_refine_options(app, out, raw);
     add_inflate_options(app, out);
+    add_plate_options(app, raw.plate);
     add_output_options(app, out, raw);
 
     const auto complain = [](const std::string& sentence) {
@@ -1029,6 +1108,10 @@ std::optional<int> parse(int argc, char** argv, options& out)
          {"--bevel-out", "--bevel-sides", "--bevel-mode", "--bevel-steps", "--profile", "--bevel-depth"})
         if (app.count(option) > 0) raw.of_a_bevel = option;
     raw.depth_given = app.count("--depth") > 0;
+    for (const char* option : not_with_plates)
+        if (app.count(option) > 0) raw.not_with_plates = option;
+    for (const char* option : {"--bevel", "--carve", "--inflate", "--refine"})
+        if (app.count(option) > 0) raw.not_with_taper = option;
     for (const char* option : {"--carve-as", "--carve-depth"})
         if (app.count(option) > 0) raw.of_a_carving = option;
     for (const char* option : {"--outline-letter", "--outline-place"})

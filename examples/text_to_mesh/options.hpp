@@ -5,6 +5,7 @@
 #include "chosen_morph.hpp"
 #include "chosen_path.hpp"
 #include "chosen_stroke.hpp"
+#include "chosen_plate.hpp"
 #include "file_kind.hpp"
 #include "marked_text.hpp"
 #include "picture/picture_options.hpp"
@@ -118,6 +119,7 @@ struct options {
     float depth = 0.2f;          ///< em; 0 makes a flat mesh
     std::uint32_t segments = 1;  ///< of the sides, along the depth
     bevel_options bevel;
+    float taper = 0.0f;  ///< degrees; then `bevel` is the slope of the walls
     carve_options carve;
     float embolden = 0.0f;  ///< em; how far edges move outwards
     outline_options outline;
@@ -125,6 +127,7 @@ struct options {
     refine_options refine;
     bend_options bend;
     chosen_path path;
+    chosen_plate plate;
     inflate_options inflate;
     chosen_morph morph;
     preset quality = preset::high;

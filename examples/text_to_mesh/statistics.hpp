@@ -28,10 +28,11 @@ namespace text_to_mesh {
     return q;
 }
 
-/// One line of JSON, with its end.
+/// One line of JSON, with its end. `size` is the mesh's.
 template <class Plan>
-[[nodiscard]] std::string stats_of(const Plan& plan, const typemesh::triangle_quality& q, const mesh_facts& facts,
-                                   bool printed, const stage_clock& clock)
+[[nodiscard]] std::string stats_of(const Plan& plan, const typemesh::mesh_size& size,
+                                   const typemesh::triangle_quality& q, const mesh_facts& facts, bool printed,
+                                   const stage_clock& clock)
 {
     const auto& report = plan.report();
     std::string line = "{";
@@ -48,8 +49,8 @@ template <class Plan>
     add("missing", report.missing);
     add("contour_points", plan.contour_points());
     add("hard_edges", plan.hard_edges());
-    add("vertices", plan.size().vertices);
-    add("triangles", plan.size().triangles);
+    add("vertices", size.vertices);
+    add("triangles", size.triangles);
     add("corners_moved", report.corners_moved);
     line += in_json(facts, printed) + ",\"front\":{";
     add("triangles", q.triangles);

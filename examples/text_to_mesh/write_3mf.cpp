@@ -116,7 +116,31 @@ double units_to_a_millimetre(const model& mesh)
     return 0.0;
 }
 
-bool make(const model& mesh, double units, memory_file& out)
+/// One of a model's named solids, as a model of its own.
+model solid_of(const model& mesh, unsigned solid)
+{
+    constexpr std::uint32_t none = 0xFFFF'FFFFu;
+    model made;
+    std::vector<std::uint32_t> number(mesh.vertices.size(), none);
+    for (const model::part& part : mesh.parts) {
+        if (part.solid != solid) continue;
+        made.parts.push_back(part);
+        made.parts.back().first_index = made.indices.size();
+        for (std::size_t i = part.first_index; i < part.first_index + part.index_count; ++i) {
+            std::uint32_t& n = number[mesh.indices[i]];
+            if (n == none) {
+                n = static_cast<std::uint32_t>(made.vertices.size());
+                made.vertices.push_back(mesh.vertices[mesh.indices[i]]);
+            }
+            made.indices.push_back(n);
+        }
+    }
+    return made;
+}
+
+/// Adds a mesh to a file.
+bool add_mesh(NMR::PLib3MFModel* file, const model& mesh, double units, const std::string& name,
+              held<NMR::PLib3MFModelMeshObject>& object)
 {
     static_assert(sizeof(NMR::MODELMESHVERTEX) == 12 && sizeof(NMR::MODELMESHTRIANGLE) == 12);
     std::vector<NMR::MODELMESHVERTEX> vertices(mesh.vertices.size());
@@ -128,6 +152,36 @@ bool make(const model& mesh, double units, memory_file& out)
     std::vector<NMR::MODELMESHTRIANGLE> triangles(mesh.indices.size() / 3);
     if (!triangles.empty()) std::memcpy(triangles.data(), mesh.indices.data(), triangles.size() * sizeof triangles[0]);
 
+    if (NMR::lib3mf_model_addmeshobject(file, &object.object) != LIB3MF_OK) return false;
+    if (NMR::lib3mf_object_setnameutf8(object.object, name.c_str()) != LIB3MF_OK) return false;
+    if (NMR::lib3mf_meshobject_setgeometry(object.object, vertices.data(), static_cast<DWORD>(vertices.size()),
+                                           triangles.data(), static_cast<DWORD>(triangles.size())) != LIB3MF_OK)
+        return false;
+    return mesh.parts.empty() || paint(file, object.object, mesh);
+}
+
+/// Adds the named solids of a model, as the components of one object, which slicers read as its parts.
+bool add_solids(NMR::PLib3MFModel* file, const model& mesh, double units, const std::string& name)
+{
+    held<NMR::PLib3MFModelComponentsObject> whole;
+    held<NMR::PLib3MFModelBuildItem> item;
+    std::vector<held<NMR::PLib3MFModelMeshObject>> objects(mesh.solid_names.size());
+    std::vector<held<NMR::PLib3MFModelComponent>> components(objects.size());
+    for (std::size_t k = 0; k < objects.size(); ++k)
+        if (!add_mesh(file, solid_of(mesh, static_cast<unsigned>(k)), units, mesh.solid_names[k], objects[k]))
+            return false;
+    if (NMR::lib3mf_model_addcomponentsobject(file, &whole.object) != LIB3MF_OK ||
+        NMR::lib3mf_object_setnameutf8(whole.object, name.c_str()) != LIB3MF_OK)
+        return false;
+    for (std::size_t k = 0; k < objects.size(); ++k)
+        if (NMR::lib3mf_componentsobject_addcomponent(whole.object, objects[k].object, nullptr,
+                                                      &components[k].object) != LIB3MF_OK)
+            return false;
+    return NMR::lib3mf_model_addbuilditem(file, whole.object, nullptr, &item.object) == LIB3MF_OK;
+}
+
+bool make(const model& mesh, double units, memory_file& out)
+{
     held<NMR::PLib3MFModel> file;
     held<NMR::PLib3MFModelMeshObject> object;
     held<NMR::PLib3MFModelBuildItem> item;
@@ -136,13 +190,12 @@ bool make(const model& mesh, double units, memory_file& out)
     if (NMR::lib3mf_createmodel(&file.object) != LIB3MF_OK) return false;
     const auto unit = units == 1.0 ? NMR::MODELUNIT_MILLIMETER : NMR::MODELUNIT_MICROMETER;
     if (NMR::lib3mf_model_setunit(file.object, unit) != LIB3MF_OK) return false;
-    if (NMR::lib3mf_model_addmeshobject(file.object, &object.object) != LIB3MF_OK) return false;
-    if (NMR::lib3mf_object_setnameutf8(object.object, name.c_str()) != LIB3MF_OK) return false;
-    if (NMR::lib3mf_meshobject_setgeometry(object.object, vertices.data(), static_cast<DWORD>(vertices.size()),
-                                           triangles.data(), static_cast<DWORD>(triangles.size())) != LIB3MF_OK)
+    if (!mesh.solid_names.empty()) {
+        if (!add_solids(file.object, mesh, units, name)) return false;
+    } else if (!add_mesh(file.object, mesh, units, name, object) ||
+               NMR::lib3mf_model_addbuilditem(file.object, object.object, nullptr, &item.object) != LIB3MF_OK) {
         return false;
-    if (!mesh.parts.empty() && !paint(file.object, object.object, mesh)) return false;
-    if (NMR::lib3mf_model_addbuilditem(file.object, object.object, nullptr, &item.object) != LIB3MF_OK) return false;
+    }
     if (NMR::lib3mf_model_querywriter(file.object, "3mf", &writer.object) != LIB3MF_OK) return false;
     return NMR::lib3mf_writer_writetocallback(writer.object, reinterpret_cast<void*>(&memory_file::write),
                                               reinterpret_cast<void*>(&memory_file::seek), &out) == LIB3MF_OK;

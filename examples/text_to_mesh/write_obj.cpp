@@ -72,12 +72,15 @@ std::string write_obj(const model& mesh, const std::string& path, file_set& file
     out.text("# written by typemesh\n");
     const std::filesystem::path material_path = std::filesystem::path(path).replace_extension(".mtl");
     if (!alone) out.text("mtllib " + one_line(material_path.filename().string()) + "\n");
-    out.text("o " + (mesh.name.empty() ? std::string{"text"} : one_line(mesh.name)) + "\n");
+    if (mesh.solid_names.empty())
+        out.text("o " + (mesh.name.empty() ? std::string{"text"} : one_line(mesh.name)) + "\n");
     for (const model_vertex& v : mesh.vertices) line(out, "v", v.position, 3);
     for (const model_vertex& v : mesh.vertices) line(out, "vt", v.uv, 2);
     for (const model_vertex& v : mesh.vertices) line(out, "vn", v.normal, 3);
     for (const model::part& part : mesh.parts) {
         if (part.index_count == 0) continue;
+        if (!mesh.solid_names.empty() && (&part == mesh.parts.data() || part.solid != (&part)[-1].solid))
+            out.text("o " + mesh.solid_names[part.solid] + "\n");
         out.text("g " + part.name + (alone ? "\n" : "\nusemtl " + part.name + "\n"));
         faces(out, mesh, part.first_index, part.index_count);
     }

@@ -22,6 +22,7 @@
 #include <typemesh/extrude/outlined.hpp>
 #include <typemesh/extrude/inflated.hpp>
 #include <typemesh/extrude/refined.hpp>
+#include <typemesh/extrude/tapered.hpp>
 #include <typemesh/glyph/coarsened.hpp>
 #include <typemesh/inspect/closedness.hpp>
 #include <typemesh/inspect/normal_check.hpp>
@@ -36,6 +37,7 @@
 #include <typemesh/paragraph/highlight_writer.hpp>
 #include <typemesh/paragraph/ruby_writer.hpp>
 #include <typemesh/paragraph/total_fit.hpp>
+#include <typemesh/plate/name_plate.hpp>
 #include <typemesh/text/font_cascade.hpp>
 #include <typemesh/text/font_list.hpp>
 #include <typemesh/text/on_path.hpp>
@@ -145,6 +147,17 @@ auto fine_flat = typemesh::text_mesher{*font, typemesh::refined<typemesh::flat>{
     use(short_edges, fine_flat);
 auto carved_sign = typemesh::text_mesher{*font, typemesh::carved{.tool_angle = 60.0f, .max_depth = 0.05f}};
     use(carved_sign);
+auto moulded_sign = typemesh::text_mesher{*font, typemesh::tapered{.depth = 0.3f, .degrees = 5.0f}};
+    use(moulded_sign);
+    {
+        auto plan = mesher.plan("Anna");
+        if (!plan) return 1;
+typemesh::name_plate plate;
+if (auto done = plate.plan(*plan, {.style = typemesh::plate_style::engraved, .radius = 0.05f}, typemesh::monotone{}); !done)
+    return std::puts(done.error().message()), 1;
+for (std::size_t k = 0; k < plate.solid_count(); ++k)                          // an inlay has two, all others one
+    if (auto written = plate.write(k, typemesh::into(vertices, indices)); !written) return std::puts(written.error().message()), 1;
+    }
 auto tick = typemesh::svg_path{"M4 12l5 5L20 6", 24};   // the side of its view box: one em
 auto neon  = typemesh::stroked_outlines{tick, {.width = 0.1, .cap = typemesh::stroke_cap::round}};
 auto wired = typemesh::text_mesher{*font, typemesh::stroked{{.width = 0.03, .join = typemesh::stroke_join::round}}};

@@ -1071,6 +1071,90 @@ expect 2 "^text_to_mesh: --normals does not work with --inflate, which has norma
 expect 2 "^text_to_mesh: --inflate-form dome needs walls, but --depth is 0: give a larger --depth\.$" x --font $sans --output x.glb --inflate 1 --inflate-form dome --depth 0
 expect 2 "^text_to_mesh: --inflate must be a number from 0 to 100, not -1\.$" x --font $sans --output x.glb --inflate -1
 
+# Plates. Every solid of a file is closed: each of its edges is met by its reverse.
+closed() {
+    awk '$1 == "v" { place[++n] = $2 " " $3 " " $4 }
+        $1 == "o" { solid = $2; solids[$2] = 1 }
+        $1 == "f" { for (i = 2; i < 5; ++i) { split($i, a, "/"); p[i] = place[a[1]] } p[5] = p[2]
+                    for (i = 2; i < 5; ++i) { ++edge[solid "|" p[i] "|" p[i + 1]]; ++faces[solid] } }
+        END { for (e in edge) { split(e, k, "|"); back = k[1] "|" k[3] "|" k[2]; open += !(back in edge) || edge[e] != edge[back] }
+              for (s in solids) open += faces[s] < 12
+              exit open != 0 || n == 0 }' "$1"
+}
+plate="--plate 0.2,0.1,0.1"
+for option in "" "--depth 0.2" --cut "--engrave 0.05" "--stencil 0.04" "--stencil 0.03,3" --inlay "--inlay --engrave 0.02" \
+    "--inlay --cut" --stamp "--stamp --engrave 0.03" "--keyring 0.1" "--keyring 0.1,0.03 --cut --stencil 0.02"; do
+    for around in "$plate" "--backing 0.12" "--backing 0.12,0.05 --open-counters"; do
+        # shellcheck disable=SC2086  # words
+        expect 0 "$([[ $option = *--cut* && $option != *stencil* && $option != *inlay* ]] && echo "falls into [0-9]* pieces: --stencil holds them together\.$")" \
+            "Ao8" --font $sans $around $option --output plate.obj
+        that "each solid of $around $option is closed" closed plate.obj
+    done
+done
+for kind in stl ply glb; do expect 0 "" "Ao8" --font $sans --plate 0.2 --output plate.$kind; done
+expect 0 "" "سلام" --font $arabic --backing 0.1 --output plate.obj
+that "a backing of Arabic is closed" closed plate.obj
+# shellcheck disable=SC2086  # words
+expect 0 "" "Ao8" --font $sans $plate --picture plate.png
+expect 0 "" "Ao8" --font $sans --plate 0.2 --inlay --colour blue --output inlay.obj
+that "an inlay is two objects" [ "$(grep '^o ' inlay.obj | tr '\n' ' ')" = "o plate o inlay " ]
+that "only the inlay has the text's colour" [ "$(grep -c "^newmtl .*_blue" inlay.mtl)" = 1 ]
+expect 0 "" "Ao8" --font $sans --plate 0.2 --inlay --output inlay.glb
+that "an inlay is two nodes: plate, inlay" grep -q '"name":"inlay_2"' inlay.glb
+measured() { awk -F'"volume":|[,}]' '{ for (i = 1; i < NF; ++i) if ($i ~ /"size":/) { split($i, a, "["); x = a[2]; y = $(i + 1); sub("]", "", $(i + 2)); z = $(i + 2) } match($0, /"volume":[0-9.]*/); v = substr($0, RSTART + 9, RLENGTH - 9); print x * y * z, v }' out; }
+expect 0 "" "Ao8" --font $sans --plate 0.2,0 --inlay --cut --stats
+that "a plate and its inlay fill the whole plate: $(measured)" awk -v all="$(measured)" 'BEGIN { split(all, v, " "); exit !(v[2] / v[1] > 0.99999 && v[2] / v[1] < 1.00001) }'
+expect 0 "" "Ao8" --font $sans --plate 0.2 --stencil 0.04 --output plate.stl
+that "a stencil says what its bridges hold: $(cat out)" grep -q "; 8 bridges hold 4 islands$" out
+expect 0 "" "Ao8" --font $sans --plate 0.2 --fit 30x30 --output plate.obj
+that "--fit counts the plate: $(widest plate.obj 2)" larger "$(widest plate.obj 2)" 30 0
+expect 0 "" "Ao8" --font $sans --plate 0.2 --anchor left,bottom,base --origin 1,2,3 --output plate.obj
+that "--anchor moves the plate: $(bounds plate.obj)" [ "$(bounds plate.obj | awk '{ printf "%.4f %.4f %.4f", $1, $3, $5 }')" = "1.0000 2.0000 3.0000" ]
+unlike "--stamp mirrors" obj "Ao8" --font $sans --plate 0.2 --stamp / "Ao8" --font $sans --plate 0.2
+expect 0 "" "HILL" --font $sans --plate 0.2 --path circle:2 --output plate.obj
+that "turned letters on a plate are closed" closed plate.obj
+expect 0 "^text_to_mesh: the plate has 2 pieces: give a larger --backing\.$" "I I" --font $sans --backing 0.02 --output plate.obj
+expect 1 "--strict: nothing is written\.$" "I I" --font $sans --backing 0.02 --output never.obj --strict
+that "nothing was" [ ! -e never.obj ]
+expect 1 "^text_to_mesh: --plate: the margin is so negative that nothing is left of the plate\.$" x --font $sans --plate -1 --output x.obj
+for option in --cut "--engrave 0.1" --inlay "--stencil 0.1" --stamp "--keyring 0.1" --open-counters; do
+    # shellcheck disable=SC2086  # words
+    expect 2 "^text_to_mesh: ${option% *} needs --plate or --backing\.$" x --font $sans --output x.obj $option
+done
+for given in abc 0.1, 0.1,-1 0.1,0.1,0 0.1,0.1,0.1,0.1 2000; do
+    expect 2 "^text_to_mesh: --plate must be a margin, a radius and a thickness, such as 0\.2 or 0\.2,0\.1,0\.1, not $given\.$" x --font $sans --output x.obj --plate $given
+done
+expect 2 "^text_to_mesh: --backing must be a growth up to 1 and a thickness, .* not 2\.$" x --font $sans --output x.obj --backing 2
+expect 2 "^text_to_mesh: --keyring must be the radius of a hole and the width of its ring, .* not 0\.$" x --font $sans --output x.obj --plate 0.2 --keyring 0
+expect 2 "^text_to_mesh: --engrave must be a number from 0\.0001 to 1000, not 0\.$" x --font $sans --output x.obj --plate 0.2 --engrave 0
+for given in 0 0.1,9 0.1,1.5 wide; do
+    expect 2 "^text_to_mesh: --stencil must be the width of the bridges, .* not $given\.$" x --font $sans --output x.obj --plate 0.2 --stencil $given
+done
+expect 2 "^text_to_mesh: --backing does not work with --plate: give one of them\.$" x --font $sans --output x.obj --plate 0.2 --backing 0.1
+expect 2 "^text_to_mesh: --cut does not work with --engrave: give one of them\.$" x --font $sans --output x.obj --plate 0.2 --cut --engrave 0.1
+expect 2 "^text_to_mesh: --inlay does not work with --stencil\.$" x --font $sans --output x.obj --plate 0.2 --inlay --stencil 0.1
+expect 2 "^text_to_mesh: --open-counters needs --backing\.$" x --font $sans --output x.obj --plate 0.2 --open-counters
+expect 2 "^text_to_mesh: --depth does not work with --cut: --engrave says how deep the letters are\.$" x --font $sans --output x.obj --plate 0.2 --cut --depth 0.1
+expect 2 "^text_to_mesh: --depth must be more than 0 on a plate, because the letters stand on it\.$" x --font $sans --output x.obj --plate 0.2 --depth 0
+expect 2 "^text_to_mesh: --inlay needs a file that keeps its two solids apart: \.3mf, \.glb or \.obj\.$" x --font $sans --output x.stl --plate 0.2 --inlay
+expect 2 "^text_to_mesh: --bevel does not work with --plate\.$" x --font $sans --output x.obj --plate 0.2 --bevel 0.01
+expect 2 "^text_to_mesh: --instances does not work with --backing\.$" x --font $sans --output x.glb --backing 0.2 --instances
+expect 2 "^text_to_mesh: --bend works with --plate only in the plane: arc, arch, flag, perspective\.$" x --font $sans --output x.obj --plate 0.2 --bend cylinder:2
+expect 2 "^text_to_mesh: --style: colours do not work with --plate, whose letters have one colour\.$" xy --font $sans --output x.obj --plate 0.2 --style 0..1:colour=red
+expect 2 "^text_to_mesh: --show contours, points and control do not work with --plate\.$" x --font $sans --picture x.png --plate 0.2 --show contours
+
+# Walls that lean.
+expect 0 "" "Rag" --font $sans --output taper.obj --taper 5
+that "tapered letters are closed" closed taper.obj
+expect 0 "" "Rag" --font $sans --output taper.stl --taper 60 --depth 0.5
+expect 0 "" "Rag" --font $sans --output taper.stl --taper 5 --bend cylinder:3
+expect 0 "" "Rag" --font $sans --output taper.stl --taper 3 --outline 0.03
+expect 2 "^text_to_mesh: --taper must be a number from 0 to 89, not 90\.$" x --font $sans --output x.obj --taper 90
+expect 2 "^text_to_mesh: --bevel does not work with --taper\.$" x --font $sans --output x.obj --taper 5 --bevel 0.01
+expect 2 "^text_to_mesh: --normals does not work with --taper, which takes all normals from the curves\.$" x --font $sans --output x.obj --taper 5 --normals cap
+expect 2 "^text_to_mesh: --taper needs a solid, but --depth 0 makes a flat mesh: give a larger --depth\.$" x --font $sans --output x.obj --taper 5 --depth 0
+expect 1 "^text_to_mesh: --taper is too wide for this font: give a smaller number\.$" x --font $sans --output x.obj --taper 89 --depth 1000
+
 for option in "--outline-place outer" --outline-letter; do
     # shellcheck disable=SC2086  # an option and its value
     expect 2 "^text_to_mesh: ${option% *} needs --outline\.$" x --font $sans --output x.glb $option

@@ -2,12 +2,14 @@
 #include <typemesh/core/impl/same.hpp>
 #include <typemesh/plate/plate_plane.hpp>
 #include <typemesh/plate/silhouette.hpp>
+#include <typemesh/text/on_path.hpp>
 #include <typemesh/typemesh.hpp>
 
 #include "support/catch.hpp"
 #include "support/required.hpp"
 #include "support/toy_font.hpp"
 
+#include <cmath>
 #include <cstdint>
 #include <set>
 #include <tuple>
@@ -15,12 +17,35 @@
 
 using namespace typemesh;
 
-TEST_CASE("letters stand on the plane where the text's own mesh has them", "[plate_plane]")
+TEST_CASE("letters stand on the plane where the text's own mesh has them, also letters that a path turns",
+          "[plate_plane]")
 {
     test::toy_font font;
     text_mesher mesher{font, flat{}};
+    plane_path circle;
+    circle.circle({0.5, -0.5}, 1.0);
+    text_mesher turning{font, flat{}, on_path{&circle, {.anchor = path_anchor::middle}}};
     for (const float size : {1.0f, 25.4f})
         for (const frame& f : {right_handed_y_up, right_handed_z_up}) {
+            auto turned = test::required(turning.plan("oi", {.size = size, .frame = f}));
+            const auto onto = plate_plane::of(*turned, 0.5);
+            REQUIRE(onto);
+            silhouette discs;
+            discs.begin(*onto);
+            REQUIRE(discs.add(*turned, *onto));
+            std::vector<vec3> corners;
+            std::vector<std::uint32_t> triangles;
+            REQUIRE(turned->write(into(
+                corners, triangles, [](const surface_point<attribute::position>& p) noexcept { return p.position; })));
+            REQUIRE(discs.points().size() == corners.size());
+            double farthest = 0.0;
+            for (std::size_t i = 0; i < corners.size(); ++i) {
+                const vec3 at = onto->at.position(discs.points()[i], 0.0f), own = corners[i];
+                for (const float d : {at.x - own.x, at.y - own.y, at.z - own.z})
+                    farthest =
+                        std::fabs(static_cast<double>(d)) > farthest ? std::fabs(static_cast<double>(d)) : farthest;
+            }
+            CHECK(farthest < 2e-6 * static_cast<double>(size));
             auto text = test::required(mesher.plan("oi", {.size = size, .frame = f}));
             const auto plane = plate_plane::of(*text, 0.5);
             REQUIRE(plane);

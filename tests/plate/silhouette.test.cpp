@@ -49,6 +49,21 @@ TEST_CASE("a rounded rectangle is symmetric, and its corners are arcs within the
         }
 }
 
+TEST_CASE("an arc is its own mirror image, whatever the last bits of sines and cosines are", "[silhouette]")
+{
+    // At three chords a quarter the points lie at 30 and 60 degrees, where sines and cosines of a half differ in their
+    // last bits. With an odd radius that would decide which way a half is rounded.
+    for (const double radius : {1001.0, 1003.0, 4005.0, 4007.0})
+        for (const double tolerance : {0.04 * radius, 0.002 * radius}) {
+            silhouette s;
+            s.begin({});
+            REQUIRE(s.add_disc({0, 0}, radius, tolerance));
+            std::set<std::pair<std::int32_t, std::int32_t>> points;
+            for (const grid_point p : s.points()) points.insert({p.x, p.y});
+            for (const auto& [x, y] : points) CHECK(points.count({y, x}) == 1);
+        }
+}
+
 TEST_CASE("a union has no overlap, and its holes can be filled", "[silhouette]")
 {
     silhouette s;
@@ -63,6 +78,11 @@ TEST_CASE("a union has no overlap, and its holes can be filled", "[silhouette]")
     REQUIRE(s.fill(space));
     CHECK(area(s) == Catch::Approx(10000.0 - 6400.0 + 400.0));
     CHECK(s.starts().size() == 4);
+    silhouette limited;
+    limited.begin({});
+    for (std::int32_t i = 0; i < 9; ++i) REQUIRE(limited.add_rectangle({9 * i, 0}, {9 * i + 5, 5}, 0.0, 1.0));
+    REQUIRE(limited.fill(space));
+    CHECK(limited.fill_holes(space, 30).error() == error::too_many_pieces);
     REQUIRE(s.fill_holes(space));
     CHECK(area(s) == Catch::Approx(10000.0));
     CHECK(s.starts().size() == 2);

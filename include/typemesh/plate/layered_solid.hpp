@@ -37,15 +37,18 @@ struct layered_placement {
     [[nodiscard]] bool turns_triangles() const noexcept { return at.frame.turns_triangles() != mirrored; }
 };
 
-/// The parts of a layered solid, in the order of the output.
+/// The parts of a layered solid, in the order of the output. As numbers of typemesh::part the first three are front,
+/// back and side, and no part is a bevel.
 enum class plate_part : std::uint8_t {
-    front,  ///< the faces towards the reader at the highest level: letters that stand, or the face of a cut plate
-    back,   ///< the faces away from the reader
-    rim,    ///< the walls on the edges of the sources below `rim_sources`
-    floor,  ///< the faces towards the reader at lower levels
-    wall,   ///< all other walls
+    front,      ///< the faces towards the reader at the highest level: letters that stand, or the face of a cut plate
+    back,       ///< the faces away from the reader
+    rim,        ///< the walls on the edges of the sources below `rim_sources`
+    floor = 5,  ///< the faces towards the reader at lower levels
+    wall,       ///< all other walls
 };
-inline constexpr std::uint32_t plate_parts = 5;  ///< the number of parts
+/// All parts of a layered solid.
+inline constexpr plate_part all_plate_parts[] = {plate_part::front, plate_part::back, plate_part::rim,
+                                                 plate_part::floor, plate_part::wall};
 
 /// A solid made of horizontal slabs. In each slab, it fills a set of cells of one arrangement.
 ///
@@ -125,7 +128,8 @@ public:
     [[nodiscard]] mesh_range range(plate_part p) const noexcept
     {
         mesh_size before;
-        for (std::size_t k = 0; k < static_cast<std::size_t>(p); ++k) before = before + sizes_[k];
+        for (const plate_part k : all_plate_parts)
+            if (k < p) before = before + size(k);
         return {static_cast<std::uint32_t>(before.vertices), static_cast<std::uint32_t>(size(p).vertices),
                 static_cast<std::uint32_t>(before.indices()), static_cast<std::uint32_t>(size(p).indices())};
     }
@@ -153,9 +157,9 @@ public:
     {
         if (!size().fits_32_bits()) return error::too_large;
         if (error e = sink.begin(size())) return e;
-        for (std::uint32_t p = 0; p < plate_parts; ++p) write_vertices(static_cast<plate_part>(p), sink, to);
+        for (const plate_part p : all_plate_parts) write_vertices(p, sink, to);
         std::uint32_t first = 0;
-        for (std::uint32_t p = 0; p < plate_parts; ++p) write_triangles(static_cast<plate_part>(p), sink, to, first);
+        for (const plate_part p : all_plate_parts) write_triangles(p, sink, to, first);
         return end_of(sink);
     }
 
@@ -329,7 +333,7 @@ private:
     detail::slab_walls walls_;
     const layer_arrangement* cells_ = nullptr;
     std::uint32_t rim_sources_ = 0, touching_ = 0, hanging_ = 0;
-    mesh_size sizes_[plate_parts];
+    mesh_size sizes_[static_cast<std::size_t>(plate_part::wall) + 1];  // by the part's number
 };
 
 }  // namespace typemesh::inline TYPEMESH_ABI

@@ -123,6 +123,14 @@ public:
 
     /// The number of corners that touched and were separated.
     [[nodiscard]] std::uint32_t corners_parted() const noexcept { return parted_; }
+    /// The number of corners that still touch, counted once for each slab: all of them with touching::keep, otherwise
+    /// those that no diamond could separate.
+    [[nodiscard]] std::uint32_t corners_touching() const noexcept
+    {
+        std::uint32_t all = 0;
+        for (std::size_t k = 0; k < count_; ++k) all += solids_[k].touching();
+        return all;
+    }
     /// The bridges of a stencil, and what they tie.
     [[nodiscard]] const stencil_report& stencil() const noexcept { return stencil_.report(); }
     /// The bridges, one by one.
@@ -166,7 +174,7 @@ private:
             if (const auto done = plate_.add(outline, plane_); !done) return done.error();
             if (const auto done = plate_.fill(space_, how.corners, how.max_pieces); !done) return done.error();
             if (how.fill_counters)
-                if (const auto done = plate_.fill_holes(space_); !done) return done.error();
+                if (const auto done = plate_.fill_holes(space_, how.max_pieces); !done) return done.error();
             if (plate_.empty()) return error::bad("text");
         } else {
             const std::int32_t margin = in_cells(how.margin);
@@ -203,18 +211,31 @@ private:
     {
         if (error e = arrange(how)) return e;
         if (how.bridge_width > 0.0f && how.style == plate_style::cut)
-            for (int round = 0; round < stencil_bridges::max_rounds; ++round) {
-                const auto more = stencil_.tie(cells_, body() & ~text(), plate_edges(),
-                                               {in_cells(how.bridge_width), how.bridges}, bridges_, space_);
-                if (!more) return more.error();
-                if (!*more) break;
-                if (const auto filled = bridges_.fill(space_); !filled) return filled.error();
-                if (error e = arrange(how)) return e;
-            }
+            if (error e = tie_islands(how)) return e;
         slabs_of(how);
         if (how.corners != touching::keep)
             if (error e = part_corners(how)) return e;
         return plan_solids(cut);
+    }
+
+    /// Adds bridges until no island is loose, or no more can be added.
+    [[nodiscard]] error tie_islands(const plate_options& how) noexcept
+    {
+        const grid_point low = plate_.low(), high = plate_.high();
+        const std::int32_t longest = high.x - low.x > high.y - low.y ? high.x - low.x : high.y - low.y;
+        const std::int32_t wanted = in_cells(how.bridge_width), width = wanted < longest ? wanted : longest;
+        bool more = true;
+        for (int round = 0; more && round < stencil_bridges::max_rounds; ++round) {
+            const auto added =
+                stencil_.tie(cells_, body() & ~text(), plate_edges(), {width, how.bridges}, bridges_, space_);
+            if (!added) return added.error();
+            more = *added;
+            if (!more) break;
+            if (const auto filled = bridges_.fill(space_, touching::keep, how.max_pieces); !filled)
+                return filled.error();
+            if (error e = arrange(how)) return e;
+        }
+        return more ? stencil_.count(cells_, body() & ~text(), plate_edges(), space_).error() : error{};
     }
 
     /// Makes the arrangement of all layers as they are now.
@@ -267,21 +288,31 @@ private:
         }
     }
 
+    /// Finds the points where the cells of a slab touch, once for each slab.
+    [[nodiscard]] error find_corners() noexcept
+    {
+        corners_.clear();
+        bool ok = true;
+        for (std::size_t k = 0; k < 2; ++k)
+            for (std::uint32_t i = 0; i < used_[k]; ++i)
+                cells_.each_touching(slabs_[k][i].filled,
+                                     [&](grid_point p) noexcept { ok = ok && corners_.push_back(p); });
+        return ok ? error{} : error{error::out_of_memory};
+    }
+
     /// Removes a small diamond from the letters around each point where the cells of a slab touch, until none is left.
+    /// What still touches after the last round is known from corners_touching().
     [[nodiscard]] error part_corners(const plate_options& how) noexcept
     {
         constexpr int rounds = 8;
         auto size = static_cast<std::int32_t>(corner_parting::reach(plane_.cells));
-        for (int round = 0; round < rounds; ++round, size *= 2) {
-            corners_.clear();
-            bool ok = true;
-            for (std::size_t k = 0; k < 2; ++k)
-                for (std::uint32_t i = 0; i < used_[k]; ++i)
-                    cells_.each_touching(slabs_[k][i].filled,
-                                         [&](grid_point p) noexcept { ok = ok && corners_.push_back(p); });
-            if (!ok) return error::out_of_memory;
-            if (corners_.empty()) return {};
-            if (round == 0) parted_ = static_cast<std::uint32_t>(corners_.size());
+        std::uint32_t found = 0;
+        for (int round = 0; round <= rounds; ++round, size *= 2) {
+            if (error e = find_corners()) return e;
+            const auto left = static_cast<std::uint32_t>(corners_.size());
+            if (round == 0) found = left;
+            parted_ = found > left ? found - left : 0;
+            if (left == 0 || round == rounds) return {};
             for (const grid_point p : corners_)
                 if (const auto done = gaps_.add_diamond(p, size); !done) return done.error();
             if (const auto done = gaps_.fill(space_, touching::keep, how.max_pieces); !done) return done.error();
@@ -300,9 +331,13 @@ private:
         return {};
     }
 
+    /// A length in cells, at most the grid's reach: a plate is never larger.
     [[nodiscard]] std::int32_t in_cells(float em) const noexcept
     {
-        return static_cast<std::int32_t>(std::nearbyint(as_double(em) * plane_.cells.cells));
+        const double cells = std::nearbyint(as_double(em) * plane_.cells.cells);
+        return static_cast<std::int32_t>(cells < -grid::reach  ? -grid::reach
+                                         : cells > grid::reach ? grid::reach
+                                                               : cells);
     }
     /// The deviation of arcs, in cells: 1/800 em.
     [[nodiscard]] double arc_tolerance() const noexcept { return plane_.cells.cells / 800.0; }

@@ -33,13 +33,11 @@ struct plate_plane {
     {
         if (plan.glyphs().empty()) return error::bad("text");
         plate_plane made;
+        made.at.frame = plan.text_frame();
         double finest = 0.0, farthest = 0.0;
         for (std::size_t g = 0; g < plan.glyphs().size(); ++g) {
             const placement p = plan.place(g);
-            if (g == 0) {
-                made.unit_per_em = p.unit_per_cell / p.em_per_cell;
-                made.at.frame = p.frame;
-            }
+            if (g == 0) made.unit_per_em = p.unit_per_cell / p.em_per_cell;
             if (finest <= 0.0 || p.unit_per_cell < finest) finest = p.unit_per_cell;
         }
         made.set(finest);
@@ -74,11 +72,13 @@ struct plate_plane {
         glyph_place(const Plan& plan, std::size_t glyph, const plate_plane& onto) noexcept
         {
             const placement p = plan.place(glyph);
+            // A turned glyph's frame has these floats, and its pen is written in the turned axes: see turned.hpp.
             const point right = plan.glyphs()[glyph].right;
+            const double x = as_double(static_cast<float>(right.x)), y = as_double(static_cast<float>(right.y));
             const double scale = p.unit_per_cell / onto.at.unit_per_cell;
-            x_ = scale * right;
-            y_ = scale * point{-right.y, right.x};
-            pen_ = scale * p.pen;
+            x_ = scale * point{x, y};
+            y_ = scale * point{-y, x};
+            pen_ = p.pen.x * x_ + p.pen.y * y_;
         }
         /// The nearest point of the grid; its coordinates are integers, but not bounded.
         [[nodiscard]] point operator()(grid_point p) const noexcept

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <typemesh/bend/impl/steady.hpp>
 #include <typemesh/core/array_view.hpp>
 #include <typemesh/core/buffer.hpp>
 #include <typemesh/core/contours.hpp>
@@ -122,7 +123,9 @@ public:
     }
 
     /// Removes the holes of the union that fill() made, with all that lies in them.
-    [[nodiscard]] result<void> fill_holes(workspace& space) noexcept
+    ///
+    /// Fails as fill() does.
+    [[nodiscard]] result<void> fill_holes(workspace& space, std::uint32_t max_pieces = default_max_pieces) noexcept
     {
         std::size_t end = 0;
         std::uint32_t kept = 0;
@@ -146,7 +149,7 @@ public:
         loops_.edges.truncate(end);
         if (!loops_.starts.empty()) loops_.starts.truncate(kept + 1);
         loops_.forget_order();
-        return fill(space, loops_.corners);
+        return fill(space, loops_.corners, max_pieces);
     }
 
     [[nodiscard]] array_view<const grid_point> points() const noexcept { return loops_.points.view(); }
@@ -190,12 +193,12 @@ private:
         constexpr double quarter = 1.57079632679489662;
         constexpr int most = 256;
         const double step = 2.0 * std::acos(1.0 - (tolerance < radius ? tolerance / radius : 1.0));
-        const double steps = step > 0.0 ? std::ceil(quarter / step) : most;
+        const double steps = step > 0.0 ? std::ceil(detail::steady(quarter / step)) : most;
         return steps < 2.0 ? 2 : steps < most ? static_cast<int>(steps) : most;
     }
 
     /// The quarter of a circle in the corner of a box; (sx, sy) is the corner's direction. Its points are mirror images
-    /// of the other corners' points.
+    /// of the other corners' points, and of each other.
     [[nodiscard]] bool put_arc(grid_point corner, double radius, int steps, std::int32_t sx, std::int32_t sy) noexcept
     {
         constexpr double quarter = 1.57079632679489662;
@@ -206,7 +209,8 @@ private:
             const auto inwards = [radius](double v) noexcept {
                 return static_cast<std::int32_t>(std::nearbyint(radius * (1.0 - v)));
             };
-            const grid_point p{corner.x - sx * inwards(std::cos(angle)), corner.y - sy * inwards(std::sin(angle))};
+            const grid_point p{corner.x - sx * inwards(detail::steady_cosine(angle)),
+                               corner.y - sy * inwards(detail::steady_sine(angle))};
             if (loops_.points.size() > loops_.starts.size() && p == loops_.points.back()) continue;
             if (!put(p)) return false;
         }

@@ -78,20 +78,13 @@ public:
     /// All bars of the stencil.
     [[nodiscard]] array_view<const stencil_bar> bars() const noexcept { return made_.view(); }
 
-    /// One round: counts the islands of `solid`, and adds bars for them.
-    ///
-    ///     solid       the cells of the plate that remain when the letters are cut, with the bridges so far
-    ///     rim_edges   sources with lower numbers are the plate's rim: components with one of them are no islands
-    ///     bars        receives the bars
-    ///
-    /// Returns whether bars were added: then make the arrangement with them, and call tie() again.
+    /// Counts the islands of `solid` that are loose now. The first call also sets stencil_report::islands.
     ///
     /// Fails  error::out_of_memory, and as layer_arrangement::trace() does
-    /// Cost   O(islands * places * edges) for the places that are tried
-    [[nodiscard]] result<bool> tie(layer_arrangement& cells, cell_set solid, std::uint32_t rim_edges,
-                                   const stencil_wishes& wanted, silhouette& bars, workspace& space) noexcept
+    /// Cost   O(edges)
+    [[nodiscard]] result<void> count(layer_arrangement& cells, cell_set solid, std::uint32_t rim_edges,
+                                     workspace& space) noexcept
     {
-        bool more = false;
         const auto traced = cells.trace(solid, space, loops_);
         if (!traced) return traced.error();
         region_ = *traced;
@@ -100,6 +93,25 @@ public:
         for (std::uint32_t k = 0; k < region_.loop_count(); ++k) report_.loose += component_[k] == k && tied_[k] == 0;
         if (is_first_) report_.islands = report_.loose;
         is_first_ = false;
+        return {};
+    }
+
+    /// One round: counts the islands of `solid`, and adds bars for them.
+    ///
+    ///     solid       the cells of the plate that remain when the letters are cut, with the bridges so far
+    ///     rim_edges   sources with lower numbers are the plate's rim: components with one of them are no islands
+    ///     bars        receives the bars
+    ///
+    /// Returns whether bars were added: then make the arrangement with them, and call tie() again, or count() after the
+    /// last round.
+    ///
+    /// Fails  error::out_of_memory, and as layer_arrangement::trace() does
+    /// Cost   O(islands * places * edges) for the places that are tried
+    [[nodiscard]] result<bool> tie(layer_arrangement& cells, cell_set solid, std::uint32_t rim_edges,
+                                   const stencil_wishes& wanted, silhouette& bars, workspace& space) noexcept
+    {
+        bool more = false;
+        if (const auto counted = count(cells, solid, rim_edges, space); !counted) return counted.error();
         for (std::uint32_t k = 0; k < region_.loop_count(); ++k) {
             if (component_[k] != k || tied_[k] != 0) continue;
             if (error e = tie_island(k, wanted.width, wanted.per_island, bars, more)) return e;

@@ -263,6 +263,8 @@ public:
 
     /// The placement that the extruder receives for one glyph.
     [[nodiscard]] placement place(std::size_t glyph) const noexcept { return fresh().place(fresh().records[glyph]); }
+    /// The text's frame: text_options::frame. place() turns it for a glyph that a path turns.
+    [[nodiscard]] const typemesh::frame& text_frame() const noexcept { return fresh().placed.frame; }
 
     /// Calls put(a, b, c) with the grid points of each triangle of a glyph that faces the front, as its extruder
     /// reports them (seen_from_front in extruder.hpp). Without a report, these are the region's triangles.
