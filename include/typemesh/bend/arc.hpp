@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <typemesh/bend/impl/steady.hpp>
+#include <typemesh/core/impl/steady.hpp>
 #include <typemesh/bend/plane_warp.hpp>
 #include <typemesh/core/finite.hpp>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <typemesh/bend/impl/steady.hpp>
+#include <typemesh/core/impl/steady.hpp>
 #include <typemesh/core/curve.hpp>
 #include <typemesh/core/point.hpp>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <typemesh/bend/impl/steady.hpp>
+#include <typemesh/core/impl/steady.hpp>
 
 #include <cmath>
 
@@ -7,7 +7,7 @@
 
 using namespace typemesh;
 
-TEST_CASE("steady numbers are near, and the same for neighbours", "[bend][warp]")
+TEST_CASE("steady numbers are near, and the same for neighbours", "[core]")
 {
     for (double v = -3.0; v < 3.0; v += 0.0371) {
         const double s = detail::steady(v);
