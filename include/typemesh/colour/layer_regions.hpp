@@ -65,7 +65,7 @@ public:
     ///     face         the face of the source
     ///     tolerance    the largest distance between a curve and its chords, in em
     ///     max_pieces   the greatest number of curves, of edges, of crossings, and of points of all regions; all
-    ///                  operations together may take 16 times as many points
+    ///                  operations together may take 64 times as many points
     ///
     /// Fails  as the source, grid::fitting(), discretise(), cut_where_met() and resolve() do; error::bad_tolerance;
     ///        error::bad_colours: more than 32,767 layers. There are then no layers
@@ -274,6 +274,7 @@ private:
     [[nodiscard]] error divide(const colour_glyph& glyph, const detail::pooled_region& seen, std::size_t below,
                                std::size_t depth) noexcept
     {
+        const detail::region_pool::mark before = pool_.here();
         detail::pooled_region rest = seen;
         for (std::size_t k = below; k-- > 0 && rest.points != 0;) {
             const detail::pooled_region& other = shapes_[glyph.layers[k].shape];
@@ -282,12 +283,13 @@ private:
             if (error e = pool_.both(rest, other, space_, part)) return e;
             if (part.points == 0) continue;
             if (error e = pool_.join(rest, part, fill_rule::even_odd, space_, left)) return e;
-            rest = left;
             const bool last = detail::hides(glyph.layers[k]) || depth == max_shining;
             if (!last) shining_[depth] = static_cast<std::uint32_t>(k);
             if (error e = last ? keep_mixed(glyph, part, depth, &glyph.layers[k].paint.colour)
                                : divide(glyph, part, k, depth + 1))
                 return e;
+            pool_.rewind(before, left);
+            rest = left;
         }
         return rest.points == 0 ? error{} : keep_mixed(glyph, rest, depth, nullptr);
     }

@@ -48,14 +48,14 @@ public:
     }
 
     /// The grid of all regions, the largest distance of their edges from the curves (in cells), and the greatest number
-    /// of pieces in one operation, and of points at a time. All operations together may take 16 times as many points.
+    /// of pieces in one operation, and of points at a time. All operations together may take 64 times as many points.
     void begin(const grid& cells, double tolerance, std::uint32_t max_pieces) noexcept
     {
         clear();
         grid_ = cells;
         tolerance_ = tolerance;
         max_pieces_ = max_pieces;
-        work_left_ = std::uint64_t{16} * max_pieces;
+        work_left_ = std::uint64_t{64} * max_pieces;
     }
 
     /// How much is stored; to give it up again with rewind().
