@@ -44,7 +44,7 @@ tenths_of() {
 }
 
 kernels="bench_outline bench_discretise bench_triangulate bench_delaunay bench_resolve bench_extrude bench_vertex bench_offset
-    bench_text bench_paragraph bench_markup bench_threads"
+    bench_text bench_paragraph bench_markup bench_morph bench_threads"
 [ -z "$quick" ] || kernels=bench_text
 
 install_all() {

@@ -43,6 +43,14 @@ convert -delay 8 -loop 0 "$scratch"/turning-*.png +dither -layers optimize turni
 "$program" "こんにちは、世界！" --font $japanese --picture "$scratch/japanese.png"
 convert "$scratch/arabic.png" "$scratch/japanese.png" -resize x300 -gravity center +append scripts.png
 
+# Debian has no colour font with layers: TYPEMESH_COLOUR_FONT may name Noto Color Emoji, such as the file
+# noto-color-emoji-emoji-400-normal.woff2 of npm's @fontsource/noto-color-emoji after woff2_decompress.
+if [ -n "${TYPEMESH_COLOUR_FONT:-}" ]; then
+    "$program" "😀🎉👍🏽🇩🇪❤️🦊🏳️‍🌈" --font "$TYPEMESH_COLOUR_FONT" --colour-layers --picture emoji.png
+else
+    say "emoji.png stays as it is, because TYPEMESH_COLOUR_FONT names no font."
+fi
+
 text='Letters of three scripts share a page: in the beginning there was English, then comes עברית שנכתבת מימין לשמאל, 2024 in its midst, '
 text+='and العربية التي تكتب من اليمين إلى اليسار وتتصل حروفها بعضها ببعض, before the line goes on as it began and is as wide as all the others.'
 "$program" "$text" --font ${sans/Sans/Serif} --fallback "$hebrew" --fallback $arabic \

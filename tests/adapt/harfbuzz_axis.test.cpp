@@ -11,6 +11,8 @@
 #include <vector>
 
 #include "support/catch.hpp"
+#include "support/counting_memory.hpp"
+#include "support/each_failure.hpp"
 #include "support/font_file.hpp"
 #include "support/mesh_laws.hpp"
 
@@ -47,6 +49,25 @@ TEST_CASE("an axis has the font's values, coordinates and masters", "[adapt][mor
     REQUIRE_FALSE(axis->append_masters(masters));
     const auto all = sorted(masters);
     for (const axis_coordinate c : {-16384, 0, 16384}) CHECK(std::binary_search(all.begin(), all.end(), c));
+}
+
+TEST_CASE("an axis takes its memory from the given source, and none later", "[adapt][morph]")
+{
+    const auto font = harfbuzz_font::open(font_file(inter_variable));
+    REQUIRE(font);
+    test::counting_memory counted;
+    {
+        auto axis = harfbuzz_axis::open(*font, "wght", counted.source());
+        REQUIRE(axis);
+        CHECK(counted.requests == 2);
+        for (const double value : {100.0, 333.0, 900.0}) REQUIRE_FALSE(axis->move_to(axis->coordinate(value)));
+        CHECK(counted.requests == 2);
+    }
+    CHECK(counted.bytes_held == 0);
+    CHECK(test::check_each_failure([&](memory source) {
+              const auto axis = harfbuzz_axis::open(*font, "wght", source);
+              return axis ? error{} : axis.error();
+          }) == 2);
 }
 
 TEST_CASE("an axis at a coordinate draws as the font opened at that value", "[adapt][morph]")

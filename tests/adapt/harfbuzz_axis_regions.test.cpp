@@ -35,13 +35,13 @@ struct made_face {
     [[nodiscard]] std::vector<std::int32_t> masters(std::uint32_t axis)
     {
         buffer<std::int32_t> out;
-        CHECK(detail::harfbuzz_axis_regions(face, axis, out).read_masters());
+        CHECK_FALSE(detail::harfbuzz_axis_regions(face, axis, out).read_masters());
         return sorted(out);
     }
     [[nodiscard]] std::vector<std::int32_t> changes(std::uint32_t axis)
     {
         buffer<std::int32_t> out;
-        CHECK(detail::harfbuzz_axis_regions(face, axis, out).read_changes());
+        CHECK_FALSE(detail::harfbuzz_axis_regions(face, axis, out).read_changes());
         return sorted(out);
     }
     static std::vector<std::int32_t> sorted(const buffer<std::int32_t>& out)
@@ -108,7 +108,45 @@ TEST_CASE("damaged tables are read within their bounds", "[adapt][morph]")
             for (char& b : bytes) b = static_cast<char>(random() % 4 == 0 ? random() : random() % 8);
             f.tables.emplace_back(tag, bytes);
         }
-        for (const std::int32_t c : f.masters(0)) CHECK((c >= -0x4000 && c <= 0x4000));
-        static_cast<void>(f.changes(0));
+        buffer<std::int32_t> out;
+        const error e = detail::harfbuzz_axis_regions(f.face, 0, out).read_masters();
+        CHECK((!e || e == error::not_a_font));
+        for (const std::int32_t c : out) CHECK((c >= -0x4000 && c <= 0x4000));
+        static_cast<void>(detail::harfbuzz_axis_regions(f.face, 0, out).read_changes());
     }
+}
+
+TEST_CASE("each coordinate is listed once, and not more than 1024 of them", "[adapt][morph]")
+{
+    // One axis; regions from 0 to different peaks, all of them three times.
+    const auto store_of = [](int peaks) {
+        std::vector<int> hvar = {1, 0, 0, 20, 0, 0, 0, 0, 0, 0, 1, 0, 8, 0, 1, 3 * peaks};
+        for (int round = 0; round < 3; ++round)
+            for (int i = 0; i < peaks; ++i) hvar.insert(hvar.end(), {0, 16 * (i + 1), 0x4000});
+        return words(hvar);
+    };
+    buffer<std::int32_t> out;
+    made_face f;
+    f.tables = {{HB_TAG('H', 'V', 'A', 'R'), store_of(1000)}};
+    REQUIRE_FALSE(detail::harfbuzz_axis_regions(f.face, 0, out).read_masters());
+    CHECK(out.size() == 1002);
+    made_face g;
+    g.tables = {{HB_TAG('H', 'V', 'A', 'R'), store_of(1023)}};
+    CHECK(detail::harfbuzz_axis_regions(g.face, 0, out).read_masters() == error::not_a_font);
+}
+
+TEST_CASE("glyphs and features that share their bytes do not cost more than the table is long", "[adapt][morph]")
+{
+    // Every other of 65,535 glyphs has the same 4095 tuples; 65,535 records have the same 65,535 conditions.
+    std::vector<int> gvar = {1, 0, 1, 0, 0, 0, 0xFFFF, 1, 4, 20};  // the data is at 20 + 4 * 65,536
+    for (int i = 0; i <= 0xFFFF; ++i) gvar.insert(gvar.end(), {0, i % 2 == 0 ? 0 : 4});
+    gvar.push_back(0x0FFF);
+    std::vector<int> gsub = {1, 1, 0, 0, 0, 0, 14, 1, 0, 0, 0xFFFF};
+    for (int i = 0; i < 0xFFFF; ++i) gsub.insert(gsub.end(), {8, 0, 0, 0});  // the set is at 14 + 0x80000
+    gsub.push_back(0xFFFF);
+    made_face f;
+    f.tables = {{HB_TAG('g', 'v', 'a', 'r'), words(gvar)}, {HB_TAG('G', 'S', 'U', 'B'), words(gsub)}};
+    buffer<std::int32_t> out;
+    CHECK(detail::harfbuzz_axis_regions(f.face, 0, out).read_masters() == error::not_a_font);
+    CHECK(detail::harfbuzz_axis_regions(f.face, 0, out).read_changes() == error::not_a_font);
 }

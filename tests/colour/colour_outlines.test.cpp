@@ -258,6 +258,58 @@ TEST_CASE("the number of a layer's glyph is enough to draw it, and keys tell opt
     CHECK(one.variation_key() != stacked.variation_key());
 }
 
+namespace {
+
+/// Squares whose size is an axis: half as large, or whole.
+struct growing_squares {
+    [[nodiscard]] double units_per_em() const noexcept { return 1000.0; }
+    [[nodiscard]] fill_rule fill() const noexcept { return fill_rule::non_zero; }
+    [[nodiscard]] std::uint64_t variation_key() const noexcept { return whole ? 1 : 2; }
+    template <outline_sink Sink>
+    error outline(glyph_id id, Sink& sink) noexcept
+    {
+        const double side = (whole ? 100.0 : 50.0) * id;
+        sink.move({0.0, 0.0});
+        sink.line({side, 0.0});
+        sink.line({side, side});
+        sink.line({0.0, side});
+        sink.close();
+        return {};
+    }
+    bool whole = true;
+};
+
+}  // namespace
+
+TEST_CASE("layers follow the font's variation, and come back with it", "[colour]")
+{
+    growing_squares outlines;
+    const colour_font font = toy_colours();
+    colour_outlines colours{outlines};
+    REQUIRE(colours.use(0, font.tables()));
+    const std::uint64_t whole_key = colours.variation_key();
+    outline drawn;
+    for (const bool whole : {true, false, true}) {
+        outlines.whole = whole;
+        glyph_run run;
+        fill(run);
+        REQUIRE(colours.split(run));
+        REQUIRE(record(colours, run.glyphs[2].id, drawn));  // the uppermost layer of glyph 1
+        CHECK(drawn.bounds.high == (whole ? point{300.0, 300.0} : point{150.0, 150.0}));
+        CHECK((colours.variation_key() == whole_key) == whole);
+    }
+    // Another place on the axes may paint otherwise.
+    colour_font other = toy_colours();
+    other.axes = {1000};
+    REQUIRE(colours.use(0, other.tables()));
+    CHECK(colours.variation_key() != whole_key);
+}
+
+TEST_CASE("colours are flattened as finely as texts", "[colour]")
+{
+    CHECK(same(colour_options{}.tolerance, text_options{}.tolerance));
+}
+
 TEST_CASE("splitting allocates nothing after warm-up, and fails whole without memory", "[colour]")
 {
     recorded_outlines outlines = squares();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "support/catch.hpp"
 #include "support/colour_font.hpp"
+#include "support/counting_memory.hpp"
 #include "support/each_failure.hpp"
 
 #include <typemesh/colour/layer_regions.hpp>
@@ -8,6 +9,7 @@
 
 #include <cmath>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 using namespace typemesh;
@@ -48,8 +50,9 @@ areas areas_of(Source& outlines, const colour_font& font, layer_cut cut)
     const auto built = regions.build(outlines, 0, g, 1.0 / 800, cut);
     INFO((built ? "" : built.error().message()));
     REQUIRE(built);
-    REQUIRE(regions.layer_count() == g.layers.size());
+    REQUIRE(regions.layer_count() >= g.layers.size());
     areas all;
+    all.layers.resize(g.layers.size());
     contours loops;
     std::int64_t sum = 0;
     for (std::size_t i = 0; i < regions.layer_count(); ++i) {
@@ -57,7 +60,7 @@ areas areas_of(Source& outlines, const colour_font& font, layer_cut cut)
         REQUIRE(r);
         CHECK(regions.is_empty(i) == r->points().empty());
         sum += twice_area(*r);
-        all.layers.push_back(static_cast<double>(twice_area(*r)) / 2.0 / cells);
+        all.layers[regions.number_in_glyph(i)] += static_cast<double>(twice_area(*r)) / 2.0 / cells;
     }
     const auto whole = regions.silhouette(loops);
     REQUIRE(whole);
@@ -139,6 +142,120 @@ TEST_CASE("transforms, clips and composites give the areas of plane geometry", "
         are(one(composite(solid_paint(2), 7, round), {{1, 1, 0, 0, 1000, 1000}}).layers, {1'000'000.0 - disc}, rough));
     for (const unsigned mode : {1u, 2u, 3u, 4u, 5u, 6u, 7u, 8u, 9u, 10u, 11u, 23u})
         CHECK(one(moved(24, {0.03}, {}, composite(round, mode, moved(24, {0.01}, {}, square)))).add_up);
+}
+
+TEST_CASE("the clip box of a glyph within a glyph limits it, with its transform", "[colour]")
+{
+    recorded_outlines outlines = squares();
+    const paint square = test::glyph(solid_paint(0), 5);
+    const auto one = [&](const paint& root, const std::vector<clip_box>& clips) {
+        return areas_of(outlines, painted_font({{1, root}, {2, square}, {3, solid_paint(1)}}, {}, clips),
+                        layer_cut::visible);
+    };
+    CHECK(are(one(colr_glyph(2), {{2, 2, 0, 0, 200, 300}}).layers, {60'000.0}));
+    CHECK(are(one(moved(16, {0.5, 1.5}, {}, colr_glyph(2)), {{2, 2, 0, 0, 200, 300}}).layers, {45'000.0}));
+    CHECK(are(one(colr_glyph(2), {{1, 1, 0, 0, 100, 100}, {2, 2, 50, 0, 200, 300}}).layers, {5'000.0}));
+    CHECK(are(one(colr_glyph(3), {{3, 3, 10, 10, 30, 20}}).layers, {200.0}));  // the whole box
+    colour_glyph g;
+    const colour_font none = painted_font({{1, colr_glyph(3)}, {3, solid_paint(1)}}, {}, {{3, 3, 10, 10, -30, 20}});
+    REQUIRE(read_colour_glyph(none.tables(), 1, {}, g));
+    CHECK(g.layers.empty());
+}
+
+TEST_CASE("a translucent layer is divided by what shines through it, and takes its colours", "[colour]")
+{
+    recorded_outlines outlines = squares();
+    // Entry 3 is white with an alpha of 128/255.
+    struct part {
+        std::uint32_t number;
+        double area;
+        palette_colour colour;
+        std::uint16_t entry;
+    };
+    const auto parts_of = [&](const colour_font& font) {
+        colour_glyph g;
+        REQUIRE(read_colour_glyph(font.tables(), 1, {}, g));
+        layer_regions regions;
+        REQUIRE(regions.build(outlines, 0, g, 1.0 / 800, layer_cut::visible));
+        std::vector<part> all;
+        contours loops;
+        std::int64_t sum = 0;
+        for (std::size_t i = 0; i < regions.layer_count(); ++i) {
+            const std::int64_t area = twice_area(*regions.layer(i, loops));
+            const glyph_paint paint = regions.paint(i, g);
+            sum += area;
+            if (area == 0) continue;
+            all.push_back({regions.number_in_glyph(i), static_cast<double>(area) / 2.0 / cells, paint.colour,
+                           paint.entry});
+        }
+        CHECK(sum == twice_area(*regions.silhouette(loops)));
+        return all;
+    };
+    const auto two = parts_of(flat_font({{1, {{5, 0}, {9, 3}}}}));  // red below a larger square
+    REQUIRE(two.size() == 2);
+    for (const part& p : two) {
+        CHECK(p.number == 1);
+        const bool on_red = p.entry == mixed_colour_entry;
+        CHECK(std::fabs(p.area - (on_red ? 250'000.0 : 560'000.0)) < 1e-6);
+        CHECK(p.colour == (on_red ? palette_colour{255, 128, 128, 1.0f}
+                                  : palette_colour{255, 255, 255, static_cast<float>(128 / 255.0)}));
+    }
+    const auto three = parts_of(flat_font({{1, {{9, 0}, {7, 3}, {4, 3}}}}));  // two panes on red
+    REQUIRE(three.size() == 3);
+    CHECK((three[0].number == 0 && three[1].number == 1 && three[2].number == 2));
+    CHECK(std::fabs(three[2].area - 160'000.0) < 1e-6);
+    CHECK((three[1].colour == palette_colour{255, 128, 128, 1.0f}));
+    CHECK((three[2].colour == palette_colour{255, 192, 192, 1.0f}));
+    // Red multiplied by green is black, also if both are opaque.
+    const auto black =
+        parts_of(painted_font({{1, composite(test::glyph(solid_paint(1), 4), 23, test::glyph(solid_paint(0), 9))}}));
+    REQUIRE(black.size() == 2);
+    CHECK((black[0].colour == palette_colour{255, 0, 0, 1.0f}));
+    CHECK((black[1].colour == palette_colour{0, 0, 0, 1.0f}));
+    // A pane that hides another one with an opaque layer between them does not mix with it.
+    const auto hidden = parts_of(flat_font({{1, {{6, 3}, {6, 2}, {6, 3}}}}));
+    REQUIRE(hidden.size() == 1);
+    CHECK((hidden[0].colour == palette_colour{128, 128, 255, 1.0f}));
+    // Panes on each other are divided at most 16 deep.
+    std::vector<std::pair<unsigned, unsigned>> panes{{9, 0}};
+    for (unsigned i = 0; i < 20; ++i) panes.emplace_back(9 - i % 2, 3);
+    CHECK(parts_of(flat_font({{1, panes}})).size() == 2);
+}
+
+TEST_CASE("the layers of a glyph together have a limit, of memory and of work", "[colour]")
+{
+    recorded_outlines outlines{1000.0};
+    REQUIRE(outlines.add([](auto& pen) {  // a comb
+        pen.move({0, 0});
+        pen.line({900, 0});
+        for (int i = 30; i-- > 0;) {
+            pen.line({10.0 * i + 10.0, 500});
+            pen.line({10.0 * i + 5.0, 500});
+            pen.line({10.0 * i + 5.0, 100});
+            pen.line({10.0 * i, 100});
+        }
+        pen.close();
+    }));
+    std::vector<std::pair<unsigned, unsigned>> layers;
+    for (unsigned i = 0; i < 100; ++i) layers.emplace_back(0, i % 3);
+    colour_glyph g;
+    REQUIRE(read_colour_glyph(flat_font({{1, layers}}).tables(), 1, {}, g));
+    counting_memory counted;
+    layer_regions regions{counted.source()};
+    REQUIRE(regions.build(outlines, 0, g, 1.0 / 800, layer_cut::visible));
+    CHECK(regions.layer_count() == 100);
+    CHECK(counted.peak < 300'000);
+    CHECK(regions.build(outlines, 0, g, 1.0 / 800, layer_cut::visible, 500).error() == error::too_many_pieces);
+    CHECK(regions.layer_count() == 0);
+    CHECK(regions.build(outlines, 0, g, 1.0 / 800, layer_cut::stacked, 500).error() == error::too_many_points);
+    CHECK(regions.build(outlines, 0, g, 1.0 / 800, layer_cut::stacked, 100'000));
+
+    // Curves are limited before they are flattened: 300 times the comb, each turned differently.
+    std::vector<paint> turned;
+    for (unsigned i = 0; i < 250; ++i) turned.push_back(moved(24, {i / 500.0}, {}, test::glyph(solid_paint(0), 0)));
+    const colour_font many = painted_font({{1, colr_layers(250, 0)}}, turned);
+    REQUIRE(read_colour_glyph(many.tables(), 1, {}, g));
+    CHECK(regions.build(outlines, 0, g, 1.0 / 800, layer_cut::stacked, 10'000).error() == error::too_many_points);
 }
 
 TEST_CASE("neighbouring layers share every point of their common boundary", "[colour]")

@@ -96,6 +96,17 @@ TEST_CASE("each transform paint maps as it says", "[colour]")
     check_map(moved(24, {0.5}, {}, moved(14, {}, {100, 0}, inner)), {10, 0}, {0, 110});
 }
 
+TEST_CASE("turns and skews are the same with every standard library", "[colour]")
+{
+    for (int i = -16384; i <= 16384; i += 97) {
+        const double half_turns = i / 32768.0;
+        for (const std::uint32_t format : {24u, 28u}) {
+            const affine m = detail::transform_of(format, {{half_turns, half_turns / 3.0}});
+            for (const double v : {m.xx, m.xy, m.yx, m.yy}) CHECK(detail::steady(v) == v);
+        }
+    }
+}
+
 TEST_CASE("gradients come with their stops, their geometry and their mean colour", "[colour]")
 {
     const paint root = colr_layers(3, 0);

@@ -4,6 +4,7 @@
 // windows_snippets.cpp. Nothing is run.
 
 #include <typemesh/adapt/harfbuzz.hpp>
+#include <typemesh/adapt/harfbuzz_axis.hpp>
 #include <typemesh/adapt/harfbuzz_colours.hpp>
 #include <typemesh/adapt/threads.hpp>
 #include <typemesh/bend/along_curve.hpp>
@@ -29,6 +30,7 @@
 #include <typemesh/layout/inline_box_place.hpp>
 #include <typemesh/layout/select_glyphs.hpp>
 #include <typemesh/markup/markup_styles.hpp>
+#include <typemesh/morph/axis_morph.hpp>
 #include <typemesh/outline/stroked.hpp>
 #include <typemesh/outline/stroked_outlines.hpp>
 #include <typemesh/outline/svg_path.hpp>
@@ -274,15 +276,24 @@ for (typemesh::style_id style : painted->styles()) {
     if (paint.has(typemesh::markup_tag::colour)) draw_range(paint.colour, painted->range(style, typemesh::part::front));
 }
     const auto draw_layer = [](const typemesh::palette_colour&, const typemesh::mesh_range&) noexcept {};
-typemesh::colour_outlines colours{*font, {.tolerance = typemesh::quality::high}};     // as the text's own tolerance
+typemesh::colour_outlines colours{*font};                                             // with the text's own tolerance
 auto tables = typemesh::harfbuzz_colours::of(*font);                                  // the bytes; they must stay alive
 if (!tables || !colours.use(0, tables->tables())) return 1;                           // of face 0
 typemesh::text_mesher coloured_mesher{colours};
-auto smile = coloured_mesher.plan("\U0001F600", {.tolerance = typemesh::quality::high}, colours.edit());
+auto smile = coloured_mesher.plan("\U0001F600", {}, colours.edit());
 if (!smile) return 1;
 for (typemesh::style_id style : smile->styles())
     if (const typemesh::colour_style* own = colours.style_of(style))
         draw_layer(own->paint.colour, smile->range(style, typemesh::part::front));    // sRGB, with straight alpha
+auto weight = typemesh::harfbuzz_axis::open(*font, "wght");              // of a variable font
+if (!weight) return std::puts(weight.error().message()), 1;
+typemesh::axis_morph morph{*weight};
+auto breathing = morph.plan("breathe", {.from = 100, .to = 900, .depth = 0.1f});
+if (!breathing) return std::puts(breathing.error().message()), 1;
+std::vector<typemesh::vec3> places;
+std::vector<std::uint32_t> corners;
+auto written = breathing->write_at(weight->coordinate(550), typemesh::into(places, corners));   // each frame, at any weight
+if (!written) return std::puts(written.error().message()), 1;
 for (std::uint32_t solid = 0; solid < tagged.solids().size(); ++solid) {
     typemesh::glyph_run letters;
     const auto is_its = [&](typemesh::style_id s) noexcept { return tagged.solid_of(s) == solid; };

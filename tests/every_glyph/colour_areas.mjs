@@ -68,16 +68,16 @@ draw.setMoveToFunc((x, y) => { pen.push([[x, y]]); });
 draw.setLineToFunc((x, y) => { pen.at(-1).push([x, y]); });
 draw.setCubicToFunc((ax, ay, bx, by, x, y) => {
     const [x0, y0] = pen.at(-1).at(-1);
-    for (let i = 1; i <= 24; ++i) {
-        const t = i / 24, s = 1 - t;
+    for (let i = 1; i <= 160; ++i) {
+        const t = i / 160, s = 1 - t;
         pen.at(-1).push([s ** 3 * x0 + 3 * s * s * t * ax + 3 * s * t * t * bx + t ** 3 * x,
                          s ** 3 * y0 + 3 * s * s * t * ay + 3 * s * t * t * by + t ** 3 * y]);
     }
 });
 draw.setQuadraticToFunc((cx, cy, x, y) => {
     const [x0, y0] = pen.at(-1).at(-1);
-    for (let i = 1; i <= 24; ++i) {
-        const t = i / 24, s = 1 - t;
+    for (let i = 1; i <= 160; ++i) {
+        const t = i / 160, s = 1 - t;
         pen.at(-1).push([s * s * x0 + 2 * s * t * cx + t * t * x, s * s * y0 + 2 * s * t * cy + t * t * y]);
     }
 });

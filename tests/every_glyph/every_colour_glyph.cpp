@@ -13,6 +13,7 @@
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
+#include <vector>
 
 namespace {
 
@@ -59,21 +60,25 @@ int main(int argc, char** argv)
         ++seen.glyphs;
         const auto built =
             !found ? result<void>{found.error()}
-                   : regions.build(*font, 0, glyph, prints ? quality::best : quality::normal, layer_cut::visible);
+                   : regions.build(*font, 0, glyph, prints ? quality::best / 16 : quality::normal, layer_cut::visible);
         if (!built) {
             ++seen.refused;
             std::fprintf(stderr, "glyph %u: %s\n", id, built.error().message());
             continue;
         }
         std::int64_t sum = 0;
-        if (prints) std::printf("%u", id);
+        std::vector<double> areas(glyph.layers.size(), 0.0);
         for (std::size_t i = 0; i < regions.layer_count(); ++i) {
             const auto layer = regions.layer(i, loops);
             const std::int64_t area = layer ? twice_area(*layer) : 0;
             const double cells = loops.grid.cells;
             sum += area;
-            seen.empty += area == 0 ? 1u : 0u;
-            if (prints) std::printf(" %.1f", area == 0 ? 0.0 : static_cast<double>(area) / 2.0 / cells / cells);
+            if (area != 0) areas[regions.number_in_glyph(i)] += static_cast<double>(area) / 2.0 / cells / cells;
+        }
+        if (prints) std::printf("%u", id);
+        for (const double area : areas) {
+            seen.empty += area > 0.0 ? 0u : 1u;
+            if (prints) std::printf(" %.1f", area);
         }
         if (prints) std::puts("");
         const auto whole = regions.silhouette(loops);

@@ -5,9 +5,12 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <span>
 #include <vector>
 
 #include "support/catch.hpp"
+#include "support/counting_memory.hpp"
+#include "support/each_failure.hpp"
 #include "support/mesh_laws.hpp"
 #include "toy_axis.hpp"
 
@@ -56,6 +59,19 @@ TEST_CASE("a report counts letters that are split, refused, overlapping or missi
     CHECK(last < most);  // without the refused letter
 }
 
+TEST_CASE("letters that are replaced along the axis are counted where most are", "[morph]")
+{
+    test::toy_axis axis;
+    axis_morph morph{axis};
+    for (const char* text : {"r", "R"}) {  // both are an 'o' and an 'x', which overlaps
+        const auto plan = morph.plan(text, {});
+        REQUIRE(plan);
+        CHECK(plan->report().letters == 1);
+        CHECK(plan->report().overlapping == 1);
+    }
+    CHECK(morph.plan("rR", {})->report().overlapping == 1);  // one at each place
+}
+
 TEST_CASE("pens move with the advances, between their masters evenly", "[morph]")
 {
     test::toy_axis axis;
@@ -85,4 +101,25 @@ TEST_CASE("a morph refuses bad options and survives memory that runs out", "[mor
     CHECK(morph.plan("o", {.depth = -1.0f}).error() == error::bad_option);
     CHECK(morph.plan("o", {.crease_degrees = 181.0f}).error() == error::bad_option);
     CHECK(morph.plan("", {}));
+
+    struct vertex {
+        vec3 position;
+    };
+    const auto keep = [](const surface_point<attribute::position>& s) noexcept { return vertex{s.position}; };
+    const auto written = [&](memory source, test::counting_memory* counted) -> error {
+        axis_morph own{axis, source};
+        auto plan = own.plan("xr", {});
+        if (!plan) return plan.error();
+        std::vector<vertex> vertices(plan->size(0).vertices);
+        std::vector<std::uint32_t> indices(3 * plan->size(0).triangles);
+        const std::size_t before = counted != nullptr ? counted->requests : 0;
+        for (const double c : {-16384.0, -1.5, 999.0})
+            if (const auto done = plan->write_at(c, into(std::span{vertices}, std::span{indices}, keep)); !done)
+                return done.error();
+        if (counted != nullptr) CHECK(counted->requests == before);  // a frame takes no memory
+        return {};
+    };
+    test::counting_memory counted;
+    CHECK_FALSE(written(counted.source(), &counted));
+    CHECK(test::check_each_failure([&](memory source) { return written(source, nullptr); }) > 50);
 }

@@ -64,3 +64,42 @@ TEST_CASE("an outline that does not vary as its masters say gets more keys or is
     CHECK_FALSE(store.glyphs[0].refused);
     CHECK(store.keys[1] == 0);
 }
+
+TEST_CASE("an outline that is too large for proofs between its masters is refused", "[morph]")
+{
+    test::toy_axis axis;
+    glyph_morpher morpher;
+    morph_store store;
+    const std::vector<axis_coordinate> ends = {-16384, 16384};
+    REQUIRE_FALSE(morpher.append(axis, 'l', ends, 1.0, 15.0, store));
+    CHECK(store.glyphs[0].refused);
+    CHECK(store.glyphs[0].reason == error::outline_beyond_grid);
+    CHECK(store.glyphs[0].sections == 0);
+}
+
+TEST_CASE("each hole goes with the contour around it, however many there are", "[morph]")
+{
+    test::toy_axis axis;
+    glyph_morpher morpher;
+    morph_store store;
+    const std::vector<axis_coordinate> ends = {-16384, 16384};
+    REQUIRE_FALSE(morpher.append(axis, '#', ends, 1.0, 15.0, store));
+    const morph_glyph& g = store.glyphs[0];
+    CHECK(g.overlapping);
+    CHECK_FALSE(g.refused);
+    CHECK(g.points == 144 * 8 + 8);
+    REQUIRE(g.sections == 1);
+    CHECK(store.sections[0].triangle_count == 144 * 8 + 4);
+}
+
+TEST_CASE("masters at which an outline moves on evenly cost little", "[morph]")
+{
+    test::toy_axis axis;
+    glyph_morpher morpher;
+    morph_store store;
+    std::vector<axis_coordinate> many;
+    for (axis_coordinate c = -16384; c <= 16384; c += 32) many.push_back(c);
+    REQUIRE_FALSE(morpher.append(axis, 'o', many, 1.0, 15.0, store));
+    CHECK(store.glyphs[0].keys == 3);
+    CHECK_FALSE(store.glyphs[0].refused);
+}

@@ -48,3 +48,38 @@ TEST_CASE("a key that is inserted and removed leaves the others as they were", "
     CHECK(outlines.curves(0)[5].p[1] == low);
     CHECK(outlines.curves(1)[5].p[1] == high);
 }
+
+TEST_CASE("keys at which nothing bends are forgotten at once as one after the other", "[morph]")
+{
+    test::toy_axis axis;
+    keyed_outlines outlines, other;
+    std::vector<axis_coordinate> many;
+    for (axis_coordinate c = -16384; c <= 16384; c += 1024) many.push_back(c);
+    for (const double limit : {0.0, 0.1, 30.0, 1e9}) {
+        REQUIRE_FALSE(outlines.record(axis, 'o', many));
+        REQUIRE_FALSE(other.record(axis, 'o', many));
+        outlines.forget_unbent(limit);
+        for (std::size_t k = 1; k + 1 < other.keys();)
+            if (other.bend_at(k) <= limit)
+                other.remove(k);
+            else
+                ++k;
+        REQUIRE(outlines.keys() == other.keys());
+        for (std::size_t k = 0; k < other.keys(); ++k) {
+            CHECK(outlines.coordinates()[k] == other.coordinates()[k]);
+            for (std::size_t i = 0; i < other.curves(k).size(); ++i)
+                CHECK(outlines.curves(k)[i].start() == other.curves(k)[i].start());
+        }
+    }
+    CHECK(outlines.keys() == 2);
+}
+
+TEST_CASE("an outline has a limit at all coordinates together", "[morph]")
+{
+    test::toy_axis axis;
+    keyed_outlines outlines;
+    std::vector<axis_coordinate> many;
+    for (axis_coordinate c = -16384; c <= 16384; ++c) many.push_back(c);
+    CHECK(outlines.record(axis, 'o', many) == error::too_many_points);
+    CHECK_FALSE(outlines.record(axis, 'q', many));
+}

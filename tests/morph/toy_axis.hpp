@@ -7,6 +7,7 @@
 #include <typemesh/unicode/utf.hpp>
 
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <utility>
 #include <vector>
@@ -21,6 +22,10 @@ namespace test {
 ///          at -1
 ///     'r'  an 'o' below 1000/16384, an 'x' from there on
 ///     's'  a bar past which a tooth moves          ' '  blank; all others are missing
+///     'R'  an 'x' below 1000/16384, an 'o' from there on
+///
+/// Only drawn:   'l'  a box, which is enormous at 0        '#'  144 boxes with holes, and an 'x'
+///               '*'  a star of 901 points, whose edges cross nearly all others
 ///
 /// 1000 units per em. An advance is 500 + 100 v; below 0 it is 500 + 40 v.
 class toy_axis {
@@ -41,6 +46,7 @@ public:
             for (std::uint32_t i = item.first; i < item.last; ++i) {
                 char32_t c = text.unit(i);
                 if (c == 'r') c = at < 1000 ? 'o' : 'x';
+                if (c == 'R') c = at < 1000 ? 'x' : 'o';
                 const bool known =
                     c == 'o' || c == 'x' || c == '8' || c == 'w' || c == 'p' || c == 'q' || c == 's' || c == ' ';
                 const double v = static_cast<double>(at) / 16384.0;
@@ -86,6 +92,23 @@ public:
                 box(pen, 0.0, 0.0, 400.0, 400.0);
                 hole(pen, 250.0 + 200.0 * v, 100.0, 300.0 + 200.0 * v, 300.0);
                 break;
+            case 'l': box(pen, 0.0, 0.0, at == 0 ? 1e6 : 400.0, 400.0); break;
+            case '#':
+                for (int i = 0; i < 144; ++i) {
+                    const double x = 600.0 + 20.0 * (i % 12), y = 20.0 * (i / 12);
+                    box(pen, x, y, x + 15.0 + v, y + 15.0);
+                    hole(pen, x + 5.0, y + 5.0, x + 10.0 + v, y + 10.0);
+                }
+                return outline('x', pen);
+            case '*': {
+                std::vector<typemesh::point> star;
+                for (int i = 0; i < 901; ++i) {
+                    const double turn = 6.283185307179586 * 400 / 901 * i;
+                    star.push_back({300.0 + 290.0 * std::cos(turn), 300.0 - (290.0 + v) * std::sin(turn)});
+                }
+                polygon(pen, star);
+                break;
+            }
             case 'p': {
                 const double h = 50.0 * (v + 1.0);
                 polygon(pen, {{0, 0}, {300, 400}, {600, 0}});

@@ -4,6 +4,7 @@
 #include <typemesh/adapt/harfbuzz.hpp>
 #include <typemesh/adapt/impl/harfbuzz_axis_regions.hpp>
 #include <typemesh/core/buffer.hpp>
+#include <typemesh/core/memory.hpp>
 #include <typemesh/core/result.hpp>
 #include <typemesh/layout/variation_axis.hpp>
 
@@ -27,9 +28,11 @@ namespace typemesh::inline TYPEMESH_ABI {
 /// unit per glyph.
 class harfbuzz_axis {
 public:
+    /// `source` gives the memory of the axis; HarfBuzz has its own.
+    ///
     /// Fails  error::unknown_variation: the font has no such axis
     ///        error::out_of_memory, and the errors of harfbuzz_font::wrap()
-    static result<harfbuzz_axis> open(const harfbuzz_font& font, const char (&tag)[5]) noexcept
+    static result<harfbuzz_axis> open(const harfbuzz_font& font, const char (&tag)[5], memory source = heap()) noexcept
     {
         hb_face_t* face = hb_font_get_face(font.handle());
         hb_ot_var_axis_info_t info;
@@ -43,9 +46,10 @@ public:
         hb_font_destroy(own);  // the wrapper has its own reference
         if (!wrapped) return wrapped.error();
 
-        harfbuzz_axis made{std::move(*wrapped), info};
+        harfbuzz_axis made{std::move(*wrapped), info, source};
         int* coordinates = made.coordinates_.append(hb_ot_var_get_axis_count(face));
-        if (coordinates == nullptr) return error::out_of_memory;
+        if (coordinates == nullptr || made.normalised_.append(made.coordinates_.size()) == nullptr)
+            return error::out_of_memory;
         unsigned given = 0;
         const int* from = hb_font_get_var_coords_normalized(font.handle(), &given);
         for (unsigned i = 0; i < made.coordinates_.size(); ++i) coordinates[i] = i < given ? from[i] : 0;
@@ -68,24 +72,23 @@ public:
         return all[info_.axis_index];
     }
 
-    /// See variation_axis. Cost: proportional to the number of glyphs
+    /// See variation_axis.
+    ///
+    /// Fails  error::not_a_font: more than 1024 coordinates, or a damaged table; error::out_of_memory
+    /// Cost   proportional to the sizes of the variation tables
     error append_masters(buffer<axis_coordinate>& out) const noexcept
     {
-        detail::harfbuzz_axis_regions regions{hb_font_get_face(font_.handle()), info_.axis_index, out};
-        return regions.read_masters() ? error{} : error{error::out_of_memory};
+        return detail::harfbuzz_axis_regions{hb_font_get_face(font_.handle()), info_.axis_index, out}.read_masters();
     }
-    /// See variation_axis. Cost: proportional to the number of conditions
+    /// See variation_axis. Fails and costs likewise.
     error append_changes(buffer<axis_coordinate>& out) const noexcept
     {
-        detail::harfbuzz_axis_regions regions{hb_font_get_face(font_.handle()), info_.axis_index, out};
-        return regions.read_changes() ? error{} : error{error::out_of_memory};
+        return detail::harfbuzz_axis_regions{hb_font_get_face(font_.handle()), info_.axis_index, out}.read_changes();
     }
 
-    /// Moves the font to a coordinate of the axis. Fails  error::out_of_memory
+    /// Moves the font to a coordinate of the axis. It never fails.
     error move_to(axis_coordinate c) noexcept
     {
-        if (normalised_.size() != coordinates_.size() && normalised_.append(coordinates_.size()) == nullptr)
-            return error::out_of_memory;
         coordinates_[info_.axis_index] = c;
         hb_font_set_var_coords_normalized(font_.handle(), coordinates_.data(),
                                           static_cast<unsigned>(coordinates_.size()));
@@ -96,7 +99,8 @@ public:
     [[nodiscard]] harfbuzz_font& font() noexcept { return font_; }
 
 private:
-    harfbuzz_axis(harfbuzz_font font, const hb_ot_var_axis_info_t& info) noexcept : font_{std::move(font)}, info_{info}
+    harfbuzz_axis(harfbuzz_font font, const hb_ot_var_axis_info_t& info, memory source) noexcept
+        : font_{std::move(font)}, info_{info}, coordinates_{source}, normalised_{source}
     {
     }
 

@@ -17,7 +17,7 @@ struct layer_shape {
     /// The ways to make a shape.
     enum class kind : std::uint8_t {
         outline,    ///< the glyph `id`, mapped by `map`
-        rectangle,  ///< the clip box of the glyph
+        rectangle,  ///< a clip box: the square from (0, 0) to (1, 1), mapped by `map`
         both,       ///< where the shapes `a` and `b` are
         either,     ///< where `a` or `b` is
         without,    ///< where `a` is and `b` is not
@@ -37,6 +37,7 @@ struct layer_shape {
 struct colour_layer {
     std::uint32_t shape = 0;  ///< in colour_glyph::shapes
     glyph_paint paint;
+    std::uint8_t blend = 0;  ///< 0, or the composite mode of COLR (12 to 27) that mixes it with what is below
 };
 
 /// A colour glyph as its font describes it: layers, from the lowest to the uppermost.
@@ -46,7 +47,7 @@ struct colour_glyph {
     buffer<gradient_stop> stops;  ///< of all gradients
     box clip;                     ///< nothing is painted outside, in font units; empty: there is no limit
 
-    std::uint32_t blended = 0;  ///< composites whose colours would mix (such as multiply), drawn one above the other
+    std::uint32_t blended = 0;      ///< composites whose colours mix (such as multiply): see colour_layer::blend
     std::uint32_t translucent = 0;  ///< composites that a translucent paint cuts, which cuts like an opaque one
     std::uint32_t unbounded = 0;    ///< paints of the whole plane in a glyph without a clip box, which are left out
 

@@ -15,6 +15,7 @@
 #include <typemesh/core/impl/mixed_key.hpp>
 #include <typemesh/core/max_pieces.hpp>
 #include <typemesh/core/result.hpp>
+#include <typemesh/discretise/quality.hpp>
 #include <typemesh/layout/glyph_run.hpp>
 #include <typemesh/layout/shaper.hpp>
 #include <typemesh/outline/face_source.hpp>
@@ -28,11 +29,10 @@ namespace typemesh::inline TYPEMESH_ABI {
 /// The options of colour_outlines.
 struct colour_options {
     layer_cut layers = layer_cut::visible;  ///< whether layers are cut or stacked
-    double tolerance = 1.0 / 160;  ///< in em, as the text's own (quality::normal): layers are flattened before they are
-                                   ///< cut
+    double tolerance = quality::high;  ///< in em, as the text's own: layers are flattened before they are cut
     colour_choice choice = {};     ///< the palette, and limits
     std::uint32_t first_style = 0x4000'0000u;  ///< paints get the styles from here on: use smaller numbers for your own
-    std::uint32_t max_pieces = default_max_pieces;  ///< the greatest number of edges and crossings of a glyph
+    std::uint32_t max_pieces = default_max_pieces;  ///< the limit for a glyph: see layer_regions::build()
 };
 
 /// What split() found in a run.
@@ -40,8 +40,9 @@ struct colour_report {
     std::uint32_t coloured = 0;     ///< glyphs that were replaced by their layers
     std::uint32_t refused = 0;      ///< glyphs whose colours cannot be read or cut, which stay as they were
     error first_refusal = {};       ///< the reason for the first of them, with the glyph and its cluster
-    std::uint32_t blended = 0;      ///< glyphs with composites whose colours should mix: see colour_glyph::blended
-    std::uint32_t translucent = 0;  ///< glyphs with a translucent layer above others, which hides these in
+    std::uint32_t blended = 0;      ///< glyphs with composites whose colours should mix (see colour_layer::blend) and do
+                                    ///< not: all in layer_cut::stacked, hue and the like in layer_cut::visible
+    std::uint32_t translucent = 0;  ///< glyphs with a translucent layer above others, which is mixed with them in
                                     ///< layer_cut::visible, or that cuts others
     std::uint32_t unbounded = 0;    ///< glyphs that lack a layer without bounds
     std::uint32_t pictures = 0;     ///< glyphs without layers and without an outline in a font with bitmaps or SVG
@@ -67,7 +68,8 @@ struct colour_report {
 /// scale or a power of two of it, and if touching corners are kept. For layer_cut::stacked, see colour_style::level.
 ///
 /// The number of a layer's glyph tells glyph and layer: any colour_outlines with the same fonts and options draws it,
-/// also one that has not split the run (for workers). Built layers are kept until clear(). One thread at a time.
+/// also one that has not split the run (for workers). Built layers are kept, for each variation of the source, until
+/// clear(). One thread at a time.
 template <outline_source Source>
 class colour_outlines {
 public:
@@ -77,7 +79,8 @@ public:
     {
     }
 
-    /// Gives the colour tables of a face, which must outlive this object. Faces without tables have no colours.
+    /// Gives the colour tables of a face, which must outlive this object. Faces without tables have no colours. Call it
+    /// again after the font's variation has changed, for colour_tables::axes; built layers and styles are dropped.
     ///
     /// Fails  error::out_of_memory
     [[nodiscard]] result<void> use(std::uint32_t face, const colour_tables& tables) noexcept
@@ -152,10 +155,16 @@ public:
     {
         return drew_layer_ ? fill_rule::non_zero : fill_of(*source_, face);
     }
-    [[nodiscard]] std::uint64_t variation_key() const noexcept { return mixed(variation_of(*source_)); }
+    [[nodiscard]] std::uint64_t variation_key() const noexcept
+    {
+        std::uint64_t key = mixed(variation_of(*source_));
+        for (const colour_tables& face : faces_) key = with_axes(key, face);
+        return key;
+    }
     [[nodiscard]] std::uint64_t variation_key(std::uint32_t face) const noexcept
     {
-        return mixed(variation_of(*source_, face));
+        const std::uint64_t key = mixed(variation_of(*source_, face));
+        return face < faces_.size() ? with_axes(key, faces_[face]) : key;
     }
 
     template <outline_sink Sink>
@@ -198,7 +207,7 @@ public:
     }
 
 private:
-    /// What of the options and tables decides how a layer is drawn.
+    /// What of the options decides how a layer is drawn.
     [[nodiscard]] std::uint64_t mixed(std::uint64_t key) const noexcept
     {
         std::uint64_t tolerance = 0;
@@ -207,11 +216,18 @@ private:
         return mixed_key(key, mixed_key(options_.choice.max_layers, options_.choice.max_paints));
     }
 
+    [[nodiscard]] static std::uint64_t with_axes(std::uint64_t key, const colour_tables& face) noexcept
+    {
+        for (const std::int32_t place : face.axes) key = mixed_key(key, static_cast<std::uint32_t>(place));
+        return key;
+    }
+
     /// The number of a glyph's built layers, which are built if they are not there. Without layers if the font has no
     /// colours for it, or if they are refused.
     [[nodiscard]] result<std::size_t> built(std::uint32_t face, glyph_id id) noexcept
     {
-        if (const std::size_t known = layers_.find(face, id); known != detail::drawn_layers::none) return known;
+        const detail::drawn_layers::glyph wanted{.face = face, .id = id, .variation = variation_of(*source_, face)};
+        if (const std::size_t known = layers_.find(wanted); known != detail::drawn_layers::none) return known;
         bool coloured = false;
         error refusal;
         if (face < faces_.size()) {
@@ -229,8 +245,10 @@ private:
             glyph_.clear();
         }
         if (refusal == error::out_of_memory) return refusal;
-        return layers_.add({.face = face, .id = id, .coloured = coloured && !refusal, .refusal = refusal}, glyph_,
-                           regions_, options_.layers == layer_cut::stacked);
+        detail::drawn_layers::glyph made = wanted;
+        made.coloured = coloured && !refusal;
+        made.refusal = refusal;
+        return layers_.add(made, glyph_, regions_, options_.layers == layer_cut::stacked);
     }
 
     /// Whether a glyph of a face has no outline.

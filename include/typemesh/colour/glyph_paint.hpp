@@ -29,6 +29,9 @@ struct palette_colour {
 /// The palette entry that stands for the colour of the text itself.
 inline constexpr std::uint16_t text_colour_entry = 0xFFFF;
 
+/// Instead of a palette entry: a colour that was mixed from several ones.
+inline constexpr std::uint16_t mixed_colour_entry = 0xFFFE;
+
 /// The ways to paint a layer of a colour glyph.
 enum class paint_kind : std::uint8_t { solid, linear, radial, sweep };
 

@@ -2,6 +2,9 @@
 #pragma once
 
 #include <typemesh/colour/colour_glyph.hpp>
+#include <typemesh/colour/glyph_paint.hpp>
+#include <typemesh/colour/impl/mixed_colour.hpp>
+#include <typemesh/colour/impl/paint_transform.hpp>
 #include <typemesh/colour/impl/region_pool.hpp>
 #include <typemesh/colour/impl/tangent_pen.hpp>
 #include <typemesh/core/box.hpp>
@@ -29,7 +32,8 @@ namespace typemesh::inline TYPEMESH_ABI {
 /// How the layers of a colour glyph become solids.
 ///
 ///     stacked    every layer is whole, and is meant to stand above those before it
-///     visible    every layer is what those above it leave of it: together they tile the glyph's silhouette
+///     visible    every layer is what those above it leave of it: together they tile the glyph's silhouette. A layer
+///                through which others shine is divided by these, and its parts have mixed colours
 enum class layer_cut : std::uint8_t { stacked, visible };
 
 /// The regions of all layers of one colour glyph, on one grid. All outlines are cut in the points where they meet,
@@ -49,6 +53,7 @@ public:
           whole_{source},
           flat_{source},
           pool_{source},
+          made_{source},
           parts_{source},
           shapes_{source},
           layers_{source},
@@ -60,12 +65,14 @@ public:
     ///
     ///     face         the face of the source
     ///     tolerance    the largest distance between a curve and its chords, in em
-    ///     max_pieces   the greatest number of edges and of crossings
+    ///     max_pieces   the greatest number of curves, of edges, of crossings, and of points of all regions; all
+    ///                  operations together may take 64 times as many points
     ///
-    /// Fails  as the source, grid::fitting(), discretise(), cut_where_met() and resolve() do; error::bad_tolerance.
-    ///        There are then no layers
-    /// Cost   one flattening and one cut of all outlines, then O(n log n) for each operation on shapes, and for two
-    ///        operations on each layer; n is the number of edges that take part
+    /// Fails  as the source, grid::fitting(), discretise(), cut_where_met() and resolve() do; error::bad_tolerance;
+    ///        error::bad_colours: more than 32,767 layers. There are then no layers
+    /// Cost   one flattening and one cut of all outlines, then O(n log n) for each operation on shapes, for two
+    ///        operations on each layer, and for four on each pair of a translucent layer and one that it lies on; n is
+    ///        the number of edges that take part
     template <outline_source Source>
     [[nodiscard]] result<void> build(Source& source, std::uint32_t face, const colour_glyph& glyph, double tolerance,
                                      layer_cut cut, std::uint32_t max_pieces = default_max_pieces) noexcept
@@ -75,13 +82,14 @@ public:
         const double units_per_em = units_per_em_of(source, face);
         error e;
         for (const layer_shape& shape : glyph.shapes) {
-            if (!e) e = record_shape(source, face, shape, glyph.clip, max_pieces);
-            if (!e) e = keep_shape();
+            if (!e) e = record_shape(source, face, shape, max_pieces);
+            if (!e) e = keep_shape(max_pieces);
         }
         clipped_ = !glyph.clip.empty() && reaches_out_of(glyph.clip);
         if (clipped_) {
-            if (!e) e = record_shape(source, face, {.is = layer_shape::kind::rectangle}, glyph.clip, max_pieces);
-            if (!e) e = keep_shape();
+            const layer_shape clip{layer_shape::kind::rectangle, 0, detail::onto(glyph.clip), 0, 0};
+            if (!e) e = record_shape(source, face, clip, max_pieces);
+            if (!e) e = keep_shape(max_pieces);
         }
         if (!e) e = build_shapes(glyph, tolerance, units_per_em, max_pieces);
         if (!e) e = build_layers(glyph, cut);
@@ -89,24 +97,39 @@ public:
         return e;
     }
 
-    /// The number of layers that were built.
+    /// The number of layers that were built, from the lowest to the uppermost: those of the glyph, or more, if parts of
+    /// them have mixed colours.
     [[nodiscard]] std::size_t layer_count() const noexcept { return layers_.size(); }
 
     /// Whether nothing of a layer remains; layer < layer_count().
-    [[nodiscard]] bool is_empty(std::size_t layer) const noexcept { return layers_[layer].points == 0; }
+    [[nodiscard]] bool is_empty(std::size_t layer) const noexcept { return layers_[layer].made.points == 0; }
+
+    /// The layer of the glyph that a layer is, or is a part of; layer < layer_count().
+    [[nodiscard]] std::uint32_t number_in_glyph(std::size_t layer) const noexcept { return layers_[layer].number; }
+
+    /// The paint of a layer: that of the glyph's layer, or a solid one of the entry mixed_colour_entry.
+    [[nodiscard]] glyph_paint paint(std::size_t layer, const colour_glyph& glyph) const noexcept
+    {
+        const built& l = layers_[layer];
+        if (!l.mixed) return glyph.layers[l.number].paint;
+        glyph_paint made;
+        made.entry = mixed_colour_entry;
+        made.colour = l.colour;
+        return made;
+    }
 
     /// The region of a layer, which lies in `loops`. Its curves lie in this object.
     ///
     /// Fails  error::out_of_memory
     [[nodiscard]] result<region> layer(std::size_t layer, contours& loops) const noexcept
     {
-        return pool_.region_of(layers_[layer], whole_.curves.view(), loops);
+        return made_.region_of(layers_[layer].made, whole_.curves.view(), loops);
     }
 
     /// The region that all layers cover together, after build() with layer_cut::visible; otherwise it is empty.
     [[nodiscard]] result<region> silhouette(contours& loops) const noexcept
     {
-        return pool_.region_of(silhouette_, whole_.curves.view(), loops);
+        return made_.region_of(silhouette_, whole_.curves.view(), loops);
     }
 
     /// Draws a region of this object into an outline sink: each edge is a line, or a cubic that hardly deviates from
@@ -120,10 +143,20 @@ public:
 
 private:
     /// The outline of a shape within all curves.
-    struct part {
+    struct outline_part {
         std::uint32_t end = 0;  // of its curves
         fill_rule rule = fill_rule::non_zero;
     };
+
+    struct built {
+        detail::pooled_region made;
+        std::uint32_t number = 0;  // of the glyph's layer
+        bool mixed = false;
+        palette_colour colour;  // if it is mixed
+    };
+
+    static constexpr std::size_t max_layers = 0x7FFF;
+    static constexpr std::size_t max_shining = 16;  // layers on each other through which others shine
 
     void clear() noexcept
     {
@@ -132,24 +165,25 @@ private:
         shapes_.clear();
         layers_.clear();
         pool_.clear();
+        made_.clear();
         silhouette_ = {};
     }
 
     template <outline_source Source>
-    [[nodiscard]] error record_shape(Source& source, std::uint32_t face, const layer_shape& shape, const box& clip,
+    [[nodiscard]] error record_shape(Source& source, std::uint32_t face, const layer_shape& shape,
                                      std::uint32_t most) noexcept
     {
         outline_recorder recorder{one_, most};
+        detail::mapping_sink<outline_recorder> pen{recorder, shape.map};
         one_.rule = fill_rule::non_zero;
         if (shape.is == layer_shape::kind::outline) {
-            detail::mapping_sink<outline_recorder> pen{recorder, shape.map};
             if (error e = outline_of(source, face, shape.id, pen)) return e;
             one_.rule = fill_of(source, face);
-        } else if (shape.is == layer_shape::kind::rectangle && !clip.empty()) {
-            recorder.move(clip.low);
-            recorder.line({clip.high.x, clip.low.y});
-            recorder.line(clip.high);
-            recorder.line({clip.low.x, clip.high.y});
+        } else if (shape.is == layer_shape::kind::rectangle) {
+            pen.move({0.0, 0.0});
+            pen.line({1.0, 0.0});
+            pen.line({1.0, 1.0});
+            pen.line({0.0, 1.0});
         }
         return recorder.finish();
     }
@@ -161,10 +195,10 @@ private:
     }
 
     /// Appends the recorded outline to all curves.
-    [[nodiscard]] error keep_shape() noexcept
+    [[nodiscard]] error keep_shape(std::uint32_t most) noexcept
     {
         const auto first = static_cast<std::uint32_t>(whole_.curves.size());
-        if (one_.curves.size() > 0xFFFF'FFF0u - first) return error::too_large;
+        if (one_.curves.size() > most - first) return {error::too_many_points, most};
         if (whole_.starts.empty() && !whole_.starts.push_back(0)) return error::out_of_memory;
         bool ok = whole_.curves.append(one_.curves.view());
         for (std::size_t c = 1; c < one_.starts.size() && ok; ++c) ok = whole_.starts.push_back(first + one_.starts[c]);
@@ -185,6 +219,7 @@ private:
         const double reach = flat_.tolerance;
         if (const auto done = cut_where_met(flat_, space_, max_pieces); !done) return done.error();
         pool_.begin(*cells, reach, max_pieces);
+        made_.begin(*cells, reach, max_pieces);
         std::uint32_t next = 0;
         for (std::size_t i = 0; i < glyph.shapes.size(); ++i) {
             const layer_shape& s = glyph.shapes[i];
@@ -212,30 +247,91 @@ private:
 
     [[nodiscard]] error build_layers(const colour_glyph& glyph, layer_cut cut) noexcept
     {
-        const std::size_t count = glyph.layers.size();
-        detail::pooled_region* const made = layers_.append(count);
-        if (made == nullptr && count != 0) return error::out_of_memory;
-        detail::pooled_region above;  // all that is above the layer
-        for (std::size_t i = count; i-- > 0;) {
-            made[i] = shapes_[glyph.layers[i].shape];
+        const detail::region_pool::mark shapes = pool_.here();
+        detail::pooled_region above;  // all that is above the layer, the only region behind the shapes
+        for (std::size_t i = glyph.layers.size(); i-- > 0;) {
+            const auto number = static_cast<std::uint32_t>(i);
+            detail::pooled_region own = shapes_[glyph.layers[i].shape], all, seen;
             if (clipped_)
-                if (error e = pool_.both(shapes_[glyph.layers[i].shape], clip_, space_, made[i])) return e;
-            if (cut == layer_cut::stacked) continue;
-            detail::pooled_region all;
-            if (error e = pool_.join(made[i], above, fill_rule::non_zero, space_, all)) return e;
-            if (error e = pool_.join(all, above, fill_rule::even_odd, space_, made[i])) return e;
+                if (error e = pool_.both(shapes_[glyph.layers[i].shape], clip_, space_, own)) return e;
+            error e;
+            if (cut == layer_cut::stacked) {
+                e = keep_layer({own, number, false, {}});
+            } else {
+                e = pool_.join(own, above, fill_rule::non_zero, space_, all);
+                if (!e) e = pool_.join(all, above, fill_rule::even_odd, space_, seen);
+                shining_[0] = number;
+                if (!e)
+                    e = seen.points == 0 || detail::hides(glyph.layers[i]) ? keep_layer({seen, number, false, {}})
+                                                                           : divide(glyph, seen, i, 1);
+            }
+            if (e) return e;
             above = all;
+            pool_.rewind(shapes, above);
         }
-        silhouette_ = above;
-        return {};
+        for (std::size_t i = 0, k = layers_.size(); i + 1 < k; ++i) {  // the lowest first
+            const built lower = layers_[--k];
+            layers_[k] = layers_[i];
+            layers_[i] = lower;
+        }
+        return made_.copy(pool_, above, silhouette_);
+    }
+
+    /// Divides what is seen of layers through which others shine by the layers below them, the uppermost first.
+    ///
+    ///     below   the layers of the glyph below this number are left
+    ///     depth   how many layers shine, in shining_
+    [[nodiscard]] error divide(const colour_glyph& glyph, const detail::pooled_region& seen, std::size_t below,
+                               std::size_t depth) noexcept
+    {
+        const detail::region_pool::mark before = pool_.here();
+        detail::pooled_region rest = seen;
+        for (std::size_t k = below; k-- > 0 && rest.points != 0;) {
+            const detail::pooled_region& other = shapes_[glyph.layers[k].shape];
+            if (!rest.meets(other)) continue;
+            detail::pooled_region part, left;
+            if (error e = pool_.both(rest, other, space_, part)) return e;
+            if (part.points == 0) continue;
+            if (error e = pool_.join(rest, part, fill_rule::even_odd, space_, left)) return e;
+            const bool last = detail::hides(glyph.layers[k]) || depth == max_shining;
+            if (!last) shining_[depth] = static_cast<std::uint32_t>(k);
+            if (error e = last ? keep_mixed(glyph, part, depth, &glyph.layers[k].paint.colour)
+                               : divide(glyph, part, k, depth + 1))
+                return e;
+            pool_.rewind(before, left);
+            rest = left;
+        }
+        return rest.points == 0 ? error{} : keep_mixed(glyph, rest, depth, nullptr);
+    }
+
+    /// Keeps a part of layers that shine, on a colour below them if there is one.
+    [[nodiscard]] error keep_mixed(const colour_glyph& glyph, const detail::pooled_region& part, std::size_t depth,
+                                   const palette_colour* below) noexcept
+    {
+        if (depth == 1 && below == nullptr) return keep_layer({part, shining_[0], false, {}});
+        palette_colour colour = below != nullptr ? *below : glyph.layers[shining_[--depth]].paint.colour;
+        while (depth-- > 0) {
+            const colour_layer& layer = glyph.layers[shining_[depth]];
+            colour = detail::mixed_colour(colour, layer.paint.colour, layer.blend);
+        }
+        return keep_layer({part, shining_[0], true, colour});
+    }
+
+    [[nodiscard]] error keep_layer(built layer) noexcept
+    {
+        if (layers_.size() == max_layers) return error::bad_colours;
+        if (error e = made_.copy(pool_, layer.made, layer.made)) return e;
+        return layers_.push_back(layer) ? error{} : error{error::out_of_memory};
     }
 
     outline one_;    // the outline of a shape
     outline whole_;  // the outlines of all shapes
     contours flat_;
-    detail::region_pool pool_;
-    buffer<part> parts_;
-    buffer<detail::pooled_region> shapes_, layers_;
+    detail::region_pool pool_, made_;  // shapes and what is made of them; the layers
+    buffer<outline_part> parts_;
+    buffer<detail::pooled_region> shapes_;
+    buffer<built> layers_;
+    std::uint32_t shining_[max_shining] = {};  // of the glyph's layers, from the uppermost, while one is divided
     detail::pooled_region silhouette_, clip_;
     bool clipped_ = false;  // some outline reaches out of the clip box
     workspace space_;

@@ -189,6 +189,7 @@ private:
                     if (c > first && c < last && !marks_.push_back(c)) return error::out_of_memory;
                 }
         }
+        report(made);
         settle(marks_, first);
         while (marks_.size() > 1 && marks_.back() > last) marks_.truncate(marks_.size() - 1);
         if (first == last) return add_section(text, o, first, last, made);
@@ -288,7 +289,7 @@ private:
         return true;
     }
 
-    /// Sizes, scratch memory and the report.
+    /// Sizes, scratch memory and the error of normals.
     error finish(const morph_options& o, morph_plan& made) noexcept
     {
         made.form_ = {axis_->font().units_per_em(), o.size, static_cast<float>(as_double(o.depth) * o.size), o.frame};
@@ -313,26 +314,32 @@ private:
             most = (std::max)(most, std::size_t{n(points)});
         }
         if (made.feet_.append(2 * most) == nullptr && most != 0) return error::out_of_memory;
-        report(made);
+        for (const morph_glyph& g : made.glyphs_.glyphs)
+            if (g.normal_error > made.report_.normal_error) made.report_.normal_error = g.normal_error;
         return {};
     }
 
-    /// Counts the letters of the range with the most of each kind.
+    /// Counts the letters of a range; what counts in the end is the range with the most of each kind.
     void report(morph_plan& made) const noexcept
     {
+        morph_report here;
         for (const placed_glyph& p : before_.glyphs) {
             const std::uint32_t n = number_of(p.id, made.glyphs_);
             if (p.missing || n == ~0u) continue;
             const morph_glyph& g = made.glyphs_.glyphs[n];
             if (g.points == 0 && !g.refused) continue;
-            ++made.report_.letters;
-            made.report_.split += g.sections > 1 ? 1u : 0u;
-            made.report_.overlapping += g.overlapping ? 1u : 0u;
-            made.report_.refused += g.refused ? 1u : 0u;
-            made.report_.pinched += g.pinched ? 1u : 0u;
+            ++here.letters;
+            here.split += g.sections > 1 ? 1u : 0u;
+            here.overlapping += g.overlapping ? 1u : 0u;
+            here.refused += g.refused ? 1u : 0u;
+            here.pinched += g.pinched ? 1u : 0u;
         }
-        for (const morph_glyph& g : made.glyphs_.glyphs)
-            if (g.normal_error > made.report_.normal_error) made.report_.normal_error = g.normal_error;
+        morph_report& most = made.report_;
+        most.letters = (std::max)(most.letters, here.letters);
+        most.split = (std::max)(most.split, here.split);
+        most.overlapping = (std::max)(most.overlapping, here.overlapping);
+        most.refused = (std::max)(most.refused, here.refused);
+        most.pinched = (std::max)(most.pinched, here.pinched);
     }
 
     Axis* axis_;

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <typemesh/bend/impl/steady.hpp>
 #include <typemesh/core/array_view.hpp>
 #include <typemesh/core/buffer.hpp>
 #include <typemesh/core/contours.hpp>
 #include <typemesh/core/curve.hpp>
 #include <typemesh/core/error.hpp>
 #include <typemesh/core/fill_rule.hpp>
+#include <typemesh/core/impl/steady.hpp>
 #include <typemesh/core/max_pieces.hpp>
 #include <typemesh/core/region.hpp>
 #include <typemesh/core/result.hpp>

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <typemesh/core/buffer.hpp>
+#include <typemesh/core/error.hpp>
 
 #include <hb-ot.h>
 #include <hb.h>
@@ -40,7 +41,7 @@ private:
 
 /// Reads where the regions of a variable font begin, peak and end on one axis, and where its glyphs are replaced.
 /// OpenType 1.9: gvar; ItemVariationStore in CFF2, GDEF, HVAR, VVAR and MVAR; FeatureVariations in GSUB and GPOS.
-/// Damaged tables give wrong positions, but nothing is read outside of them.
+/// Damaged tables give wrong positions, but nothing is read outside of them. Each coordinate is appended once.
 ///
 /// The influence of a region on one axis rises from its start to its peak and falls to its end, both evenly; on the
 /// other axes it is constant here. So a list of all starts, peaks and ends is complete. If a region ends at its own
@@ -52,8 +53,13 @@ public:
     {
     }
 
-    /// Returns false when out of memory.
-    [[nodiscard]] bool read_masters() noexcept
+    static constexpr std::size_t max_coordinates = 1024;    ///< of masters, or of changes; fonts have a few dozen
+    static constexpr std::uint32_t max_conditions = 1u << 16;  ///< of all features; fonts have a few hundred
+
+    /// Fails  error::not_a_font: more coordinates, or more regions than a sound table has room for
+    ///        error::out_of_memory
+    /// Cost   proportional to the sizes of the tables
+    error read_masters() noexcept
     {
         read_gvar();
         read_cff2();
@@ -65,14 +71,15 @@ public:
             const std::uint32_t store = wide ? table.u32(at) : table.u16(at);
             if (store != 0) read_store(table, store);
         }
-        return !failed_;
+        return failed_;
     }
 
-    [[nodiscard]] bool read_changes() noexcept
+    /// Fails  error::not_a_font: more coordinates or conditions; error::out_of_memory
+    error read_changes() noexcept
     {
         read_conditions(HB_TAG('G', 'S', 'U', 'B'));
         read_conditions(HB_TAG('G', 'P', 'O', 'S'));
-        return !failed_;
+        return failed_;
     }
 
 private:
@@ -85,9 +92,13 @@ private:
     void put(std::int32_t c) noexcept
     {
         if (c < -0x4000 || c > 0x4000) return;
-        for (std::size_t i = out_.size(), near = 0; i-- > 0 && near < 8; ++near)
-            if (out_[i] == c) return;  // the same regions come again and again
-        if (!out_.push_back(c)) failed_ = true;
+        const auto bit = static_cast<std::uint32_t>(c + 0x4000);
+        if ((seen_[bit / 32] >> bit % 32 & 1u) != 0) return;  // the same regions come again and again
+        seen_[bit / 32] |= 1u << bit % 32;
+        if (count_++ == max_coordinates)
+            failed_ = error::not_a_font;
+        else if (!out_.push_back(c))
+            failed_ = error::out_of_memory;
     }
     void put(std::int32_t start, std::int32_t peak, std::int32_t end) noexcept
     {
@@ -111,17 +122,23 @@ private:
         const auto place = [&](std::size_t i) noexcept {
             return std::size_t{t.u32(16)} + (wide ? t.u32(20 + 4 * i) : std::size_t{2} * t.u16(20 + 2 * i));
         };
+        std::size_t tuples_left = t.size() / 4;  // each has at least four bytes
         for (std::uint32_t g = 0; g < glyphs && !failed_; ++g) {
             const std::size_t begin = place(g), end = place(std::size_t{g} + 1);
-            if (begin < end) read_tuples(t, begin, axes);
+            const std::size_t count = begin < end ? t.u16(begin) & 0x0FFFu : 0u;
+            if (count > tuples_left)
+                failed_ = error::not_a_font;
+            else
+                read_tuples(t, begin, count, axes);
+            tuples_left -= failed_ ? 0 : count;
         }
     }
 
     /// The regions of one glyph that are not shared with others.
-    void read_tuples(const font_table& t, std::size_t begin, std::size_t axes) noexcept
+    void read_tuples(const font_table& t, std::size_t begin, std::size_t count, std::size_t axes) noexcept
     {
         std::size_t at = begin + 4;
-        for (std::uint32_t left = t.u16(begin) & 0x0FFFu; left > 0; --left) {
+        for (std::size_t left = count; left > 0 && !failed_; --left) {
             const std::uint32_t index = t.u16(at + 2);
             at += 4;
             const bool own = (index & 0x8000u) != 0, between = (index & 0x4000u) != 0;
@@ -188,6 +205,10 @@ private:
             const std::size_t set = variations + t.u32(variations + 8 + 8 * i);
             const std::size_t conditions = t.u16(set);
             for (std::size_t k = 0; k < conditions && !failed_; ++k) {
+                if (conditions_left_-- == 0) {
+                    failed_ = error::not_a_font;
+                    return;
+                }
                 const std::size_t at = set + t.u32(set + 2 + 4 * k);
                 if (t.u16(at) != 1 || t.u16(at + 2) != axis_) continue;
                 put(t.f2dot14(at + 4));
@@ -199,7 +220,10 @@ private:
     hb_face_t* face_;
     std::uint32_t axis_;
     buffer<std::int32_t>& out_;
-    bool failed_ = false;
+    error failed_;
+    std::uint32_t seen_[0x8001 / 32 + 1] = {};  // a bit for each coordinate
+    std::size_t count_ = 0;
+    std::uint32_t conditions_left_ = max_conditions;
 };
 
 }  // namespace typemesh::inline TYPEMESH_ABI::detail

@@ -45,18 +45,23 @@ class drawn_layers {
 public:
     static constexpr std::size_t none = ~std::size_t{0};
     static constexpr std::uint32_t own_style = 0xFFFF'FFFFu;
+    static constexpr int last_mixed_mode = 23;  // multiply; hue and the like are not mixed
 
-    /// One glyph of a face. Equal ones have the same face and number.
+    /// One glyph of a face. Equal ones have the same face, number and variation.
     struct glyph {
         std::uint32_t face = 0;
         glyph_id id = 0;
+        std::uint64_t variation = 0;  // the key of the face's variation
         std::size_t first = 0;  // of its layers
         std::uint32_t count = 0;
         bool coloured = false, blended = false, translucent = false, unbounded = false;
         error refusal = {};
 
-        friend bool operator==(const glyph& a, const glyph& b) noexcept { return a.face == b.face && a.id == b.id; }
-        friend std::uint64_t hash_of(const glyph& g) noexcept { return mixed_key(g.face, g.id); }
+        friend bool operator==(const glyph& a, const glyph& b) noexcept
+        {
+            return a.face == b.face && a.id == b.id && a.variation == b.variation;
+        }
+        friend std::uint64_t hash_of(const glyph& g) noexcept { return mixed_key(mixed_key(g.variation, g.face), g.id); }
     };
 
     explicit drawn_layers(memory source) noexcept
@@ -84,9 +89,9 @@ public:
         index_.clear();
     }
 
-    [[nodiscard]] std::size_t find(std::uint32_t face, glyph_id id) const noexcept
+    [[nodiscard]] std::size_t find(const glyph& wanted) const noexcept
     {
-        const std::size_t at = index_.find(glyphs_.view(), {.face = face, .id = id});
+        const std::size_t at = index_.find(glyphs_.view(), wanted);
         return at == glyphs_.size() ? none : at;
     }
     [[nodiscard]] const glyph& operator[](std::size_t i) const noexcept { return glyphs_[i]; }
@@ -99,15 +104,15 @@ public:
                                           bool stacked) noexcept
     {
         g.first = layers_.size();
-        g.blended = from.blended != 0;
         g.translucent = from.translucent != 0;
         g.unbounded = from.unbounded != 0;
         const std::size_t curves = curves_.size(), starts = starts_.size(), stops = stops_.size();
         error e;
-        for (std::size_t i = 0; g.coloured && i < from.layers.size() && !e; ++i) {
+        for (std::size_t i = 0; g.coloured && i < regions.layer_count() && !e; ++i)
             e = add_layer(from, i, regions, stacked);
-            const bool hides = i != 0 && from.layers[i].paint.colour.alpha < 1.0f && !stacked;
-            g.translucent = g.translucent || hides;
+        for (std::size_t i = 1; g.coloured && i < from.layers.size(); ++i) {
+            g.translucent = g.translucent || (!stacked && from.layers[i].paint.colour.alpha < 1.0f);
+            g.blended = g.blended || from.layers[i].blend > (stacked ? 0 : last_mixed_mode);
         }
         g.count = static_cast<std::uint32_t>(layers_.size() - g.first);
         if (!e && !(glyphs_.push_back(g) && index_.read(glyphs_.view()))) e = error::out_of_memory;
@@ -183,7 +188,7 @@ private:
                                   bool stacked) noexcept
     {
         drawn layer;
-        layer.paint = from.layers[i].paint;
+        layer.paint = regions.paint(i, from);
         layer.level = stacked ? static_cast<std::uint32_t>(i) : 0;
         layer.first_curve = curves_.size();
         layer.first_start = starts_.size();

@@ -46,6 +46,8 @@ public:
         if (mode > last) return false;
         if (mode >= plus) {
             ++out_.blended;
+            for (std::size_t i = middle_; i < end_; ++i)
+                if (out_.layers[i].blend == 0) out_.layers[i].blend = static_cast<std::uint8_t>(mode);
             mode = over;
         }
         if (mode == over) return true;

@@ -9,11 +9,14 @@
 #include <typemesh/colour/impl/table_bytes.hpp>
 #include <typemesh/colour/impl/variation_deltas.hpp>
 #include <typemesh/core/affine.hpp>
+#include <typemesh/core/box.hpp>
 #include <typemesh/core/error.hpp>
+#include <typemesh/core/glyph_id.hpp>
 #include <typemesh/core/result.hpp>
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 
 namespace typemesh::inline TYPEMESH_ABI::detail {
 
@@ -44,7 +47,7 @@ public:
         bool found = false;
         if (const std::size_t paint = root_of(id); paint != 0) {
             found = true;
-            read_clip(id);
+            if (const auto clip = clip_of(id)) out_.clip = *clip;
             paint_at(paint, {}, shape_builder::everything, 0);
         } else {
             found = read_flat(id);
@@ -144,9 +147,10 @@ private:
         return i == sound ? 0 : base_list_ + colr_.u32(base_list_ + 4 + 6 * i + 2);
     }
 
-    void read_clip(glyph_id id) noexcept
+    /// The clip box of a glyph, if it has one.
+    [[nodiscard]] std::optional<box> clip_of(glyph_id id) const noexcept
     {
-        if (clip_list_ == 0 || colr_.u8(clip_list_) != 1) return;
+        if (clip_list_ == 0 || colr_.u8(clip_list_) != 1) return {};
         const std::size_t count = colr_.u32(clip_list_ + 1), most = colr_.size() / 7;
         std::size_t low = 0, high = count < most ? count : most;
         while (low < high) {
@@ -158,11 +162,11 @@ private:
             } else {
                 const std::size_t clip = clip_list_ + colr_.u24(at + 4);
                 const std::uint32_t base = colr_.u8(clip) == 2 ? colr_.u32(clip + 9) : not_varied;
-                out_.clip = {{unit(clip + 1, base, 0), unit(clip + 3, base, 1)},
-                             {unit(clip + 5, base, 2), unit(clip + 7, base, 3)}};
-                return;
+                return box{{unit(clip + 1, base, 0), unit(clip + 3, base, 1)},
+                           {unit(clip + 5, base, 2), unit(clip + 7, base, 3)}};
             }
         }
+        return {};
     }
 
     void add_layer(std::uint32_t shape, const glyph_paint& paint) noexcept
@@ -175,12 +179,12 @@ private:
                 ++out_.unbounded;
                 return;
             } else {
-                shape = shapes_.rectangle();
+                shape = shapes_.rectangle(out_.clip);
             }
         }
         if (out_.layers.size() >= max_layers_)
             failed_ = error::bad_colours;
-        else if (!out_.layers.push_back({shape, paint}))
+        else if (!out_.layers.push_back({shape, paint, 0}))
             failed_ = error::out_of_memory;
     }
 
@@ -216,14 +220,7 @@ private:
             paint_at(inner(at + 1), map, shapes_.both(clip, own), depth + 1);
             return;
         }
-        case 11: {
-            const std::size_t root = root_of(colr_.u16(at + 1));
-            if (root == 0)
-                failed_ = error::bad_colours;
-            else
-                paint_at(root, map, clip, depth + 1);
-            return;
-        }
+        case 11: read_glyph(colr_.u16(at + 1), map, clip, depth); return;
         case 32: read_composite(at, map, clip, depth); return;
         default:
             if (format < 12 || format > 31) {
@@ -232,6 +229,18 @@ private:
             }
             paint_at(inner(at + 1), read_transform(at, format, map), clip, depth + 1);
         }
+    }
+
+    /// A colour glyph within this one, which its own clip box limits, too.
+    void read_glyph(glyph_id id, const affine& map, std::uint32_t clip, std::uint32_t depth) noexcept
+    {
+        const std::size_t root = root_of(id);
+        if (root == 0) {
+            failed_ = error::bad_colours;
+            return;
+        }
+        if (const auto own = clip_of(id)) clip = shapes_.both(clip, shapes_.rectangle(*own, map));
+        paint_at(root, map, clip, depth + 1);
     }
 
     void read_layers(std::size_t at, const affine& map, std::uint32_t clip, std::uint32_t depth) noexcept
@@ -270,7 +279,7 @@ private:
                 ++out_.unbounded;
                 continue;
             }
-            if (layer.shape == shape_builder::everything) layer.shape = shapes_.rectangle();
+            if (layer.shape == shape_builder::everything) layer.shape = shapes_.rectangle(out_.clip);
             out_.layers[kept++] = layer;
         }
         out_.layers.truncate(kept);

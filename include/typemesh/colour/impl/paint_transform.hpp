@@ -2,6 +2,8 @@
 #pragma once
 
 #include <typemesh/core/affine.hpp>
+#include <typemesh/core/box.hpp>
+#include <typemesh/core/impl/steady.hpp>
 #include <typemesh/core/point.hpp>
 
 #include <cmath>
@@ -18,6 +20,12 @@ namespace typemesh::inline TYPEMESH_ABI::detail {
             outer.yx * inner.xx + outer.yy * inner.yx,
             outer.yx * inner.xy + outer.yy * inner.yy,
             outer.yx * inner.dx + outer.yy * inner.dy + outer.dy};
+}
+
+/// The map of the square from (0, 0) to (1, 1) onto a box.
+[[nodiscard]] constexpr affine onto(const box& b) noexcept
+{
+    return {b.width(), 0.0, b.low.x, 0.0, b.height(), b.low.y};
 }
 
 /// The numbers of a transform paint, in the order of the table.
@@ -54,11 +62,12 @@ struct transform_fields {
         return after(after(affine{.dx = x, .dy = y}, m), affine{.dx = -x, .dy = -y});
     };
     const auto turned = [](double half_turns) noexcept {
-        const double c = std::cos(half_circle * half_turns), s = std::sin(half_circle * half_turns);
+        const double c = steady_cosine(half_circle * half_turns), s = steady_sine(half_circle * half_turns);
         return affine{c, -s, 0.0, s, c, 0.0};
     };
     const auto skewed = [](double x, double y) noexcept {
-        return affine{1.0, -std::tan(half_circle * x), 0.0, std::tan(half_circle * y), 1.0, 0.0};
+        const auto slope = [](double half_turns) noexcept { return steady(std::tan(half_circle * half_turns)); };
+        return affine{1.0, -slope(x), 0.0, slope(y), 1.0, 0.0};
     };
     const auto& v = n.v;
     switch (format & ~1u) {

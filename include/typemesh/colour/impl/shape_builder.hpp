@@ -2,6 +2,10 @@
 #pragma once
 
 #include <typemesh/colour/colour_glyph.hpp>
+#include <typemesh/colour/impl/paint_transform.hpp>
+#include <typemesh/core/affine.hpp>
+#include <typemesh/core/box.hpp>
+#include <typemesh/core/glyph_id.hpp>
 
 #include <cstddef>
 #include <cstdint>
@@ -24,7 +28,12 @@ public:
     {
         return add({layer_shape::kind::outline, id, map, 0, 0});
     }
-    [[nodiscard]] std::uint32_t rectangle() noexcept { return add({layer_shape::kind::rectangle, 0, {}, 0, 0}); }
+    /// A clip box, in the space that `map` maps to the glyph's. One without area is nothing.
+    [[nodiscard]] std::uint32_t rectangle(const box& clip, const affine& map = {}) noexcept
+    {
+        if (clip.empty()) return nothing;
+        return add({layer_shape::kind::rectangle, 0, after(map, onto(clip)), 0, 0});
+    }
 
     [[nodiscard]] std::uint32_t both(std::uint32_t a, std::uint32_t b) noexcept
     {
@@ -50,7 +59,7 @@ public:
                 ++out_.unbounded;
                 return nothing;
             }
-            a = rectangle();
+            a = rectangle(out_.clip);
         }
         return add({layer_shape::kind::without, 0, {}, a, b});
     }

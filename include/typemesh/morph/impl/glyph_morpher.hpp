@@ -2,6 +2,7 @@
 #pragma once
 
 #include <typemesh/core/array_view.hpp>
+#include <typemesh/core/box.hpp>
 #include <typemesh/core/buffer.hpp>
 #include <typemesh/core/orientation.hpp>
 #include <typemesh/core/result.hpp>
@@ -12,7 +13,6 @@
 #include <typemesh/morph/impl/morph_proof.hpp>
 #include <typemesh/morph/impl/morph_store.hpp>
 
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 
@@ -28,6 +28,8 @@ public:
           chords_{source},
           members_{source},
           groups_{source},
+          owners_{source},
+          areas_{source},
           waiting_{source},
           found_{source},
           triangles_{source}
@@ -66,6 +68,7 @@ public:
 
 private:
     static constexpr std::size_t max_keys = 64;
+    static constexpr std::uint32_t none = ~0u;
     static constexpr axis_coordinate shortest = 128;  ///< sections are not divided below this length
 
     /// A stretch of the axis that was proven, with its triangles.
@@ -86,11 +89,7 @@ private:
         const auto fitted = grid::fitting(axis.font().units_per_em(), outlines_.bounds());
         if (!fitted) return fitted.error();
         grid_ = *fitted;
-        if (!outlines_.bounds().empty()) {
-            const box& b = outlines_.bounds();
-            for (const double v : {b.low.x, b.low.y, b.high.x, b.high.y})
-                while (std::fabs(v) * grid_.cells > area_path::reach / 4) grid_.cells *= 0.5;
-        }
+        while (!is_within(0.25)) grid_.cells *= 0.5;
         glyph.cells = grid_.cells;
         if (error e = settle_keys(axis, id)) return e;
         if (error e = points_.divide(outlines_, tolerance, grid_)) return e;
@@ -102,12 +101,8 @@ private:
     template <variation_axis Axis>
     error settle_keys(Axis& axis, glyph_id id) noexcept
     {
-        for (std::size_t k = 1; k + 1 < outlines_.keys();) {
-            if (outlines_.bend_at(k) * grid_.cells <= 0.125)
-                outlines_.remove(k);
-            else
-                ++k;
-        }
+        outlines_.forget_unbent(0.125 / grid_.cells);
+        if (outlines_.keys() > max_keys) return error::bad_outline;
         for (std::size_t k = 0; k + 1 < outlines_.keys();) {
             const axis_coordinate a = outlines_.coordinates()[k], b = outlines_.coordinates()[k + 1];
             if (b - a < 2) {
@@ -116,6 +111,7 @@ private:
             }
             const auto key = outlines_.insert(axis, id, a + (b - a) / 2);
             if (!key) return key.error();
+            if (!is_within(0.5)) return error::outline_beyond_grid;
             if (outlines_.bend_at(*key) * grid_.cells <= 0.5) {
                 outlines_.remove(*key);
                 ++k;
@@ -125,7 +121,16 @@ private:
         return {};
     }
 
-    /// The sum of the areas at all keys, of all contours or of one.
+    /// Whether no point is farther out than a share of what a proof can take, at the keys up to now. At later keys of a
+    /// damaged font they may be anywhere; up to half, there is room for the frame around them.
+    [[nodiscard]] bool is_within(double share) const noexcept
+    {
+        const box& b = outlines_.bounds();
+        const double most = share * area_path::reach / grid_.cells;
+        return b.empty() || (b.low.x >= -most && b.low.y >= -most && b.high.x <= most && b.high.y <= most);
+    }
+
+    /// The sum of the areas of a contour at all keys, doubled.
     [[nodiscard]] double area(std::uint32_t contour) const noexcept
     {
         double sum = 0.0;
@@ -240,6 +245,7 @@ private:
             if (now.last - now.first < 2 * shortest || outlines_.keys() >= max_keys) return {};
             const auto key = outlines_.insert(axis, id, middle);
             if (!key) return key.error();
+            if (!is_within(0.5)) return error::outline_beyond_grid;
             if (error e = points_.place_all(outlines_, grid_)) return e;
         }
         return waiting_.push_back({middle, now.last}) && waiting_.push_back({now.first, middle})
@@ -267,33 +273,40 @@ private:
     /// Each outer contour, with the holes for which it is the smallest outer contour around. The union of these solids
     /// is the glyph's own area, whichever holes belong to which of them, if each of them is proven: the winding numbers
     /// of the solids are 0 and 1, and their sum is the glyph's. `good` is false if a hole lies in no outer contour.
+    ///
+    /// Cost   O(points), and O(contours + points of contours that are larger) for each hole
     error group_by_contours(bool& good) noexcept
     {
         members_.clear();
         groups_.clear();
+        areas_.clear();
+        owners_.clear();
+        const std::uint32_t count = points_.contours();
         bool stored = groups_.push_back(0);
-        std::uint32_t holes = 0, used = 0;
-        for (std::uint32_t c = 0; c < points_.contours(); ++c) holes += area(c) < 0.0 ? 1u : 0u;
-        for (std::uint32_t c = 0; c < points_.contours(); ++c) {
-            if (area(c) < 0.0) continue;
-            stored = stored && members_.push_back(c);
-            for (std::uint32_t h = 0; h < points_.contours(); ++h) {
-                if (!(area(h) < 0.0) || smallest_around(h) != c) continue;
-                stored = stored && members_.push_back(h);
-                ++used;
-            }
+        for (std::uint32_t c = 0; c < count; ++c) stored = stored && areas_.push_back(area(c));
+        if (!stored) return error::out_of_memory;
+        good = true;
+        for (std::uint32_t c = 0; c < count && stored; ++c) {
+            const std::uint32_t owner = areas_[c] < 0.0 ? smallest_around(c) : c;
+            good = good && owner != none;
+            stored = owners_.push_back(owner);
+        }
+        for (std::uint32_t c = 0; c < count && stored; ++c) {
+            if (areas_[c] < 0.0) continue;
+            stored = members_.push_back(c);
+            for (std::uint32_t h = 0; h < count && stored; ++h)
+                if (h != c && owners_[h] == c) stored = members_.push_back(h);
             stored = stored && groups_.push_back(static_cast<std::uint32_t>(members_.size()));
         }
-        good = used == holes;
         return stored ? error{} : error{error::out_of_memory};
     }
 
     [[nodiscard]] std::uint32_t smallest_around(std::uint32_t hole) const noexcept
     {
-        std::uint32_t best = ~0u;
+        std::uint32_t best = none;
         for (std::uint32_t c = 0; c < points_.contours(); ++c)
-            if (area(c) > -area(hole) && surrounds(c, points_.places[points_.starts[hole]]) &&
-                (best == ~0u || area(c) < area(best)))
+            if (areas_[c] > -areas_[hole] && (best == none || areas_[c] < areas_[best]) &&
+                surrounds(c, points_.places[points_.starts[hole]]))
                 best = c;
         return best;
     }
@@ -357,6 +370,8 @@ private:
     contour_chords chords_;
     buffer<std::uint32_t> members_;  // contours, group by group
     buffer<std::uint32_t> groups_;   // the first member of each group, and the end
+    buffer<std::uint32_t> owners_;   // the outer contour to which each contour belongs, while they are grouped
+    buffer<double> areas_;           // likewise, of each contour
     buffer<stretch> waiting_;
     buffer<proven_stretch> found_;
     triangle_list triangles_;

@@ -28,7 +28,8 @@ public:
     /// Records the glyph at these coordinates, which ascend.
     ///
     /// Fails  error::bad_outline: the outlines do not have the same contours and curves
-    ///        error::outline_not_finite, error::out_of_memory, and the errors of the font
+    ///        error::outline_not_finite; error::too_many_points: more curves at all coordinates together than
+    ///        max_curves; error::out_of_memory, and the errors of the font
     template <variation_axis Axis>
     error record(Axis& axis, glyph_id id, array_view<const axis_coordinate> at) noexcept
     {
@@ -57,6 +58,22 @@ public:
         raw_starts_.truncate(done.first_end);
         recorded_.truncate(recorded_.size() - 1);
         return key;
+    }
+
+    /// Forgets keys at which the outline does not stop moving evenly: whose bend_at() is at most `limit`, one after the
+    /// other. O(curves at all keys).
+    void forget_unbent(double limit) noexcept
+    {
+        std::size_t kept = 1;
+        for (std::size_t k = 1; k < keys(); ++k) {
+            if (k + 1 < keys() && bend(kept - 1, curves(k), coordinates_[k], k + 1) <= limit) continue;
+            coordinates_[kept] = coordinates_[k];
+            for (std::size_t i = 0; i < count_ && kept != k; ++i) curves_[kept * count_ + i] = curves_[k * count_ + i];
+            ++kept;
+        }
+        if (kept >= keys()) return;
+        coordinates_.truncate(kept);
+        curves_.truncate(kept * count_);
     }
 
     /// Forgets a key.
@@ -100,6 +117,8 @@ public:
             }
         return most;
     }
+
+    static constexpr std::size_t max_curves = 1u << 18;
 
 private:
     /// Keeps all curves. A line that returns to the contour's start may be missing where it has no length.
@@ -162,6 +181,7 @@ private:
         if (error e = axis.font().outline(id, pen)) return e;
         pen.close();
         if (pen.failed) return pen.failed;
+        if (raw_.size() > max_curves) return {error::too_many_points, max_curves};
         if (!recorded_.push_back({r.first, r.first_end, raw_starts_.size() - r.first_end}) ||
             !coordinates_.push_back(c))
             return error::out_of_memory;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <typemesh/core/impl/steady.hpp>
+#include <typemesh/core/version.hpp>
 
 namespace typemesh::inline TYPEMESH_ABI::detail {
 
