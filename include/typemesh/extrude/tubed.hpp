@@ -4,6 +4,7 @@
 #include <typemesh/core/buffer.hpp>
 #include <typemesh/core/error.hpp>
 #include <typemesh/core/finite.hpp>
+#include <typemesh/core/grid.hpp>
 #include <typemesh/core/memory.hpp>
 #include <typemesh/core/option_bits.hpp>
 #include <typemesh/core/region.hpp>
@@ -16,13 +17,15 @@
 #include <typemesh/extrude/impl/upright_walls.hpp>
 #include <typemesh/extrude/plan_arrays.hpp>
 
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// The plan data of tubed: for each point of the outline its normals and its mitre, and a radius for each loop.
-class tubed_data : public plan_arrays<side_point, detail::tube_joint, detail::tube_path> {
+/// The plan data of tubed: for each point of the outline its normals, its mitre and the mitre's outer corner, and a
+/// radius for each loop.
+class tubed_data : public plan_arrays<side_point, detail::tube_joint, detail::tube_path, grid_point> {
 public:
     detail::tube_clearance clearance;  ///< the memory of plan(), which is not stored with the glyph
 
@@ -49,8 +52,8 @@ public:
 ///
 /// So a tube turns around the smallest curves of an outline without folding. Rounded corners allow only a radius
 /// smaller than their own: for thick tubes choose a font without them, or a coarse tolerance. If the radius is less than
-/// four cells of the grid, the loop has no tube. Tubes of letters that stand close to each other are kept apart only if
-/// the letters are merged (text_options::merge).
+/// four cells of the grid, the loop has no tube. Letters whose tubes would meet are kept
+/// apart too if they are merged (text_options::merge).
 ///
 /// Loops that touch are not kept apart from each other, which solid_plan::touching reports: text_options::corners parts
 /// or joins them.
@@ -61,7 +64,7 @@ public:
 ///
 /// Fails  error::bad_option: radius is not positive and finite, or 2^28 cells or more ("radius"); sides are not 3 to
 ///        128 ("sides"); crease_degrees is not 0 to 180
-///        error::too_large, error::out_of_memory
+///        error::outline_beyond_grid: a tube reaches beyond 2^28 cells; error::too_large, error::out_of_memory
 /// Cost   O(n log n) for n points of the outline, and O(n * sides) to write; O(n^2) for the plan at worst
 struct tubed {
     float radius = 0.02f;           ///< always in em
@@ -92,7 +95,7 @@ struct tubed {
         if (!doubled) return doubled.error();
         const detail::tube_paths paths{filled.points(), filled.starts()};
         if (error e = data.clearance.find(paths, as_double(radius) * em)) return e;
-        if (!add_joints(paths, em, data, made)) return error::out_of_memory;
+        if (error e = add_joints(paths, em, data, made)) return e;
         return counted(filled.starts(), data, made);
     }
 
@@ -127,6 +130,12 @@ struct tubed {
     {
     }
 
+    /// The outer sides of the tubes: letters are merged if these meet.
+    [[nodiscard]] solid_outline outline(const solid_with<plan_data>& s) const noexcept
+    {
+        return {s.data.of<grid_point>(), s.starts};
+    }
+
     /// The smallest radius of the tubes of a planned solid, in em; 0 if a loop has no tube.
     [[nodiscard]] float smallest_radius(const solid_with<plan_data>& s) const noexcept
     {
@@ -145,10 +154,11 @@ private:
         return all;
     }
 
-    /// The radii and the mitres, as they are written; false if out of memory.
-    [[nodiscard]] bool add_joints(const detail::tube_paths& paths, double em, plan_data& data,
-                                  solid_plan& made) const noexcept
+    /// The radii and the mitres, as they are written.
+    [[nodiscard]] error add_joints(const detail::tube_paths& paths, double em, plan_data& data,
+                                   solid_plan& made) const noexcept
     {
+        const grid cells{.cells = 1.0};
         const auto all = data.of<side_point>().view();
         for (std::size_t k = 0; k < paths.count(); ++k) {
             const float own = detail::tube_radius(data.clearance.radii()[k], em, radius);
@@ -158,15 +168,20 @@ private:
             for (std::uint32_t i = paths.starts[k]; i < paths.starts[k + 1]; ++i) {
                 path.doubled += all[i].doubled ? 1u : 0u;
                 const vec2 lean = rounded((as_double(own) * em) * data.clearance.leans()[i]);
-                if (!data.of<detail::tube_joint>().push_back({lean})) return false;
                 const point p = placement::exact(paths.points[i]), by{as_double(lean.x), as_double(lean.y)};
+                const point outer = p + by;
+                if (!(std::fabs(outer.x) <= grid::reach && std::fabs(outer.y) <= grid::reach))
+                    return error::outline_beyond_grid;
+                if (!data.of<detail::tube_joint>().push_back({lean}) ||
+                    !data.of<grid_point>().push_back(cells.snap(outer)))
+                    return error::out_of_memory;
                 if (!(own > 0.0f)) continue;
-                made.around.add(p + by);
+                made.around.add(outer);
                 made.around.add(p - by);
             }
-            if (!data.of<detail::tube_path>().push_back(path)) return false;
+            if (!data.of<detail::tube_path>().push_back(path)) return error::out_of_memory;
         }
-        return true;
+        return {};
     }
 
     [[nodiscard]] result<solid_plan> counted(array_view<const std::uint32_t> starts, plan_data& data,

@@ -71,7 +71,7 @@ public:
         corners_.clear();
         if (!trace(paths, radius) || !plant()) return error::out_of_memory;
         find_meetings();
-        return keep_apart();
+        return keep_apart(true) && plant() && keep_apart(false) ? error{} : error{error::out_of_memory};
     }
 
     /// For each point: the way of the right corner of its mitre while the radius grows by 1.
@@ -241,14 +241,15 @@ private:
         }
     }
 
-    /// Reduces the radii so that no corner enters a strip. All radii shrink by the smallest share at which one of their
-    /// corners meets another strip, if all grow evenly from 0 to their present values.
-    [[nodiscard]] error keep_apart() noexcept
+    /// Reduces the radii so that no corner enters a strip. For each corner and strip, both paths' radii grow from 0
+    /// until they meet: first both at one speed, up to the smaller of the two. If that leaves one path thin and
+    /// another one thick, a second pass lets both arrive at their present radii together.
+    [[nodiscard]] bool keep_apart(bool at_one_speed) noexcept
     {
         const std::size_t paths = radii_.size();
-        double* const share = radii_.append(paths);  // for each path, behind its radius
-        if (share == nullptr && paths != 0) return error::out_of_memory;
-        for (std::size_t k = 0; k < paths; ++k) share[k] = 1.0 / kept;
+        double* const allowed = radii_.append(paths);  // for each path, behind its radius
+        if (allowed == nullptr && paths != 0) return false;
+        for (std::size_t k = 0; k < paths; ++k) allowed[k] = radii_[k] / kept;
         for (const corner& c : corners_) {
             const double reach = radii_[c.path];
             const grid_box way = box_around(c.at, std::fabs(reach * c.lean.x), std::fabs(reach * c.lean.y));
@@ -256,39 +257,42 @@ private:
                 const strip& s = strips_[i];
                 if (s.joint[0] == c.joint || s.joint[1] == c.joint) return;
                 if (meets_[s.path] != 0 && meets_[c.path] != 0) return;
-                const double known = share[c.path] > share[s.path] ? share[c.path] : share[s.path];
-                const double f = first_contact(c, s, known);
-                share[c.path] = f < share[c.path] ? f : share[c.path];
-                share[s.path] = f < share[s.path] ? f : share[s.path];
+                double of_corner = radii_[c.path], of_strip = radii_[s.path];
+                if (at_one_speed) of_corner = of_strip = of_corner < of_strip ? of_corner : of_strip;
+                const double share = first_contact(c, s, of_corner, of_strip);
+                if (!(share < 1.0 / kept)) return;
+                reduce(allowed[c.path], share * of_corner);
+                reduce(allowed[s.path], share * of_strip);
             });
         }
-        for (std::size_t k = 0; k < paths; ++k)
-            if (share[k] < 1.0 / kept) radii_[k] *= kept * share[k];
+        for (std::size_t k = 0; k < paths; ++k) reduce(radii_[k], kept * allowed[k]);
         radii_.truncate(paths);
-        return {};
+        return true;
     }
+    static void reduce(double& radius, double to) noexcept { radius = to < radius ? to : radius; }
 
-    /// The share of the radii at which a corner meets a side of a strip, or `known` if that is less.
-    [[nodiscard]] double first_contact(const corner& c, const strip& s, double known) const noexcept
+    /// The share of both radii at which a corner meets a side of a strip; 1 / kept if they do not meet earlier.
+    [[nodiscard]] static double first_contact(const corner& c, const strip& s, double of_corner,
+                                              double of_strip) noexcept
     {
-        const double of_corner = radii_[c.path], of_strip = radii_[s.path];
         const point apart = delta(s.a, c.at), right = outward(s.along);
         const double off = dot(apart, right), on = dot(apart, s.along);
         const double to_right = of_corner * dot(c.lean, right), forwards = of_corner * dot(c.lean, s.along);
         const double slack = 0x1p-20 * (1.0 + s.length);
+        double first = 1.0 / kept;
         for (const double side : {1.0, -1.0}) {  // of the corner
             if (side < 0.0 && c.one_side) break;
             for (const double of : {1.0, -1.0}) {  // of the strip
                 if (of < 0.0 && s.one_side) break;
                 const double f = off / (of * of_strip - side * to_right);
-                if (!(f >= 0.0 && f < known)) continue;
+                if (!(f >= 0.0 && f < first)) continue;
                 const double at = on + side * f * forwards;
                 const double begin = f * of_strip * (s.open[0] ? -1.0 : of * s.shift[0]),
                              end = s.length + f * of_strip * (s.open[1] ? 1.0 : of * s.shift[1]);
-                if (at >= begin - slack && at <= end + slack) known = f;
+                if (at >= begin - slack && at <= end + slack) first = f;
             }
         }
-        return known;
+        return first;
     }
 
     buffer<point> leans_;
