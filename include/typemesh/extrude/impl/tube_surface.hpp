@@ -21,7 +21,7 @@ enum class tube_end : std::uint32_t {
 
 namespace detail {
 
-inline constexpr double quarter = 1.57079632679489661923;  ///< of a full turn
+inline constexpr double right_angle = 1.57079632679489661923;
 
 /// The mitre of a tube at a point of its path: the right corner's distance from the path, in cells.
 struct tube_joint {
@@ -44,7 +44,7 @@ public:
 
     explicit tube_section(std::uint32_t sides) noexcept : sides_{sides}
     {
-        const double step = 4.0 * quarter / sides;
+        const double step = 4.0 * right_angle / sides;
         for (std::uint32_t k = 0; k < sides; ++k) {
             right_[k] = steady(std::cos(step * k));
             up_[k] = steady(std::sin(step * k));
@@ -60,7 +60,7 @@ public:
     /// The sine of a part of a quarter turn.
     [[nodiscard]] static double sine_of_quarter(double part) noexcept
     {
-        return steady(std::sin(quarter * part));
+        return steady(std::sin(right_angle * part));
     }
 
 private:
@@ -247,7 +247,7 @@ private:
         }
         const double steps = end_steps();
         const double arc = texture == texture_mapping::em
-                               ? way * length(point{as_double(rim.lean.x), as_double(rim.lean.y)}) * quarter
+                               ? way * length(point{as_double(rim.lean.x), as_double(rim.lean.y)}) * right_angle
                                : 0.0;
         for (std::uint32_t step = 1; step <= end_steps(); ++step) {
             const bool tip = step == end_steps();
@@ -294,7 +294,7 @@ private:
     [[nodiscard]] float v_of(double turn, float radius, const placement& at) const noexcept
     {
         const double length =
-            texture == texture_mapping::cylindrical ? 1.0 : 4.0 * quarter * as_double(radius);
+            texture == texture_mapping::cylindrical ? 1.0 : 4.0 * right_angle * as_double(radius);
         return planar_texture{texture_mapping::em, at}.turned(static_cast<float>(turn * length));
     }
 };
