@@ -92,9 +92,10 @@ TEST_CASE("tubes are closed tori whose volume is that of their section along the
             for (std::uint32_t k = 0; k < s.loops.contour_count(); ++k) {
                 const auto path = data.read().of<detail::tube_path>()[k];
                 contours one;
-                REQUIRE(one.points.append(s.loops.points.view().subspan(
-                    s.loops.starts[k], s.loops.starts[k + 1] - s.loops.starts[k])));
-                REQUIRE((one.starts.push_back(0) && one.starts.push_back(static_cast<std::uint32_t>(one.points.size()))));
+                REQUIRE(one.points.append(
+                    s.loops.points.view().subspan(s.loops.starts[k], s.loops.starts[k + 1] - s.loops.starts[k])));
+                REQUIRE(
+                    (one.starts.push_back(0) && one.starts.push_back(static_cast<std::uint32_t>(one.points.size()))));
                 volume += length_of_loops(one) * area_of_section(sides, path.radius);
             }
             CHECK(inspect::measure(view).volume == Catch::Approx(volume).epsilon(1e-5));
@@ -128,9 +129,9 @@ TEST_CASE("a tube that is too thick gets the largest radius at which no part mee
 
 TEST_CASE("no edge of a tube pierces a triangle of it, however thick it was wanted", "[extrude]")
 {
-    for (const auto& s : shapes::several(shapes::rectangle(), shapes::letter_e(), shapes::ring(2), shapes::ribbon(4),
-                                         shapes::drop(5), shapes::pair(2), shapes::star(), shapes::spike(),
-                                         shapes::notch()))
+    for (const auto& s :
+         shapes::several(shapes::rectangle(), shapes::letter_e(), shapes::ring(2), shapes::ribbon(4), shapes::drop(5),
+                         shapes::pair(2), shapes::star(), shapes::spike(), shapes::notch()))
         for (const float radius : {0.01f, 0.06f, 0.7f}) {
             INFO(s.name << " " << radius);
             const built b = build(s, tubed{.radius = radius, .sides = 4});
@@ -179,8 +180,8 @@ TEST_CASE("texture coordinates of tubes run along and around", "[extrude]")
             for (std::size_t k = 0; k < 3; ++k) {
                 const auto &p = b->vertices[t[k]], &q = b->vertices[t[(k + 1) % 3]];
                 const wide_vec way = minus(wide(q.position), wide(p.position));
-                if (q.uv.y == p.uv.y) CHECK((q.uv.x - p.uv.x) * meshes::dot(way, wide(p.tangent)) > 0.0);   // NOLINT
-                if (q.uv.x == p.uv.x) CHECK((q.uv.y - p.uv.y) * meshes::dot(way, bitangent(p)) > 0.0);  // NOLINT
+                if (q.uv.y == p.uv.y) CHECK((q.uv.x - p.uv.x) * meshes::dot(way, wide(p.tangent)) > 0.0);  // NOLINT
+                if (q.uv.x == p.uv.x) CHECK((q.uv.y - p.uv.y) * meshes::dot(way, bitangent(p)) > 0.0);     // NOLINT
             }
 }
 
@@ -193,6 +194,6 @@ TEST_CASE("tubes refuse options out of range", "[extrude]")
     CHECK(option({.sides = 129}) == "sides");
     CHECK(option({.crease_degrees = 181.0f}) == "crease_degrees");
     CHECK_FALSE(refused_options(tubed{}));
-    check_different_keys(tubed{}, {{.radius = 0.03f}, {.sides = 17}, {.crease_degrees = 16.0f},
-                                   {.texture = texture_mapping::box}});
+    check_different_keys(
+        tubed{}, {{.radius = 0.03f}, {.sides = 17}, {.crease_degrees = 16.0f}, {.texture = texture_mapping::box}});
 }

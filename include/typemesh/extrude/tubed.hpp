@@ -58,17 +58,18 @@ public:
 /// Loops that touch are not kept apart from each other, which solid_plan::touching reports: text_options::corners parts
 /// or joins them.
 ///
-/// Normals are those of a round tube along the font's own curves; corners sharper than the crease angle are hard. In
-/// texture_mapping::em, u is the distance along the loop and v the distance around the tube, from its outer side towards
-/// the reader, both in em. In cylindrical, both run from 0 to 1; in box they are planar. All tubes belong to part::side.
+/// Normals follow a round tube along the font's own curves; corners sharper than the crease angle are hard. In
+/// texture_mapping::em, u is the distance along the loop, and v the distance around the tube, from its outer side
+/// towards the reader, both in em. In cylindrical, both run from 0 to 1; in box they are planar. All tubes belong to
+/// part::side.
 ///
 /// Fails  error::bad_option: radius is not positive and finite, or 2^28 cells or more ("radius"); sides are not 3 to
 ///        128 ("sides"); crease_degrees is not 0 to 180
 ///        error::outline_beyond_grid: a tube reaches beyond 2^28 cells; error::too_large, error::out_of_memory
 /// Cost   O(n log n) for n points of the outline, and O(n * sides) to write; O(n^2) for the plan at worst
 struct tubed {
-    float radius = 0.02f;           ///< always in em
-    std::uint32_t sides = 16;       ///< of the section, 3 to 128
+    float radius = 0.02f;          ///< always in em
+    std::uint32_t sides = 16;      ///< of the section, 3 to 128
     float crease_degrees = 15.0f;  ///< the crease angle of the outline, 0 to 180: see curve_normals
     texture_mapping texture = texture_mapping::em;
 
@@ -90,8 +91,7 @@ struct tubed {
         const double em = filled.grid().cells * filled.grid().units_per_em;
         if (!(em > 0.0)) return error::bad("units_per_em");
         if (!(as_double(radius) * em < grid::reach)) return error::bad("radius");
-        const auto doubled =
-            plan_sides(filled, curve_normals{crease_degrees}, texture, data.of<side_point>());
+        const auto doubled = plan_sides(filled, curve_normals{crease_degrees}, texture, data.of<side_point>());
         if (!doubled) return doubled.error();
         const detail::tube_paths paths{filled.points(), filled.starts()};
         if (error e = data.clearance.find(paths, as_double(radius) * em)) return e;

@@ -29,10 +29,10 @@ namespace typemesh::inline TYPEMESH_ABI {
 
 /// The shape of tubes along lines.
 struct tube_style {
-    float radius = 0.02f;              ///< in em; positive
-    std::uint32_t sides = 16;          ///< of the section, 3 to 128
-    tube_end end = tube_end::round;    ///< the ends of open lines
-    float crease_degrees = 15.0f;      ///< corners sharper than this are hard, 0 to 180
+    float radius = 0.02f;            ///< in em; positive
+    std::uint32_t sides = 16;        ///< of the section, 3 to 128
+    tube_end end = tube_end::round;  ///< the ends of open lines
+    float crease_degrees = 15.0f;    ///< corners sharper than this are hard, 0 to 180
     texture_mapping texture = texture_mapping::em;
 
     /// The error for options out of range, or none.
@@ -46,10 +46,10 @@ struct tube_style {
 
 /// The result of planning tubes along lines.
 struct tube_report {
-    std::uint32_t lines = 0;     ///< the number of lines that are longer than a point
-    std::uint32_t narrowed = 0;  ///< the number of lines whose tube is thinner than wanted
-    std::uint32_t lost = 0;      ///< among them, the number of lines without a tube
-    std::uint32_t meeting = 0;   ///< the number of lines that cross or touch another one or themselves
+    std::uint32_t lines = 0;       ///< the number of lines that are longer than a point
+    std::uint32_t narrowed = 0;    ///< the number of lines whose tube is thinner than wanted
+    std::uint32_t lost = 0;        ///< among them, the number of lines without a tube
+    std::uint32_t meeting = 0;     ///< the number of lines that cross or touch another one or themselves
     float smallest_radius = 0.0f;  ///< of all tubes, in em; 0 without a tube
 };
 
@@ -73,8 +73,14 @@ struct tube_report {
 class line_tubes {
 public:
     explicit line_tubes(memory source = heap()) noexcept
-        : lines_{source}, points_{source}, starts_{source}, open_{source}, sides_{source}, joints_{source},
-          paths_{source}, clearance_{source}
+        : lines_{source},
+          points_{source},
+          starts_{source},
+          open_{source},
+          sides_{source},
+          joints_{source},
+          paths_{source},
+          clearance_{source}
     {
     }
 

@@ -241,10 +241,14 @@ private:
         }
     }
 
-    /// Reduces the radii so that no corner enters a strip. For each corner and strip, both paths' radii grow from 0
-    /// until they meet: first both at one speed, up to the smaller of the two. If that leaves one path thin and
-    /// another one thick, a second pass lets both arrive at their present radii together.
-    [[nodiscard]] bool keep_apart(bool at_one_speed) noexcept
+    /// The radii of a corner's path and a strip's path while they grow: linear, from the first to the last.
+    struct growth {
+        double corner[2], strip[2];
+    };
+
+    /// Reduces the radii so that no corner enters a strip. First both paths grow from 0 at one speed, up to the smaller
+    /// of their radii. Then only the thicker one grows, from there to its own radius.
+    [[nodiscard]] bool keep_apart(bool both) noexcept
     {
         const std::size_t paths = radii_.size();
         double* const allowed = radii_.append(paths);  // for each path, behind its radius
@@ -257,12 +261,20 @@ private:
                 const strip& s = strips_[i];
                 if (s.joint[0] == c.joint || s.joint[1] == c.joint) return;
                 if (meets_[s.path] != 0 && meets_[c.path] != 0) return;
-                double of_corner = radii_[c.path], of_strip = radii_[s.path];
-                if (at_one_speed) of_corner = of_strip = of_corner < of_strip ? of_corner : of_strip;
-                const double share = first_contact(c, s, of_corner, of_strip);
-                if (!(share < 1.0 / kept)) return;
-                reduce(allowed[c.path], share * of_corner);
-                reduce(allowed[s.path], share * of_strip);
+                const double of_corner = radii_[c.path], of_strip = radii_[s.path];
+                const double least = of_corner < of_strip ? of_corner : of_strip;
+                if (both) {
+                    const double share = first_contact(c, s, {{0.0, least / kept}, {0.0, least / kept}});
+                    if (share > 1.0) return;
+                    reduce(allowed[c.path], share * least / kept);
+                    reduce(allowed[s.path], share * least / kept);
+                } else if (of_corner > least || of_strip > least) {
+                    const double to = (of_corner > least ? of_corner : of_strip) / kept;
+                    const growth grow{{least, of_corner > least ? to : least}, {least, of_strip > least ? to : least}};
+                    const double share = first_contact(c, s, grow);
+                    if (share > 1.0) return;
+                    reduce(allowed[of_corner > least ? c.path : s.path], share * to + (1.0 - share) * least);
+                }
             });
         }
         for (std::size_t k = 0; k < paths; ++k) reduce(radii_[k], kept * allowed[k]);
@@ -271,28 +283,33 @@ private:
     }
     static void reduce(double& radius, double to) noexcept { radius = to < radius ? to : radius; }
 
-    /// The share of both radii at which a corner meets a side of a strip; 1 / kept if they do not meet earlier.
-    [[nodiscard]] static double first_contact(const corner& c, const strip& s, double of_corner,
-                                              double of_strip) noexcept
+    /// The part of the growth after which a corner meets a side of a strip; 2 if they do not meet.
+    [[nodiscard]] static double first_contact(const corner& c, const strip& s, const growth& grow) noexcept
     {
         const point apart = delta(s.a, c.at), right = outward(s.along);
         const double off = dot(apart, right), on = dot(apart, s.along);
-        const double to_right = of_corner * dot(c.lean, right), forwards = of_corner * dot(c.lean, s.along);
+        const double to_right = dot(c.lean, right), forwards = dot(c.lean, s.along);
         const double slack = 0x1p-20 * (1.0 + s.length);
-        double first = 1.0 / kept;
+        const double corner_grows = grow.corner[1] - grow.corner[0], strip_grows = grow.strip[1] - grow.strip[0];
+        double first = 1.0;
+        bool met = false;
         for (const double side : {1.0, -1.0}) {  // of the corner
             if (side < 0.0 && c.one_side) break;
             for (const double of : {1.0, -1.0}) {  // of the strip
                 if (of < 0.0 && s.one_side) break;
-                const double f = off / (of * of_strip - side * to_right);
+                const double gap = off + side * grow.corner[0] * to_right - of * grow.strip[0];
+                const double f = gap / (of * strip_grows - side * corner_grows * to_right);
                 if (!(f >= 0.0 && f < first)) continue;
-                const double at = on + side * f * forwards;
-                const double begin = f * of_strip * (s.open[0] ? -1.0 : of * s.shift[0]),
-                             end = s.length + f * of_strip * (s.open[1] ? 1.0 : of * s.shift[1]);
-                if (at >= begin - slack && at <= end + slack) first = f;
+                const double at = on + side * (grow.corner[0] + f * corner_grows) * forwards;
+                const double wide = grow.strip[0] + f * strip_grows;
+                const double begin = wide * (s.open[0] ? -1.0 : of * s.shift[0]),
+                             end = s.length + wide * (s.open[1] ? 1.0 : of * s.shift[1]);
+                if (at < begin - slack || at > end + slack) continue;
+                first = f;
+                met = true;
             }
         }
-        return first;
+        return met ? first : 2.0;
     }
 
     buffer<point> leans_;

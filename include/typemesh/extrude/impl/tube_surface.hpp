@@ -9,7 +9,9 @@
 #include <typemesh/vertex/surface_point.hpp>
 
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
+#include <type_traits>
 
 namespace typemesh::inline TYPEMESH_ABI {
 
@@ -58,10 +60,7 @@ public:
     [[nodiscard]] double up(std::uint32_t k) const noexcept { return up_[k]; }
 
     /// The sine of a part of a quarter turn.
-    [[nodiscard]] static double sine_of_quarter(double part) noexcept
-    {
-        return steady(std::sin(right_angle * part));
-    }
+    [[nodiscard]] static double sine_of_quarter(double part) noexcept { return steady(std::sin(right_angle * part)); }
 
 private:
     [[nodiscard]] static double steady(double v) noexcept { return std::floor(v * 0x1p22 + 0.5) * 0x1p-22; }
@@ -110,13 +109,15 @@ struct tube_surface {
     template <attribute Wants, class Axes, class Put>
     void vertices(const Axes& axes, const placement& at, Put& put) const noexcept
     {
-        const tube_section around{sides_around};
+        const auto write_with = [&](const auto& mapping) noexcept {
+            write<Wants>(
+                setting<std::remove_cvref_t<decltype(mapping)>, Axes>{mapping, axes, at, tube_section{sides_around}},
+                put);
+        };
         if constexpr (has(Wants, attribute::uv | attribute::tangent))
-            with_mapping(texture, [&]<class Mapping>() noexcept {
-                write<Wants>(Mapping{at}, around, axes, at, put);
-            });
+            with_mapping(texture, [&]<class Mapping>() noexcept { write_with(Mapping{at}); });
         else
-            write<Wants>(no_mapping{}, around, axes, at, put);
+            write_with(no_mapping{});
     }
 
     /// Calls put(a, b, c) for each triangle; `first` is the number of the first vertex.
@@ -188,33 +189,46 @@ private:
 
     /// A ring to be written.
     struct ring_place {
-        point at;               // its middle
-        vec2 lean;              // to its right corner
-        float height;           // the radius, in em
-        float girth;            // the radius of the tube, in em
-        vec2 right;             // the normal on the right
-        vec2 forwards = {};     // the part of the normal along the path; 0 except in a round end
-        float share = 1.0f;     // of the normal across the path
-        float along = 0.0f;     // as in side_point
+        point at;            // its middle
+        vec2 lean;           // to its right corner
+        float height;        // the radius, in em
+        float girth;         // the radius of the tube, in em
+        vec2 right;          // the normal on the right
+        vec2 forwards = {};  // the part of the normal along the path; 0 except in a round end
+        float share = 1.0f;  // of the normal across the path
+        float along = 0.0f;  // as in side_point
+    };
+
+    /// What all vertices need.
+    template <class Mapping, class Axes>
+    struct setting {
+        const Mapping& mapping;
+        const Axes& axes;
+        const placement& at;
+        tube_section around;
     };
 
     template <attribute Wants, class Mapping, class Axes, class Put>
-    void write(const Mapping& mapping, const tube_section& around, const Axes& axes, const placement& at,
-               Put& put) const noexcept
+    void write(const setting<Mapping, Axes>& in, Put& put) const noexcept
     {
         const auto ring_at = [&](const ring_place& r) noexcept {
-            for (std::uint32_t k = 0; k <= sides_around; ++k)
-                put(vertex<Wants>(mapping, around, k, r, axes, at));
+            for (std::uint32_t k = 0; k <= sides_around; ++k) put(vertex<Wants>(in, k, r));
         };
         for (std::size_t path = 0; path < paths.size(); ++path) {
             if (!(paths[path].radius > 0.0f)) continue;
-            const auto place = [&](std::uint32_t i) noexcept {
+            const auto place_of = [&](std::uint32_t i) noexcept {
                 const float radius = paths[path].radius;
-                return ring_place{placement::exact(points[i]), joints[i].lean, radius, radius, sides[i].before,
-                                  {}, 1.0f, sides[i].along};
+                return ring_place{placement::exact(points[i]),
+                                  joints[i].lean,
+                                  radius,
+                                  radius,
+                                  sides[i].before,
+                                  {},
+                                  1.0f,
+                                  sides[i].along};
             };
             for (std::uint32_t i = starts[path]; i < starts[path + 1]; ++i) {
-                ring_place r = place(i);
+                ring_place r = place_of(i);
                 ring_at(r);
                 if (!sides[i].doubled) continue;
                 r.right = sides[i].after;
@@ -223,16 +237,14 @@ private:
                 ring_at(r);
             }
             if (paths[path].open == 0) continue;
-            ring_place last = place(starts[path + 1] - 1);
-            write_end<Wants>(place(starts[path]), -1.0, mapping, around, axes, at, put);
-            write_end<Wants>(last, 1.0, mapping, around, axes, at, put);
+            write_end<Wants>(place_of(starts[path]), -1.0, in, put);
+            write_end<Wants>(place_of(starts[path + 1] - 1), 1.0, in, put);
         }
     }
 
     /// The vertices of an end beyond its rim; `way` is 1 after the path and -1 before it.
     template <attribute Wants, class Mapping, class Axes, class Put>
-    void write_end(const ring_place& rim, double way, const Mapping& mapping, const tube_section& around,
-                   const Axes& axes, const placement& at, Put& put) const noexcept
+    void write_end(const ring_place& rim, double way, const setting<Mapping, Axes>& in, Put& put) const noexcept
     {
         const auto forwards = [way](vec2 right, double by) noexcept {
             return point{-way * by * as_double(right.y), way * by * as_double(right.x)};
@@ -242,7 +254,7 @@ private:
         if (end == tube_end::flat) {
             r.forwards = single(forwards(rim.right, 1.0));
             r.share = 0.0f;
-            for (std::uint32_t k = 0; k < sides_around; ++k) put(vertex<Wants>(mapping, around, k, r, axes, at));
+            for (std::uint32_t k = 0; k < sides_around; ++k) put(vertex<Wants>(in, k, r));
             return;
         }
         const double steps = end_steps();
@@ -259,33 +271,32 @@ private:
             r.forwards = single(forwards(rim.right, out));
             r.share = static_cast<float>(rest);
             r.along = static_cast<float>(as_double(rim.along) + arc * step / steps);
-            for (std::uint32_t k = 0; k <= (tip ? 0 : sides_around); ++k)
-                put(vertex<Wants>(mapping, around, k, r, axes, at));
+            for (std::uint32_t k = 0; k <= (tip ? 0 : sides_around); ++k) put(vertex<Wants>(in, k, r));
         }
     }
 
     template <attribute Wants, class Mapping, class Axes>
-    [[nodiscard]] surface_point<Wants> vertex(const Mapping& mapping, const tube_section& around, std::uint32_t k,
-                                              const ring_place& r, const Axes& axes, const placement& at) const noexcept
+    [[nodiscard]] surface_point<Wants> vertex(const setting<Mapping, Axes>& in, std::uint32_t k,
+                                              const ring_place& r) const noexcept
     {
         surface_point<Wants> v;
-        const double right = around.right(k), up = around.up(k);
+        const double right = in.around.right(k), up = in.around.up(k);
         [[maybe_unused]] const point p{r.at.x + right * as_double(r.lean.x), r.at.y + right * as_double(r.lean.y)};
         if constexpr (has(Wants, attribute::position)) {
-            v.position = axes.position(axes.foot(p), at.height(up * as_double(r.height)));
+            v.position = in.axes.position(in.axes.foot(p), in.at.height(up * as_double(r.height)));
         }
         if constexpr (has(Wants, attribute::normal)) {
             const double across = as_double(r.share);
-            v.normal = axes.direction(
-                static_cast<float>(across * right * as_double(r.right.x) + as_double(r.forwards.x)),
-                static_cast<float>(across * right * as_double(r.right.y) + as_double(r.forwards.y)),
-                static_cast<float>(across * up));
+            v.normal =
+                in.axes.direction(static_cast<float>(across * right * as_double(r.right.x) + as_double(r.forwards.x)),
+                                  static_cast<float>(across * right * as_double(r.right.y) + as_double(r.forwards.y)),
+                                  static_cast<float>(across * up));
         }
         if constexpr (has(Wants, attribute::uv | attribute::tangent)) {
             const double turn = static_cast<double>(k) / sides_around;
-            const wall_place place{p, r.along, v_of(turn, r.girth, at), r.right};
-            if constexpr (has(Wants, attribute::uv)) v.uv = mapping.uv(place);
-            if constexpr (has(Wants, attribute::tangent)) v.tangent = mapping.tangent(axes, place);
+            const wall_place place{p, r.along, v_of(turn, r.girth, in.at), r.right};
+            if constexpr (has(Wants, attribute::uv)) v.uv = in.mapping.uv(place);
+            if constexpr (has(Wants, attribute::tangent)) v.tangent = in.mapping.tangent(in.axes, place);
         }
         return v;
     }
@@ -293,8 +304,7 @@ private:
     /// v grows from 0 to the length once around, in em; or from 0 to 1.
     [[nodiscard]] float v_of(double turn, float radius, const placement& at) const noexcept
     {
-        const double length =
-            texture == texture_mapping::cylindrical ? 1.0 : 4.0 * right_angle * as_double(radius);
+        const double length = texture == texture_mapping::cylindrical ? 1.0 : 4.0 * right_angle * as_double(radius);
         return planar_texture{texture_mapping::em, at}.turned(static_cast<float>(turn * length));
     }
 };

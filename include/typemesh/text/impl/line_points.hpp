@@ -16,7 +16,8 @@
 
 namespace typemesh::inline TYPEMESH_ABI::detail {
 
-/// A point of a flattened line, and the directions of its curves before and after it; zero where there is no curve.
+/// A point of a flattened line, and the directions of its curves before and after it. At the start of an open line
+/// there is none before; at its end, both are the same.
 struct line_point {
     point at;
     point before, after;
