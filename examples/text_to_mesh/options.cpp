@@ -95,8 +95,8 @@ std::string version()
 /// Words of the command line that become something else after parsing.
 struct raw_values {
     std::vector<std::string> variations, features, show;
-    std::string uv, fill, fit, lod, morph, colour_layers, profile = "chamfer", refine, bend, path, family, format,
-                                                          anchor, origin;
+    std::string uv, fill, fit, lod, morph, tube, colour_layers, profile = "chamfer", refine, bend, path, family, format,
+                                                                anchor, origin;
     std::optional<typemesh::touching> corners;
     std::optional<double> size, bevel_depth, bevel_steps, letter_spacing;
     bool text_given = false, no_merge = false, tolerance_given = false, shading_given = false, normals_given = false,
@@ -425,7 +425,7 @@ void add_refine_options(CLI::App& app, options& out, raw_values& raw)
         ->type_name("CURVE");
 }
 
-void add_inflate_options(CLI::App& app, options& out)
+void add_inflate_options(CLI::App& app, options& out, raw_values& raw)
 {
     using typemesh::inflated_form;
     add_number(
@@ -436,6 +436,9 @@ void add_inflate_options(CLI::App& app, options& out)
     add_named<inflated_form>(app, "--inflate-form", out.inflate.form,
                              "inflate front and back (balloon, default), or the front on walls of --depth (dome)",
                              {{"balloon", inflated_form::balloon}, {"dome", inflated_form::dome}});
+    app.add_option("--tube", raw.tube,
+                   "make neon letters, of tubes along the outline: their radius, and 16 or more sides")
+        ->type_name("EM[,SIDES]");
 }
 
 void add_output_options(CLI::App& app, options& out, raw_values& raw)
@@ -544,9 +547,10 @@ std::string settle_weight(options& out, const raw_values& raw)
     if (width == 0.0 && !raw.of_an_outline.empty()) return raw.of_an_outline + " needs --outline";
     if (out.outline.letter && out.bevel.outward && out.bevel.width > 0.0f)
         return "--bevel-out does not work with --outline-letter, because the ring would grow into the letter";
-    const double around = out.outline.place == outline_place::outer    ? width
-                          : out.outline.place == outline_place::centre ? 0.5 * width
-                                                                       : 0.0;
+    const double ring = out.outline.place == outline_place::outer    ? width
+                        : out.outline.place == outline_place::centre ? 0.5 * width
+                                                                     : 0.0;
+    const double around = ring + static_cast<double>(out.tube.radius);
     const double wider = 2.0 * (bolder + around);
     out.letter_spacing = raw.letter_spacing.value_or(wider);
     out.columns.combined_gap = wider;
@@ -586,6 +590,23 @@ std::string refused_inflation(const options& out, const raw_values& raw)
     return {};
 }
 
+/// Finishes tubes, before anything that they exclude or make wider. Gives an empty string, or one sentence of what is
+/// wrong.
+std::string settle_tube(options& out, const raw_values& raw)
+{
+    if (raw.tube.empty()) return {};
+    if (const std::string trouble = read_tube(raw.tube, out.tube); !trouble.empty()) return "--tube " + trouble;
+    if (raw.depth_given) return "--depth does not work with --tube: its radius is the depth";
+    if (out.bevel.width > 0.0f) return "--bevel does not work with --tube";
+    if (out.carve.tool_angle > 0.0f) return "--carve does not work with --tube";
+    if (out.outline.width > 0.0f) return "--outline does not work with --tube";
+    if (out.inflate.height > 0.0f) return "--inflate does not work with --tube";
+    if (!raw.refine.empty()) return "--refine does not work with --tube";
+    if (out.segments != 1) return "--segments does not work with --tube";
+    if (raw.normals_given) return "--normals does not work with --tube, whose normals are round";
+    return {};
+}
+
 /// Finishes bent letters. Gives an empty string, or one sentence of what is wrong.
 std::string settle_bend(options& out, const raw_values& raw)
 {
@@ -600,6 +621,7 @@ std::string settle_bend(options& out, const raw_values& raw)
         return "--bend does not work with --refine, because it adds the points that it needs";
     if (out.carve.tool_angle > 0.0f) return "--bend does not work with --carve";
     if (out.inflate.height > 0.0f) return "--bend does not work with --inflate";
+    if (out.tube.radius > 0.0f) return "--bend does not work with --tube, unless it bends in the plane";
     return {};
 }
 
@@ -715,8 +737,8 @@ std::string settle_morph(options& out, const raw_values& raw)
     if (typemesh::is_finite(out.lines.width) || !raw.fit.empty() || out.merge || !out.picture.empty())
         return "--morph sets plain lines of letters: leave out --width, --fit, --merge and --picture";
     if (out.bevel.width > 0.0f || out.carve.tool_angle > 0.0f || out.embolden != 0.0f || out.outline.width > 0.0f ||
-        out.inflate.height > 0.0f || out.refine.refiner != refiner_name::none || !raw.bend.empty() ||
-        !raw.path.empty() || out.segments != 1)
+        out.inflate.height > 0.0f || out.tube.radius > 0.0f || out.refine.refiner != refiner_name::none ||
+        !raw.bend.empty() || !raw.path.empty() || out.segments != 1)
         return "--morph makes plain solids: leave out bevels and whatever else changes their form";
     return {};
 }
@@ -738,8 +760,8 @@ std::string settle_colour_layers(options& out, const raw_values& raw)
     if (out.depth <= 0.0f) return "--colour-layers=stacked needs --depth above 0";
     if (out.instances) return "--colour-layers=stacked does not work with --instances";
     if (!out.lod.empty()) return "--colour-layers=stacked does not work with --lod";
-    if (out.bevel.width > 0.0f || out.carve.tool_angle > 0.0f || out.inflate.height > 0.0f)
-        return "--colour-layers=stacked does not work with bevelled, carved or inflated letters";
+    if (out.bevel.width > 0.0f || out.carve.tool_angle > 0.0f || out.inflate.height > 0.0f || out.tube.radius > 0.0f)
+        return "--colour-layers=stacked does not work with bevelled, carved, inflated or tube letters";
     return {};
 }
 
@@ -850,6 +872,7 @@ std::string settle(options& out, const raw_values& raw)
     if (std::string trouble = refused_columns(out, raw); !trouble.empty()) return trouble;
     if (out.depth == 0.0f && out.segments != 1)
         return "--segments needs a solid, but --depth 0 makes a flat mesh: give a larger --depth";
+    if (std::string trouble = settle_tube(out, raw); !trouble.empty()) return trouble;
     if (std::string trouble = settle_bevel(out, raw); !trouble.empty()) return trouble;
     if (std::string trouble = settle_weight(out, raw); !trouble.empty()) return trouble;
     if (std::string trouble = settle_refine(out, raw); !trouble.empty()) return trouble;
@@ -876,8 +899,8 @@ std::string settle(options& out, const raw_values& raw)
     using typemesh::touching;
     out.keeps_apart = raw.no_merge;
     out.corners = raw.corners.value_or(wants_two_faces(out.kind) ? touching::part : touching::keep);
-    const bool edges_move =
-        out.bevel.width > 0.0f || out.carve.tool_angle > 0.0f || out.outline.width > 0.0f || out.embolden != 0.0f;
+    const bool edges_move = out.bevel.width > 0.0f || out.carve.tool_angle > 0.0f || out.outline.width > 0.0f ||
+                            out.embolden != 0.0f || out.tube.radius > 0.0f;
     out.merge = out.merge || (!raw.no_merge && !out.instances &&
                               (holds_solids(out.kind) || edges_move || out.corners != touching::keep));
     if (std::string trouble = refused_faces(out); !trouble.empty()) return "--style: " + trouble;
@@ -927,7 +950,7 @@ std::optional<int> parse(int argc, char** argv, options& out)
     add_carve_options(app, out);
     add_weight_options(app, out);
     add_refine_options(app, out, raw);
-    add_inflate_options(app, out);
+    add_inflate_options(app, out, raw);
     add_output_options(app, out, raw);
 
     const auto complain = [](const std::string& sentence) {

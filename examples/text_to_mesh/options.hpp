@@ -4,6 +4,7 @@
 #include "chosen_bend.hpp"
 #include "chosen_morph.hpp"
 #include "chosen_path.hpp"
+#include "chosen_tube.hpp"
 #include "file_kind.hpp"
 #include "marked_text.hpp"
 #include "picture/picture_options.hpp"
@@ -121,6 +122,7 @@ struct options {
     bend_options bend;
     chosen_path path;
     inflate_options inflate;
+    chosen_tube tube;
     chosen_morph morph;
     preset quality = preset::high;
     double tolerance = typemesh::quality::high;

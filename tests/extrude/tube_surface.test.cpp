@@ -43,12 +43,13 @@ TEST_CASE("a tube's surface has the vertices and triangles that it counts, and u
     sides[1] = {{0.0f, -1.0f}, {1.0f, 0.0f}, 1000.0f, true, false};
     sides[2].before = sides[2].after = {root, root};
     sides[3].before = sides[3].after = sides[4].before = sides[4].after = {1.0f, 0.0f};
-    const detail::tube_joint joints[] = {{{0, -50}}, {{50, -50}}, {{50, 0}}, {{50, 0}}, {{50, 0}}};
+    const detail::tube_joint joints[] = {
+        {line[0], {0, -50}}, {line[1], {50, -50}}, {line[2], {50, 0}}, {line[3], {50, 0}}, {line[4], {50, 0}}};
     for (const bool open : {false, true})
         for (const tube_end end : {tube_end::flat, tube_end::round})
             for (const std::uint32_t around : {3u, 4u, 5u, 6u, 16u}) {
                 const detail::tube_path paths[] = {{0.05f, open ? 1u : 0u, 1}, {0.05f, 1u, 0}};
-                detail::tube_surface all{line, starts, sides, joints, paths};
+                detail::tube_surface all{starts, sides, joints, paths};
                 all.sides_around = around;
                 all.end = end;
                 std::vector<vec3> places;

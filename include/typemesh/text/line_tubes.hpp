@@ -13,6 +13,7 @@
 #include <typemesh/extrude/impl/axes.hpp>
 #include <typemesh/extrude/impl/tube_clearance.hpp>
 #include <typemesh/extrude/impl/tube_surface.hpp>
+#include <typemesh/extrude/impl/tube_thinning.hpp>
 #include <typemesh/extrude/impl/wall_normal.hpp>
 #include <typemesh/extrude/placement.hpp>
 #include <typemesh/extrude/side_point.hpp>
@@ -34,12 +35,14 @@ struct tube_style {
     tube_end end = tube_end::round;  ///< the ends of open lines
     float crease_degrees = 15.0f;    ///< corners sharper than this are hard, 0 to 180
     texture_mapping texture = texture_mapping::em;
+    float corner_cut = 0.25f;  ///< how far tubes may leave curves beside sharp corners, in radii, 0 to 0.5: see tubed
 
     /// The error for options out of range, or none.
     [[nodiscard]] error refused() const noexcept
     {
         if (!is_finite(as_double(radius)) || !(radius > 0.0f)) return error::bad("radius");
         if (sides < detail::tube_section::least || sides > detail::tube_section::most) return error::bad("sides");
+        if (!(corner_cut >= 0.0f && corner_cut <= 0.5f)) return error::bad("corner_cut");
         return is_crease_angle(crease_degrees) ? error{} : error::bad("crease_degrees");
     }
 };
@@ -80,7 +83,8 @@ public:
           sides_{source},
           joints_{source},
           paths_{source},
-          clearance_{source}
+          clearance_{source},
+          thinning_{source}
     {
     }
 
@@ -106,7 +110,7 @@ public:
 
     /// Plans the tubes along all lines so far.
     ///
-    /// Fails  error::bad_option: "radius", "sides", "crease_degrees", "units_per_em", "tolerance"
+    /// Fails  error::bad_option: "radius", "sides", "crease_degrees", "corner_cut", "units_per_em", "tolerance"
     ///        error::bad_outline: a line did not begin with move(); error::outline_not_finite,
     ///        error::outline_beyond_grid, error::too_large, error::out_of_memory. There are then no tubes
     /// Cost   as tubed
@@ -183,7 +187,7 @@ private:
 
     [[nodiscard]] detail::tube_surface surface() const noexcept
     {
-        detail::tube_surface all{points_.view(), starts_.view(), sides_.view(), joints_.view(), paths_.view()};
+        detail::tube_surface all{starts_.view(), sides_.view(), joints_.view(), paths_.view()};
         all.sides_around = style_.sides;
         all.end = style_.end;
         all.texture = style_.texture;
@@ -206,8 +210,20 @@ private:
         if (!starts_.push_back(0)) return error::out_of_memory;
         for (std::size_t k = 0; k < lines_.starts.size(); ++k)
             if (!add_line(k, *fitting, crease)) return error::out_of_memory;
-        const detail::tube_paths paths{points_.view(), starts_.view(), open_.view()};
-        if (error e = clearance_.find(paths, as_double(style.radius) * em_)) return e;
+        const double cells = as_double(style.radius) * em_;
+        const detail::tube_paths drawn{points_.view(), starts_.view(), open_.view()};
+        if (error e = thinning_.find(drawn, sides_.view(), cells, cells * as_double(style.corner_cut))) return e;
+        std::uint32_t count = 0;
+        for (const std::uint32_t i : thinning_.kept()) {
+            points_[count] = points_[i];
+            sides_[count++] = sides_[i];
+        }
+        points_.truncate(count);
+        sides_.truncate(count);
+        const detail::tube_paths paths{points_.view(), thinning_.starts(), open_.view()};
+        if (error e = clearance_.find(paths, cells)) return e;
+        starts_.clear();
+        if (!starts_.append(thinning_.starts())) return error::out_of_memory;
         return add_tubes(paths);
     }
 
@@ -295,7 +311,7 @@ private:
             for (std::uint32_t i = paths.starts[k]; i < paths.starts[k + 1]; ++i) {
                 path.doubled += sides_[i].doubled ? 1u : 0u;
                 const vec2 lean = rounded((as_double(path.radius) * em_) * clearance_.leans()[i]);
-                if (!joints_.push_back({lean})) return error::out_of_memory;
+                if (!joints_.push_back({points_[i], lean})) return error::out_of_memory;
                 box_.add(placement::exact(paths.points[i]));
             }
             if (!paths_.push_back(path)) return error::out_of_memory;
@@ -316,6 +332,7 @@ private:
     buffer<detail::tube_joint> joints_;
     buffer<detail::tube_path> paths_;
     detail::tube_clearance clearance_;
+    detail::tube_thinning thinning_;
     tube_style style_;
     mesh_size size_;
     tube_report report_;

@@ -25,8 +25,9 @@ namespace detail {
 
 inline constexpr double right_angle = 1.57079632679489661923;
 
-/// The mitre of a tube at a point of its path: the right corner's distance from the path, in cells.
+/// A point of a tube's path, and its mitre: the way to the right corner, in cells.
 struct tube_joint {
+    grid_point at;
     vec2 lean;
 };
 
@@ -76,7 +77,6 @@ private:
 ///     ring     sides + 1 vertices, the last at the place of the first, with another texture coordinate
 ///     end      flat: `sides` vertices; round: further rings, and a tip
 struct tube_surface {
-    array_view<const grid_point> points;
     array_view<const std::uint32_t> starts;
     array_view<const side_point> sides;
     array_view<const tube_joint> joints;
@@ -218,7 +218,7 @@ private:
             if (!(paths[path].radius > 0.0f)) continue;
             const auto place_of = [&](std::uint32_t i) noexcept {
                 const float radius = paths[path].radius;
-                return ring_place{placement::exact(points[i]),
+                return ring_place{placement::exact(joints[i].at),
                                   joints[i].lean,
                                   radius,
                                   radius,
