@@ -490,6 +490,7 @@ private:
 
         model mesh;
         mesh.name = o_.text;
+        mesh.as_manifold = o_.manifold;
         tell_.begin("making " + std::to_string(plan->size().triangles) + " triangles");
         clock(typemesh::stage::extrude);
         const auto written = o_.instances         ? write_letters(o_, *plan, font_, mesh)

@@ -331,6 +331,9 @@ void add_mesh_options(CLI::App& app, options& out, raw_values& raw)
                  "in .glb, give vertices the numbers of their letter, word and line, and the letter's pivot");
     app.add_flag("--per-letter", out.per_letter,
                  "in .glb, make each letter a node, named by its text, that turns about the letter's pivot");
+    app.add_flag(
+        "--manifold", out.manifold,
+        "in .glb, mark one closed solid (EXT_mesh_manifold), for programs that compute with it; implies --merge");
     app.add_flag("--strict", out.strict, "treat every warning as an error, and write nothing");
 }
 
@@ -725,6 +728,17 @@ std::string refused_letters(const options& o)
     return {};
 }
 
+/// Why the file cannot say that it is a manifold, or an empty string.
+std::string refused_manifold(const options& o)
+{
+    if (!o.manifold) return {};
+    if (o.kind != file_kind::glb) return "--manifold needs --output FILE.glb";
+    if (!o.lod.empty() || o.instances || o.per_letter || !o.morph.axis.empty())
+        return "--manifold needs one mesh: leave out --lod, --instances, --per-letter and --morph";
+    if (o.depth == 0.0f) return "--manifold needs a solid, but --depth 0 makes a flat mesh: give a larger --depth";
+    return {};
+}
+
 /// Finishes a morph. Gives an empty string, or one sentence of what is wrong.
 std::string settle_morph(options& out, const raw_values& raw)
 {
@@ -895,10 +909,11 @@ std::string settle(options& out, const raw_values& raw)
         return "--quality does not work with --discretiser two_lines, which makes two lines of every curve";
     if (out.instances && out.kind != file_kind::glb) return "--instances needs --output FILE.glb";
     if (std::string trouble = refused_letters(out); !trouble.empty()) return trouble;
+    if (std::string trouble = refused_manifold(out); !trouble.empty()) return trouble;
     out.size = raw.size.value_or(is_printed(out.kind) ? 10.0 : 1.0);
     using typemesh::touching;
     out.keeps_apart = raw.no_merge;
-    out.corners = raw.corners.value_or(wants_two_faces(out.kind) ? touching::part : touching::keep);
+    out.corners = raw.corners.value_or(wants_two_faces(out.kind) || out.manifold ? touching::part : touching::keep);
     const bool edges_move = out.bevel.width > 0.0f || out.carve.tool_angle > 0.0f || out.outline.width > 0.0f ||
                             out.embolden != 0.0f || out.tube.radius > 0.0f;
     out.merge = out.merge || (!raw.no_merge && !out.instances &&

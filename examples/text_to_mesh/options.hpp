@@ -138,6 +138,7 @@ struct options {
     bool merge = false;
     bool keeps_apart = false;  ///< by --no-merge
     bool instances = false;
+    bool manifold = false;    ///< the .glb says how its mesh is a 2-manifold
     bool letters = false;     ///< vertices know their letters
     bool per_letter = false;  ///< each letter is a mesh, and has a node
     typemesh::touching corners = typemesh::touching::keep;
