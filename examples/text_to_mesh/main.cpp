@@ -535,6 +535,7 @@ private:
         double up = 0.0;
         model mesh;
         mesh.name = o_.text;
+        mesh.as_manifold = o_.manifold;
         std::optional<plate_model> plate;
         if (o_.plate.is_on) plate.emplace(o_, font_);
         const auto bounds_of = [&](const chosen_plan& of) -> typemesh::result<typemesh::bounds3> {

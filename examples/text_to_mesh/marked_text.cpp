@@ -60,9 +60,9 @@ std::string refused_solids(const options& o)
     if (o.instances) return "[depth], [bevel], [b] and [mark] do not work with --instances";
     if (o.letters || o.per_letter)
         return "[depth], [bevel], [b] and [mark] do not work with --letters and --per-letter";
-    if (o.carve.tool_angle > 0.0f || o.outline.width > 0.0f || o.inflate.height > 0.0f ||
+    if (o.carve.tool_angle > 0.0f || o.outline.width > 0.0f || o.inflate.height > 0.0f || o.tube.radius > 0.0f ||
         o.refine.refiner != refiner_name::none)
-        return "[depth], [bevel], [b] and [mark] do not work with --carve, --outline, --inflate and --refine";
+        return "[depth], [bevel], [b] and [mark] do not work with --carve, --outline, --inflate, --tube and --refine";
     for (std::uint32_t i = 1; i < solids.size(); ++i) {
         const options own = options_of_solid(o, i);
         if (solids[i].has(typemesh::markup_tag::depth) && !(own.depth > 0.0f)) return "[depth=...] must be more than 0";

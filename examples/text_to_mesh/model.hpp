@@ -75,6 +75,7 @@ struct model {
     std::vector<std::uint32_t> indices;
     std::vector<part> parts;      ///< together all the indices; none at all stands for one nameless part
     std::vector<letter> letters;  ///< none: the model is one mesh, and stands where its vertices say
+    bool as_manifold = false;     ///< the file is to say how the mesh is a 2-manifold
     bool has_levels = false;  ///< the letters are levels of detail of one mesh, the finest first; there are no places
     std::vector<place> places;
     std::vector<vertex_letter> vertex_letters;  ///< one for each vertex, or none at all

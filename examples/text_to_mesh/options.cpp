@@ -103,8 +103,8 @@ struct raw_values {
     std::string not_with_plates;  // an option that is given and does not work with a plate
     std::string not_with_taper;   // likewise, with --taper
     std::vector<std::string> variations, features, show;
-    std::string uv, fill, fit, lod, morph, colour_layers, profile = "chamfer", refine, bend, path, family, format,
-                                                          anchor, origin;
+    std::string uv, fill, fit, lod, morph, tube, colour_layers, profile = "chamfer", refine, bend, path, family, format,
+                                                                anchor, origin;
     std::optional<typemesh::touching> corners;
     std::optional<double> size, bevel_depth, bevel_steps, letter_spacing;
     bool text_given = false, no_merge = false, tolerance_given = false, shading_given = false, normals_given = false,
@@ -343,6 +343,9 @@ void add_mesh_options(CLI::App& app, options& out, raw_values& raw)
                  "in .glb, give vertices the numbers of their letter, word and line, and the letter's pivot");
     app.add_flag("--per-letter", out.per_letter,
                  "in .glb, make each letter a node, named by its text, that turns about the letter's pivot");
+    app.add_flag(
+        "--manifold", out.manifold,
+        "in .glb, mark one closed solid (EXT_mesh_manifold), for programs that compute with it; implies --merge");
     app.add_flag("--strict", out.strict, "treat every warning as an error, and write nothing");
 }
 
@@ -450,7 +453,7 @@ void add_refine_options(CLI::App& app, options& out, raw_values& raw)
         ->type_name("CURVE");
 }
 
-void add_inflate_options(CLI::App& app, options& out)
+void add_inflate_options(CLI::App& app, options& out, raw_values& raw)
 {
     using typemesh::inflated_form;
     add_number(
@@ -461,6 +464,9 @@ void add_inflate_options(CLI::App& app, options& out)
     add_named<inflated_form>(app, "--inflate-form", out.inflate.form,
                              "inflate front and back (balloon, default), or the front on walls of --depth (dome)",
                              {{"balloon", inflated_form::balloon}, {"dome", inflated_form::dome}});
+    app.add_option("--tube", raw.tube,
+                   "make neon letters, of tubes along the outline: their radius, and 16 or more sides")
+        ->type_name("EM[,SIDES]");
 }
 
 void add_plate_options(CLI::App& app, plate_words& words)
@@ -489,9 +495,8 @@ void add_plate_options(CLI::App& app, plate_words& words)
 
 void add_output_options(CLI::App& app, options& out, raw_values& raw)
 {
-    app.add_option(
-           "-o,--output", out.output,
-           "write .glb, .obj (with .mtl), .stl, .ply or .3mf; curves: .svg, .dxf; - is standard output")
+    app.add_option("-o,--output", out.output,
+                   "write .glb, .obj (with .mtl), .stl, .ply or .3mf; curves: .svg, .dxf; - is standard output")
         ->type_name("FILE");
     app.add_option("--format", raw.format, "the format of --output, whatever its name is")
         ->check(one_of({"glb", "obj", "stl", "ply", "3mf", "svg", "dxf"}));
@@ -609,9 +614,10 @@ std::string settle_weight(options& out, const raw_values& raw)
     if (width == 0.0 && !raw.of_an_outline.empty()) return raw.of_an_outline + " needs --outline";
     if (out.outline.letter && out.bevel.outward && out.bevel.width > 0.0f)
         return "--bevel-out does not work with --outline-letter, because the ring would grow into the letter";
-    const double around = out.outline.place == outline_place::outer    ? width
-                          : out.outline.place == outline_place::centre ? 0.5 * width
-                                                                       : 0.0;
+    const double ring = out.outline.place == outline_place::outer    ? width
+                        : out.outline.place == outline_place::centre ? 0.5 * width
+                                                                     : 0.0;
+    const double around = ring + static_cast<double>(out.tube.radius);
     if (std::find(raw.given.begin(), raw.given.end(), "--stroke") != raw.given.end())
         if (const std::string trouble = read_stroke(raw.stroke, out.stroke); !trouble.empty())
             return "--stroke " + trouble;
@@ -654,6 +660,23 @@ std::string refused_inflation(const options& out, const raw_values& raw)
     return {};
 }
 
+/// Finishes tubes, before anything that they exclude or make wider. Gives an empty string, or one sentence of what is
+/// wrong.
+std::string settle_tube(options& out, const raw_values& raw)
+{
+    if (raw.tube.empty()) return {};
+    if (const std::string trouble = read_tube(raw.tube, out.tube); !trouble.empty()) return "--tube " + trouble;
+    if (raw.depth_given) return "--depth does not work with --tube: its radius is the depth";
+    if (out.bevel.width > 0.0f) return "--bevel does not work with --tube";
+    if (out.carve.tool_angle > 0.0f) return "--carve does not work with --tube";
+    if (out.outline.width > 0.0f) return "--outline does not work with --tube";
+    if (out.inflate.height > 0.0f) return "--inflate does not work with --tube";
+    if (!raw.refine.empty()) return "--refine does not work with --tube";
+    if (out.segments != 1) return "--segments does not work with --tube";
+    if (raw.normals_given) return "--normals does not work with --tube, whose normals are round";
+    return {};
+}
+
 /// Finishes bent letters. Gives an empty string, or one sentence of what is wrong.
 std::string settle_bend(options& out, const raw_values& raw)
 {
@@ -668,6 +691,7 @@ std::string settle_bend(options& out, const raw_values& raw)
         return "--bend does not work with --refine, because it adds the points that it needs";
     if (out.carve.tool_angle > 0.0f) return "--bend does not work with --carve";
     if (out.inflate.height > 0.0f) return "--bend does not work with --inflate";
+    if (out.tube.radius > 0.0f) return "--bend does not work with --tube, unless it bends in the plane";
     return {};
 }
 
@@ -789,6 +813,17 @@ std::string refused_letters(const options& o)
     return {};
 }
 
+/// Why the file cannot say that it is a manifold, or an empty string.
+std::string refused_manifold(const options& o)
+{
+    if (!o.manifold) return {};
+    if (o.kind != file_kind::glb) return "--manifold needs --output FILE.glb";
+    if (!o.lod.empty() || o.instances || o.per_letter || !o.morph.axis.empty())
+        return "--manifold needs one mesh: leave out --lod, --instances, --per-letter and --morph";
+    if (o.depth == 0.0f) return "--manifold needs a solid, but --depth 0 makes a flat mesh: give a larger --depth";
+    return {};
+}
+
 /// Finishes a morph. Gives an empty string, or one sentence of what is wrong.
 std::string settle_morph(options& out, const raw_values& raw)
 {
@@ -801,8 +836,8 @@ std::string settle_morph(options& out, const raw_values& raw)
     if (typemesh::is_finite(out.lines.width) || !raw.fit.empty() || out.merge || !out.picture.empty())
         return "--morph sets plain lines of letters: leave out --width, --fit, --merge and --picture";
     if (out.bevel.width > 0.0f || out.carve.tool_angle > 0.0f || out.embolden != 0.0f || out.outline.width > 0.0f ||
-        out.inflate.height > 0.0f || out.refine.refiner != refiner_name::none || !raw.bend.empty() ||
-        !raw.path.empty() || out.segments != 1)
+        out.inflate.height > 0.0f || out.tube.radius > 0.0f || out.refine.refiner != refiner_name::none ||
+        !raw.bend.empty() || !raw.path.empty() || out.segments != 1)
         return "--morph makes plain solids: leave out bevels and whatever else changes their form";
     return {};
 }
@@ -824,8 +859,8 @@ std::string settle_colour_layers(options& out, const raw_values& raw)
     if (out.depth <= 0.0f) return "--colour-layers=stacked needs --depth above 0";
     if (out.instances) return "--colour-layers=stacked does not work with --instances";
     if (!out.lod.empty()) return "--colour-layers=stacked does not work with --lod";
-    if (out.bevel.width > 0.0f || out.carve.tool_angle > 0.0f || out.inflate.height > 0.0f)
-        return "--colour-layers=stacked does not work with bevelled, carved or inflated letters";
+    if (out.bevel.width > 0.0f || out.carve.tool_angle > 0.0f || out.inflate.height > 0.0f || out.tube.radius > 0.0f)
+        return "--colour-layers=stacked does not work with bevelled, carved, inflated or tube letters";
     return {};
 }
 
@@ -989,6 +1024,7 @@ std::string settle(options& out, const raw_values& raw)
     if (std::string trouble = refused_columns(out, raw); !trouble.empty()) return trouble;
     if (out.depth == 0.0f && out.segments != 1)
         return "--segments needs a solid, but --depth 0 makes a flat mesh: give a larger --depth";
+    if (std::string trouble = settle_tube(out, raw); !trouble.empty()) return trouble;
     if (std::string trouble = settle_bevel(out, raw); !trouble.empty()) return trouble;
     if (std::string trouble = settle_taper(out, raw); !trouble.empty()) return trouble;
     if (std::string trouble = settle_weight(out, raw); !trouble.empty()) return trouble;
@@ -1015,13 +1051,14 @@ std::string settle(options& out, const raw_values& raw)
         return "--quality does not work with --discretiser two_lines, which makes two lines of every curve";
     if (out.instances && out.kind != file_kind::glb) return "--instances needs --output FILE.glb";
     if (std::string trouble = refused_letters(out); !trouble.empty()) return trouble;
+    if (std::string trouble = refused_manifold(out); !trouble.empty()) return trouble;
     out.size = raw.size.value_or(has_millimetres(out.kind) ? 10.0 : 1.0);
     using typemesh::touching;
     out.keeps_apart = raw.no_merge;
-    const bool parts = wants_two_faces(out.kind) || out.plate.is_on;
+    const bool parts = wants_two_faces(out.kind) || out.plate.is_on || out.manifold;
     out.corners = raw.corners.value_or(parts ? touching::part : touching::keep);
-    const bool edges_move =
-        out.bevel.width > 0.0f || out.carve.tool_angle > 0.0f || out.outline.width > 0.0f || out.embolden != 0.0f;
+    const bool edges_move = out.bevel.width > 0.0f || out.carve.tool_angle > 0.0f || out.outline.width > 0.0f ||
+                            out.embolden != 0.0f || out.tube.radius > 0.0f;
     out.merge = out.merge ||
                 (!raw.no_merge && !out.instances &&
                  (holds_solids(out.kind) || holds_curves(out.kind) || edges_move || out.corners != touching::keep));
@@ -1075,7 +1112,7 @@ std::optional<int> parse(int argc, char** argv, options& out)
     add_carve_options(app, out);
     add_weight_options(app, out, raw);
     add_refine_options(app, out, raw);
-    add_inflate_options(app, out);
+    add_inflate_options(app, out, raw);
     add_plate_options(app, raw.plate);
     add_output_options(app, out, raw);
 

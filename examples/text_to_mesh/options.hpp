@@ -4,8 +4,9 @@
 #include "chosen_bend.hpp"
 #include "chosen_morph.hpp"
 #include "chosen_path.hpp"
-#include "chosen_stroke.hpp"
 #include "chosen_plate.hpp"
+#include "chosen_stroke.hpp"
+#include "chosen_tube.hpp"
 #include "file_kind.hpp"
 #include "marked_text.hpp"
 #include "picture/picture_options.hpp"
@@ -129,6 +130,7 @@ struct options {
     chosen_path path;
     chosen_plate plate;
     inflate_options inflate;
+    chosen_tube tube;
     chosen_morph morph;
     preset quality = preset::high;
     double tolerance = typemesh::quality::high;
@@ -144,6 +146,7 @@ struct options {
     bool merge = false;
     bool keeps_apart = false;  ///< by --no-merge
     bool instances = false;
+    bool manifold = false;    ///< the .glb says how its mesh is a 2-manifold
     bool letters = false;     ///< vertices know their letters
     bool per_letter = false;  ///< each letter is a mesh, and has a node
     typemesh::touching corners = typemesh::touching::keep;

@@ -14,9 +14,18 @@ typemesh::carved carved_of(const options& o)
     return solid;
 }
 
+typemesh::tubed tubed_of(const options& o)
+{
+    typemesh::tubed solid{.radius = o.tube.radius, .sides = o.tube.sides};
+    solid.texture = o.uv;
+    if (o.crease) solid.crease_degrees = *o.crease;
+    return solid;
+}
+
 chosen_solid solid_of(const options& o)
 {
     if (o.inflate.height > 0.0f) return inflated_of(o);
+    if (o.tube.radius > 0.0f) return tubed_of(o);
     if (o.bend.is_on && o.bevel.width > 0.0f) return bent_of(o, bevelled_of(o));
     if (o.bend.is_on) return bent_of(o, plain_of(o));
     if (o.refine.refiner == refiner_name::delaunay)

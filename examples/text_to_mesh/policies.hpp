@@ -11,6 +11,7 @@
 #include <typemesh/extrude/one_of.hpp>
 #include <typemesh/extrude/outlined.hpp>
 #include <typemesh/extrude/refined.hpp>
+#include <typemesh/extrude/tubed.hpp>
 #include <typemesh/glyph/coarsened.hpp>
 #include <typemesh/refine/non_obtuse.hpp>
 #include <typemesh/refine/quadtree_refined.hpp>
@@ -33,7 +34,7 @@ using refined_solid = typemesh::refined<plain_solid>;
 using squared_solid = typemesh::refined<plain_solid, typemesh::quadtree_refined>;
 using right_solid = typemesh::refined<plain_solid, typemesh::non_obtuse>;
 using chosen_solid = typemesh::one_of<letter_solid, hollow_solid, refined_solid, squared_solid, right_solid, bent_solid,
-                                      bent_bevels, typemesh::inflated>;
+                                      bent_bevels, typemesh::inflated, typemesh::tubed>;
 
 using chosen_mesher = typemesh::text_mesher<chosen_solid>;
 using chosen_plan = typemesh::text_plan<chosen_solid>;

@@ -178,7 +178,8 @@ std::string in_words(const typemesh::text_report& report, bool several_fonts, co
             at(report.first_unbroken));
     if (report.narrowed > 0)
         say("the edges of " + number(report.narrowed) + of_all +
-            " glyphs have moved less than --bevel, --outline or --embolden request" + at(report.first_narrowed));
+            " glyphs have moved less than --bevel, --outline, --embolden or --tube request" +
+            at(report.first_narrowed));
     if (report.touching > 0)
         say("the corners of " + number(report.touching) + of_all + " glyphs still touch in spite of --touching" +
             at(report.first_touching));

@@ -52,7 +52,7 @@ std::vector<edge> edges_of(const model& mesh)
 
 }  // namespace
 
-model sewn(const model& mesh)
+std::vector<std::uint32_t> sewn_vertices(const model& mesh)
 {
     std::vector<std::uint32_t> first(mesh.vertices.size());  // a vertex that each has become one with
     std::iota(first.begin(), first.end(), 0u);
@@ -66,15 +66,44 @@ model sewn(const model& mesh)
         for (std::size_t side = 0; end - i == 2 && side < 2; ++side)
             first[found(edges[i].vertices[side])] = found(edges[i + 1].vertices[side]);
     }
+    for (std::uint32_t v = 0; v < first.size(); ++v) first[v] = found(v);
+    return first;
+}
+
+std::optional<merged_indices> manifold_of(const model& mesh)
+{
+    const std::vector<std::uint32_t> sewn = sewn_vertices(mesh);
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> edges;
+    edges.reserve(mesh.indices.size());
+    for (std::size_t i = 0; i < mesh.indices.size(); ++i) {
+        const std::size_t next = i % 3 == 2 ? i - 2 : i + 1;
+        edges.emplace_back(sewn[mesh.indices[i]], sewn[mesh.indices[next]]);
+    }
+    std::sort(edges.begin(), edges.end());
+    if (std::adjacent_find(edges.begin(), edges.end()) != edges.end()) return {};
+    for (const auto& [from, to] : edges)
+        if (!std::binary_search(edges.begin(), edges.end(), std::pair{to, from})) return {};
+    merged_indices merged;
+    for (std::size_t i = 0; i < mesh.indices.size(); ++i) {
+        if (sewn[mesh.indices[i]] == mesh.indices[i]) continue;
+        merged.places.push_back(static_cast<std::uint32_t>(i));
+        merged.vertices.push_back(sewn[mesh.indices[i]]);
+    }
+    return merged;
+}
+
+model sewn(const model& mesh)
+{
+    const std::vector<std::uint32_t> first = sewn_vertices(mesh);
     model out = mesh;
     out.vertices.clear();
     std::vector<std::uint32_t> number(first.size());
     for (std::uint32_t v = 0; v < first.size(); ++v) {
-        if (found(v) != v) continue;
+        if (first[v] != v) continue;
         number[v] = static_cast<std::uint32_t>(out.vertices.size());
         out.vertices.push_back(mesh.vertices[v]);
     }
-    for (std::uint32_t& i : out.indices) i = number[found(i)];
+    for (std::uint32_t& i : out.indices) i = number[first[i]];
     return out;
 }
 

@@ -4,6 +4,7 @@
 #include "byte_writer.hpp"
 #include "part_colours.hpp"
 #include "picture/srgb.hpp"
+#include "sewn.hpp"
 #include "well_formed.hpp"
 
 #include <tiny_gltf.h>
@@ -11,6 +12,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <optional>
 #include <sstream>
 
 namespace text_to_mesh {
@@ -63,10 +65,12 @@ int material_of(tinygltf::Model& file, const model::part& part)
 struct geometry {
     static constexpr std::size_t stride = sizeof(float) * 8, letter_stride = sizeof(float) * 6;
     int vertex_view, letter_view, index_view;
-    bool wide;  // indices of 32 bits
+    int merge_view;  // -1: none
+    bool wide;       // indices of 32 bits
 };
 
-geometry add_geometry(tinygltf::Model& file, const model& mesh, const std::vector<model::letter>& letters)
+geometry add_geometry(tinygltf::Model& file, const model& mesh, const std::vector<model::letter>& letters,
+                      const merged_indices& merged)
 {
     byte_writer out;
     geometry made{};
@@ -94,6 +98,12 @@ geometry add_geometry(tinygltf::Model& file, const model& mesh, const std::vecto
             }
         }
     }
+    const std::size_t index_end = out.bytes().size();
+    if (!merged.places.empty()) {
+        while (out.bytes().size() % 4 != 0) out.u8(0);
+        for (const std::uint32_t place : merged.places) out.u32(place);
+        for (const std::uint32_t vertex : merged.vertices) made.wide ? out.u32(vertex) : out.u16(vertex);
+    }
     made.vertex_view = add_view(file, 0, vertex_bytes, geometry::stride, TINYGLTF_TARGET_ARRAY_BUFFER);
     const std::size_t letter_bytes = mesh.vertex_letters.size() * geometry::letter_stride;
     made.letter_view = letter_bytes == 0 ? -1
@@ -101,6 +111,8 @@ geometry add_geometry(tinygltf::Model& file, const model& mesh, const std::vecto
                                                     TINYGLTF_TARGET_ARRAY_BUFFER);
     made.index_view = add_view(file, vertex_bytes + letter_bytes, mesh.indices.size() * index_bytes, 0,
                                TINYGLTF_TARGET_ELEMENT_ARRAY_BUFFER);
+    const std::size_t merge_bytes = merged.places.size() * (4 + index_bytes);
+    made.merge_view = merge_bytes == 0 ? -1 : add_view(file, (index_end + 3) / 4 * 4, merge_bytes, 0, 0);
     tinygltf::Buffer buffer;
     buffer.data = out.take();
     file.buffers.push_back(std::move(buffer));
@@ -154,6 +166,39 @@ void add_mesh(tinygltf::Model& file, const model& mesh, const model::letter& l, 
         made.primitives.push_back(std::move(primitive));
     }
     file.meshes.push_back(std::move(made));
+}
+
+/// Says that the one mesh of a file is a 2-manifold.
+/// https://github.com/KhronosGroup/glTF/tree/main/extensions/2.0/Vendor/EXT_mesh_manifold
+void add_manifold(tinygltf::Model& file, const model& mesh, const geometry& in, const merged_indices& merged)
+{
+    const auto number = [](int n) { return tinygltf::Value{n}; };
+    const int component = in.wide ? TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT : TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT;
+    const std::size_t count = merged.places.size();
+    tinygltf::Value::Object extension;
+    if (count != 0) {
+        extension["mergeIndices"] = number(
+            add_accessor(file, in.merge_view, 0, count, TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT, TINYGLTF_TYPE_SCALAR));
+        extension["mergeValues"] =
+            number(add_accessor(file, in.merge_view, 4 * count, count, component, TINYGLTF_TYPE_SCALAR));
+    }
+    const int indices = add_accessor(file, in.index_view, 0, mesh.indices.size(), component, TINYGLTF_TYPE_SCALAR);
+    if (count != 0) {
+        auto& sparse = file.accessors.back().sparse;
+        sparse.isSparse = true;
+        sparse.count = static_cast<int>(count);
+        sparse.indices.bufferView = sparse.values.bufferView = in.merge_view;
+        sparse.indices.byteOffset = 0;
+        sparse.indices.componentType = TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT;
+        sparse.values.byteOffset = static_cast<int>(4 * count);
+    }
+    const int position = file.meshes[0].primitives[0].attributes.at("POSITION");
+    extension["manifoldPrimitive"] = tinygltf::Value{tinygltf::Value::Object{
+        {"mode", number(TINYGLTF_MODE_TRIANGLES)},
+        {"indices", number(indices)},
+        {"attributes", tinygltf::Value{tinygltf::Value::Object{{"POSITION", number(position)}}}}}};
+    file.meshes[0].extensions["EXT_mesh_manifold"] = tinygltf::Value{std::move(extension)};
+    file.extensionsUsed.emplace_back("EXT_mesh_manifold");
 }
 
 /// What a node keeps of the text.
@@ -226,12 +271,14 @@ void add_levels(tinygltf::Model& file, const model& mesh)
     file.extensionsUsed.emplace_back("MSFT_lod");
 }
 
-void add_scene(tinygltf::Model& file, const model& mesh, const std::string& name)
+void add_scene(tinygltf::Model& file, const model& mesh, const std::string& name,
+               const std::optional<merged_indices>& merged)
 {
     std::vector<model::letter> letters = mesh.letters;
     if (letters.empty()) letters.push_back({name, 0, mesh.vertices.size(), 0, mesh.parts.size()});
-    const geometry made = add_geometry(file, mesh, letters);
+    const geometry made = add_geometry(file, mesh, letters, merged.value_or(merged_indices{}));
     for (const model::letter& l : letters) add_mesh(file, mesh, l, made);
+    if (merged) add_manifold(file, mesh, made, *merged);
     if (mesh.has_levels) return add_levels(file, mesh);
     if (!mesh.letters.empty()) return add_places(file, mesh, name);
     tinygltf::Node node;
@@ -254,6 +301,10 @@ std::string write_glb(const model& mesh, const std::string& path, file_set& file
         return write_glb(whole, path, files);
     }
 
+    std::optional<merged_indices> merged;
+    if (mesh.as_manifold && !mesh.indices.empty() && !(merged = manifold_of(mesh)))
+        return path + " cannot be written with --manifold: the mesh is not closed, or solids touch in it.";
+
     const std::string name = mesh.name.empty() ? std::string("text") : well_formed(mesh.name);
     tinygltf::Model file;
     file.asset.version = "2.0";
@@ -261,7 +312,7 @@ std::string write_glb(const model& mesh, const std::string& path, file_set& file
     tinygltf::Scene scene;
     scene.name = name;  // also keeps an empty scene from being written as null
     if (!mesh.indices.empty()) {
-        add_scene(file, mesh, name);
+        add_scene(file, mesh, name, merged);
         scene.nodes.push_back(0);
     }
     file.scenes.push_back(std::move(scene));

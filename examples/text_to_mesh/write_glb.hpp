@@ -16,6 +16,10 @@ namespace text_to_mesh {
 /// model::vertex_letters become the attributes _LETTER, _WORD, _LINE (numbers, as 32-bit floats, which hold them exactly
 /// up to 2^24) and _PIVOT (a place). The texts of the letters are "letters" in the extras of the text's node.
 ///
+/// With model::as_manifold it has the extension EXT_mesh_manifold: a further primitive of the mesh, whose indices share the
+/// bytes of all others, and a sparse accessor with the indices that become others (manifold_of()). Programs that
+/// compute with solids then need no welding.
+///
 /// Texture coordinates are written unchanged: glTF puts v = 0 at the top. A model without triangles gives a valid file
 /// whose scene is empty, since glTF knows no empty mesh.
 ///

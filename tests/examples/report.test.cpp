@@ -16,7 +16,8 @@ TEST_CASE("text_to_mesh reports what is lost and what is narrowed, a line each, 
     r.narrowed = 3;
     r.first_narrowed = 5;
     CHECK(text_to_mesh::in_words(r) ==
-          "text_to_mesh: the edges of 3 of 9 glyphs have moved less than --bevel, --outline or --embolden request; the "
+          "text_to_mesh: the edges of 3 of 9 glyphs have moved less than --bevel, --outline, --embolden or --tube "
+          "request; the "
           "first is at "
           "byte 5 of the text.\n");
     text_report emoji;
@@ -46,7 +47,8 @@ TEST_CASE("text_to_mesh reports what is lost and what is narrowed, a line each, 
           "text_to_mesh: the program has no dictionary for the words of 2 runs of Thai, Lao, Khmer, Burmese or a "
           "similar script, "
           "so lines end there only where they must; the first is at byte 4 of the text.\n"
-          "text_to_mesh: the edges of 3 of 9 glyphs have moved less than --bevel, --outline or --embolden request; the "
+          "text_to_mesh: the edges of 3 of 9 glyphs have moved less than --bevel, --outline, --embolden or --tube "
+          "request; the "
           "first is at "
           "byte 5 of the text.\n"
           "text_to_mesh: bevels meet in a ridge on 2 pieces of glyphs that are smaller than the tolerance; the first "

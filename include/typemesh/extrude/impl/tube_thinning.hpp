@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <typemesh/core/array_view.hpp>
+#include <typemesh/core/buffer.hpp>
+#include <typemesh/core/error.hpp>
+#include <typemesh/core/memory.hpp>
+#include <typemesh/core/point.hpp>
+#include <typemesh/extrude/impl/tube_clearance.hpp>
+#include <typemesh/extrude/impl/wall_normal.hpp>
+#include <typemesh/extrude/side_point.hpp>
+
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+
+namespace typemesh::inline TYPEMESH_ABI::detail {
+
+/// Leaves out points of paths beside sharp corners, where short edges have no room for the mitre of a thick tube.
+///
+///         a            The edge from the corner a to p is too short: at most length / tan(turn / 2) fits. Without p the
+///        /.\           next edge is longer, so a thicker tube fits. A point is left out if this raises the smallest
+///       / . p          radius for the edges around it, as long as that is below `radius`; and if the new edge is not
+///      /   . \         farther than `deviation` from any point that was left out between its ends.
+///     /     . b
+///
+/// Doubled points and the ends of open paths stay, and at least three points of a closed path.
+///
+/// Cost   O(n) for each round, at most 16 rounds
+class tube_thinning {
+public:
+    explicit tube_thinning(memory source = heap()) noexcept
+        : before_{source}, after_{source}, kept_{source}, starts_{source}
+    {
+    }
+
+    /// Fails with error::out_of_memory.
+    [[nodiscard]] error find(const tube_paths& paths, array_view<const side_point> sides, double radius,
+                             double deviation) noexcept
+    {
+        points_ = paths.points.data();
+        sides_ = sides.data();
+        radius_ = radius;
+        deviation_ = deviation;
+        const std::size_t n = paths.points.size();
+        before_.clear();
+        after_.clear();
+        kept_.clear();
+        starts_.clear();
+        if (n != 0 && (before_.append(n) == nullptr || after_.append(n) == nullptr)) return error::out_of_memory;
+        if (!kept_.reserve(n) || !starts_.reserve(paths.count() + 1)) return error::out_of_memory;
+        for (std::size_t k = 0; k < paths.count(); ++k) {
+            starts_.push_back_unchecked(static_cast<std::uint32_t>(kept_.size()));
+            thin(paths.starts[k], paths.starts[k + 1], paths.is_open(k));
+        }
+        starts_.push_back_unchecked(static_cast<std::uint32_t>(kept_.size()));
+        return {};
+    }
+
+    /// The numbers of the points that stay.
+    [[nodiscard]] array_view<const std::uint32_t> kept() const noexcept { return kept_.view(); }
+    /// Where the paths begin in kept().
+    [[nodiscard]] array_view<const std::uint32_t> starts() const noexcept { return starts_.view(); }
+
+private:
+    static constexpr std::uint32_t none = 0xFFFF'FFFFu;
+
+    void thin(std::uint32_t first, std::uint32_t end, bool open) noexcept
+    {
+        first_ = first;
+        end_ = end;
+        for (std::uint32_t i = first; i < end; ++i) {
+            before_[i] = i > first ? i - 1 : open ? none : end - 1;
+            after_[i] = i + 1 < end ? i + 1 : open ? none : first;
+        }
+        std::uint32_t left = end - first;
+        bool changed = deviation_ > 0.0;
+        for (int round = 0; changed && round < 16; ++round) {
+            changed = false;
+            for (std::uint32_t i = first; i < end; ++i) {
+                if (before_[i] == i || left <= 3 || !may_go(i)) continue;
+                const std::uint32_t a = before_[i], b = after_[i];
+                after_[a] = b;
+                before_[b] = a;
+                before_[i] = after_[i] = i;  // left out
+                --left;
+                changed = true;
+            }
+        }
+        for (std::uint32_t i = first; i < end; ++i)
+            if (before_[i] != i) kept_.push_back_unchecked(i);
+    }
+
+    [[nodiscard]] bool may_go(std::uint32_t p) const noexcept
+    {
+        const std::uint32_t a = before_[p], b = after_[p];
+        if (sides_[p].doubled || a == none || b == none || points_[a] == points_[b]) return false;
+        const std::uint32_t around[] = {before_[a], a, p, b, after_[b]};
+        const double now = least_radius(around, 5);
+        if (!(now < radius_)) return false;
+        const std::uint32_t without[] = {before_[a], a, b, after_[b]};
+        return least_radius(without, 4) > now && is_close(a, b);
+    }
+
+    /// The tangent of half of the turn at q, positive to the left; 0 at an end.
+    [[nodiscard]] double half_turn(std::uint32_t p, std::uint32_t q, std::uint32_t r) const noexcept
+    {
+        if (p == none || r == none) return 0.0;
+        const point in = unit(delta(points_[p], points_[q])), out = unit(delta(points_[q], points_[r]));
+        const double both = 1.0 + dot(in, out);
+        return both > 0.0 ? cross(in, out) / both : 0x1p60;
+    }
+
+    /// The largest radius for the edges between consecutive points, of which the outer ones may be none.
+    [[nodiscard]] double least_radius(const std::uint32_t* at, int count) const noexcept
+    {
+        double least = 0x1p60;
+        for (int i = 0; i + 1 < count; ++i) {
+            if (at[i] == none || at[i + 1] == none) continue;
+            const std::uint32_t previous = i > 0 ? at[i - 1] : before_[at[i]],
+                                next = i + 2 < count ? at[i + 2] : after_[at[i + 1]];
+            const double a = half_turn(previous, at[i], at[i + 1]), b = half_turn(at[i], at[i + 1], next);
+            double most = std::fabs(a) > std::fabs(b) ? std::fabs(a) : std::fabs(b);
+            most = std::fabs(a + b) > most ? std::fabs(a + b) : most;
+            const double l = length(delta(points_[at[i]], points_[at[i + 1]]));
+            if (most * least > l) least = l / most;
+        }
+        return least;
+    }
+
+    /// Whether all points between a and b are close enough to their chord.
+    [[nodiscard]] bool is_close(std::uint32_t a, std::uint32_t b) const noexcept
+    {
+        const point along = delta(points_[a], points_[b]);
+        const double square = dot(along, along);
+        for (std::uint32_t i = a + 1 == end_ ? first_ : a + 1; i != b; i = i + 1 == end_ ? first_ : i + 1) {
+            const point p = delta(points_[a], points_[i]);
+            const double on = dot(p, along), off = cross(along, p);
+            if (on < 0.0 || on > square || off * off > deviation_ * deviation_ * square) return false;
+        }
+        return true;
+    }
+
+    buffer<std::uint32_t> before_, after_, kept_, starts_;
+    const grid_point* points_ = nullptr;
+    const side_point* sides_ = nullptr;
+    double radius_ = 0.0, deviation_ = 0.0;
+    std::uint32_t first_ = 0, end_ = 0;
+};
+
+}  // namespace typemesh::inline TYPEMESH_ABI::detail

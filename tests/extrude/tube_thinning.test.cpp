@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: MIT
+
+#include <typemesh/extrude/impl/tube_thinning.hpp>
+
+#include "support/catch.hpp"
+#include "support/counting_memory.hpp"
+
+#include <cmath>
+#include <cstdint>
+#include <vector>
+
+using namespace typemesh;
+
+namespace {
+
+/// A corner where two arcs meet, and a line that closes them: a leaf cut in half.
+struct thinned_leaf {
+    std::vector<grid_point> points;
+    std::vector<side_point> sides;
+    std::uint32_t starts[2] = {0, 0};
+
+    explicit thinned_leaf(int pieces)
+    {
+        constexpr double r = 100'000.0;
+        for (const double sign : {1.0, -1.0})
+            for (int i = sign > 0.0 ? 0 : 1; i <= pieces; ++i) {
+                const double t = (sign > 0.0 ? pieces - i : i) / double(pieces) * 1.0;
+                points.push_back(
+                    {static_cast<std::int32_t>(r * std::sin(t)),
+                     static_cast<std::int32_t>(-sign * (r * (1.0 - std::cos(t))) - sign * 0.1 * r * std::sin(t))});
+            }
+        sides.resize(points.size());
+        sides[static_cast<std::size_t>(pieces)].doubled = sides[0].doubled = sides.back().doubled = true;
+        starts[1] = static_cast<std::uint32_t>(points.size());
+    }
+    [[nodiscard]] detail::tube_paths view() const { return {points, starts}; }
+};
+
+}  // namespace
+
+TEST_CASE("points beside a sharp corner make room for a thick tube, within the deviation", "[extrude]")
+{
+    const thinned_leaf leaf{40};
+    for (const double radius : {500.0, 3000.0}) {
+        detail::tube_clearance clearance;
+        REQUIRE_FALSE(clearance.find(leaf.view(), radius));
+        const double plain = clearance.radii()[0];
+        detail::tube_thinning thinning;
+        REQUIRE_FALSE(thinning.find(leaf.view(), leaf.sides, radius, 0.25 * radius));
+        std::vector<grid_point> kept;
+        for (const std::uint32_t i : thinning.kept()) kept.push_back(leaf.points[i]);
+        REQUIRE_FALSE(clearance.find({kept, thinning.starts()}, radius));
+        CHECK(clearance.radii()[0] >= plain);
+        if (plain < radius) CHECK(clearance.radii()[0] > 1.5 * plain);
+        // Everything that is sharp stays, and what is left out lies near the new edges.
+        std::size_t doubled = 0;
+        for (const std::uint32_t i : thinning.kept()) doubled += leaf.sides[i].doubled;
+        CHECK(doubled == 3);
+        for (const grid_point& p : leaf.points) {
+            double nearest = 1e9;
+            for (std::size_t i = 0; i < kept.size(); ++i) {
+                const point a = delta(kept[i], kept[(i + 1) % kept.size()]), q = delta(kept[i], p);
+                const double on = std::fmin(std::fmax(dot(q, a) / dot(a, a), 0.0), 1.0);
+                nearest = std::fmin(nearest, length(q - on * a));
+            }
+            CHECK(nearest <= 0.25 * radius);
+        }
+    }
+}
+
+TEST_CASE("no point is left out without need, or if no deviation is allowed", "[extrude]")
+{
+    const thinned_leaf leaf{40};
+    detail::tube_thinning thinning;
+    REQUIRE_FALSE(thinning.find(leaf.view(), leaf.sides, 3000.0, 0.0));
+    CHECK(thinning.kept().size() == leaf.points.size());
+    REQUIRE_FALSE(thinning.find(leaf.view(), leaf.sides, 20.0, 5.0));
+    CHECK(thinning.kept().size() == leaf.points.size());
+    // A circle of chords allows no thicker tube with fewer of them.
+    std::vector<grid_point> circle;
+    for (int i = 0; i < 64; ++i)
+        circle.push_back({static_cast<std::int32_t>(1e5 * std::cos(i * 0.09817477)),
+                          static_cast<std::int32_t>(1e5 * std::sin(i * 0.09817477))});
+    const std::vector<side_point> smooth(64);
+    const std::uint32_t starts[] = {0, 64};
+    REQUIRE_FALSE(thinning.find({circle, starts}, smooth, 2e5, 5e4));
+    CHECK(thinning.kept().size() > 32);
+}
+
+TEST_CASE("thinning allocates nothing the second time, and says when memory runs out", "[extrude]")
+{
+    const thinned_leaf leaf{40};
+    test::counting_memory counted;
+    detail::tube_thinning thinning{counted.source()};
+    REQUIRE_FALSE(thinning.find(leaf.view(), leaf.sides, 3000.0, 750.0));
+    const std::size_t warm = counted.requests;
+    REQUIRE_FALSE(thinning.find(leaf.view(), leaf.sides, 3000.0, 750.0));
+    CHECK(counted.requests == warm);
+    for (std::size_t n = 1; n <= warm; ++n) {
+        test::counting_memory failing{.fail_at = n};
+        detail::tube_thinning poor{failing.source()};
+        CHECK(poor.find(leaf.view(), leaf.sides, 3000.0, 750.0) == error::out_of_memory);
+    }
+}

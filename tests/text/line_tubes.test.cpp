@@ -1,0 +1,194 @@
+// SPDX-License-Identifier: MIT
+
+#include <typemesh/text/line_tubes.hpp>
+
+#include "support/catch.hpp"
+#include "support/counting_memory.hpp"
+#include "support/failing_memory.hpp"
+
+#include <typemesh/inspect/euler_count.hpp>
+#include <typemesh/inspect/manifoldness.hpp>
+#include <typemesh/inspect/mesh_measure.hpp>
+#include <typemesh/outline/svg_path.hpp>
+#include <typemesh/vertex/growing_sink.hpp>
+#include <typemesh/vertex/vertex_lambda.hpp>
+
+#include <cmath>
+#include <string>
+#include <vector>
+
+using namespace typemesh;
+
+namespace {
+
+struct tube_vertex {
+    vec3 position, normal;
+    vec2 uv;
+};
+
+struct tube_mesh {
+    std::vector<tube_vertex> vertices;
+    std::vector<std::uint32_t> indices;
+    tube_report report;
+
+    [[nodiscard]] auto view() const { return inspect::mesh_view{vertices, indices}; }
+};
+
+}  // namespace
+
+template <>
+struct typemesh::vertex_traits<tube_vertex> {
+    static constexpr auto wants = attribute::position | attribute::normal | attribute::uv;
+    tube_vertex operator()(const surface_point<wants>& s) const noexcept { return {s.position, s.normal, s.uv}; }
+};
+
+namespace {
+
+tube_mesh tubes_along(const char* path, const tube_style& style, const frame& f = right_handed_y_up)
+{
+    line_tubes tubes;
+    tubes.begin(100.0);
+    REQUIRE(draw_svg_path(path, 1e-3, tubes));
+    const auto done = tubes.plan(style);
+    REQUIRE(done);
+    tube_mesh made;
+    made.report = *done;
+    REQUIRE(tubes.write(into(made.vertices, made.indices), tubes.placed(1.0, f)));
+    CHECK(tubes.size() == mesh_size{made.vertices.size(), made.indices.size() / 3});
+    return made;
+}
+
+double polygon_area(unsigned sides, double radius)
+{
+    return 0.5 * sides * radius * radius * std::sin(2.0 * 3.14159265358979323846 / sides);
+}
+
+}  // namespace
+
+TEST_CASE("the tube along an open line is a rod, along a closed one a ring", "[text]")
+{
+    for (const tube_end end : {tube_end::flat, tube_end::round})
+        for (const unsigned sides : {3u, 4u, 8u, 15u}) {
+            const tube_style style{.radius = 0.02f, .sides = sides, .end = end};
+            const tube_mesh rod = tubes_along("M0 0 L50 0 L50 40", style);
+            CHECK(inspect::check_manifoldness(rod.view()).is_manifold());
+            CHECK(inspect::count_euler(rod.view()).characteristic() == 2);
+            const tube_mesh ring = tubes_along("M0 0 L50 0 L50 40 Z", style);
+            CHECK(inspect::check_manifoldness(ring.view()).is_manifold());
+            CHECK(inspect::count_euler(ring.view()).characteristic() == 0);
+            const double area = polygon_area(sides, 0.02), volume = inspect::measure(rod.view()).volume;
+            if (end == tube_end::flat)
+                CHECK(volume == Catch::Approx(0.9 * area).epsilon(1e-5));
+            else
+                CHECK((volume > 0.9 * area && volume < 0.9 * area + 4.2 * 0.02 * 0.02 * 0.02));
+            CHECK(inspect::measure(ring.view()).volume ==
+                  Catch::Approx((0.9 + std::sqrt(0.5 * 0.5 + 0.4 * 0.4)) * area).epsilon(1e-5));
+        }
+}
+
+TEST_CASE("normals of tubes along lines point out of their triangles", "[text]")
+{
+    for (const frame& f : {right_handed_y_up, left_handed_y_up, right_handed_z_up})
+        for (const char* path : {"M0 0 L50 0 L50 40", "M0 0 C30 0 40 50 60 50 Q90 50 90 20", "M0 0 L50 0 L50 40 Z"})
+            for (const tube_end end : {tube_end::flat, tube_end::round}) {
+                const tube_mesh made = tubes_along(path, {.radius = 0.02f, .sides = 16, .end = end}, f);
+                for (std::size_t t = 0; t < made.indices.size(); t += 3) {
+                    inspect::place p[3];
+                    for (std::size_t k = 0; k < 3; ++k)
+                        p[k] = inspect::to_place(made.vertices[made.indices[t + k]].position);
+                    const inspect::place face = cross(p[1] - p[0], p[2] - p[0]);
+                    const double size = std::sqrt(dot(face, face));
+                    for (std::size_t k = 0; k < 3; ++k) {
+                        const inspect::place n = inspect::to_place(made.vertices[made.indices[t + k]].normal);
+                        CHECK(dot(n, n) == Catch::Approx(1.0).margin(1e-5));
+                        CHECK(f.winding * dot(n, face) > 0.8 * size);
+                    }
+                }
+            }
+}
+
+TEST_CASE("lines near each other get thinner tubes, lines that cross are counted", "[text]")
+{
+    const tube_mesh apart = tubes_along("M0 0 L50 0 M0 4 L50 4", {.radius = 0.05f, .sides = 8});
+    CHECK(apart.report.narrowed == 2);
+    CHECK(apart.report.meeting == 0);
+    CHECK(double{apart.report.smallest_radius} == Catch::Approx(0.02 * 63.0 / 64.0).epsilon(1e-4));
+
+    const tube_mesh facing = tubes_along("M0 0 L50 0 M54 0 L90 0", {.radius = 0.05f, .sides = 8});
+    CHECK(double{facing.report.smallest_radius} == Catch::Approx(0.02 * 63.0 / 64.0).epsilon(1e-4));
+
+    const tube_mesh end_on = tubes_along("M0 0 L50 0 M54 -20 L54 20", {.radius = 0.05f, .sides = 8});
+    CHECK(double{end_on.report.smallest_radius} == Catch::Approx(0.02 * 63.0 / 64.0).epsilon(1e-4));
+
+    const tube_mesh crossing = tubes_along("M0 0 L50 50 M0 50 L50 0 M80 0 L80 50", {.radius = 0.05f, .sides = 8});
+    CHECK(crossing.report.meeting == 2);
+    CHECK(crossing.report.narrowed == 0);
+    CHECK(crossing.report.lines == 3);
+    CHECK(inspect::count_euler(crossing.view()).solids == 3);
+
+    const tube_mesh bent = tubes_along("M0 0 L50 0 L50 4 L0 4", {.radius = 0.05f, .sides = 8});
+    CHECK(double{bent.report.smallest_radius} == Catch::Approx(0.02 * 63.0 / 64.0).epsilon(1e-4));
+
+    const tube_mesh back = tubes_along("M0 0 L50 0 L20 0", {.radius = 0.05f, .sides = 8});
+    CHECK(back.report.lost == 1);
+    CHECK(back.vertices.empty());
+}
+
+TEST_CASE("tubes along lines: bad drawings and options", "[text]")
+{
+    line_tubes tubes;
+    const auto option = [&](const tube_style& style) {
+        tubes.begin(100.0);
+        tubes.move({0, 0});
+        tubes.line({10, 0});
+        return std::string{tubes.plan(style).error().option};
+    };
+    CHECK(option({.radius = 0.0f}) == "radius");
+    CHECK(option({.sides = 2}) == "sides");
+    CHECK(option({.crease_degrees = -1.0f}) == "crease_degrees");
+    tubes.begin(100.0, 0.0);
+    CHECK(std::string{tubes.plan({}).error().option} == "tolerance");
+    tubes.begin(0.0);
+    CHECK(std::string{tubes.plan({}).error().option} == "units_per_em");
+    tubes.begin(100.0);
+    tubes.line({1, 1});
+    CHECK(tubes.plan({}).error() == error::bad_outline);
+    tubes.begin(100.0);
+    tubes.move({0, 0});
+    tubes.line({std::nan(""), 1});
+    CHECK(tubes.plan({}).error() == error::outline_not_finite);
+    tubes.begin(100.0);
+    tubes.move({0, 0});
+    tubes.close();
+    tubes.move({5, 5});
+    const auto nothing = tubes.plan({});
+    REQUIRE(nothing);
+    CHECK(nothing->lines == 0);
+    CHECK(tubes.size() == mesh_size{});
+}
+
+TEST_CASE("tubes along lines allocate nothing after warm-up, and say when memory runs out", "[text]")
+{
+    const auto draw = [](line_tubes& tubes) {
+        tubes.begin(100.0);
+        REQUIRE(draw_svg_path("M0 0 C30 0 40 50 60 50 Q90 50 90 20 M0 80 L50 80 L50 120 Z", 1e-3, tubes));
+        return tubes.plan({.radius = 0.02f});
+    };
+    test::counting_memory counted;
+    line_tubes tubes{counted.source()};
+    REQUIRE(draw(tubes));
+    const mesh_size planned = tubes.size();
+    const std::size_t warm = counted.requests;
+    REQUIRE(draw(tubes));
+    CHECK(counted.requests == warm);
+    for (std::size_t n = 1; n <= warm; ++n) {
+        test::counting_memory failing{.fail_at = n};
+        line_tubes poor{failing.source()};
+        const auto done = draw(poor);
+        CHECK(done.error() == error::out_of_memory);
+        CHECK(poor.size() == mesh_size{});
+        failing.fail_at = 0;
+        REQUIRE(draw(poor));
+        CHECK(poor.size() == planned);
+    }
+}
