@@ -72,6 +72,7 @@ struct web_mesh {
     std::uint32_t letter_row_count;
     const std::uint32_t* tints;
     std::uint32_t tint_count;
+    float advance;
 };
 
 struct web_mesher {
@@ -296,7 +297,8 @@ TYPEMESH_WEB_EXPORT const web_mesh* web_result(web_mesher* m)
                  a.letter_rows.data(),
                  number(a.letter_rows.size() / 5),
                  a.tints.data(),
-                 number(a.tints.size())};
+                 number(a.tints.size()),
+                 static_cast<float>(a.advance)};
     return &m->result;
 }
 

@@ -42,6 +42,7 @@ struct mesh_arrays {
     typemesh::text_report report;
     std::uint64_t contour_points = 0;
     std::uint32_t lines = 0;
+    double advance = 0.0;            ///< of the longest line, in em
     double plan_microseconds = 0.0;  ///< shaping, building, placing: all but writing
 
     [[nodiscard]] std::size_t vertices() const noexcept { return position.size() / 3; }
@@ -52,7 +53,7 @@ struct mesh_arrays {
         position.clear(), normal.clear(), uv.clear(), index.clear();
         parts.clear(), letters.clear(), instances.clear(), translations.clear();
         letter_of.clear(), letter_rows.clear(), tints.clear();
-        bounds = {}, report = {}, contour_points = 0, lines = 0, plan_microseconds = 0.0;
+        bounds = {}, report = {}, contour_points = 0, lines = 0, advance = 0.0, plan_microseconds = 0.0;
     }
 
     /// Adds room for exactly so many, not set; false when memory runs out.

@@ -107,7 +107,10 @@ result<void> text_maker::add(const text_job& job, mesh_arrays& out)
     out.add(plan->report());
     if (is_first) out.bounds = plan->bounds();
     out.contour_points += plan->contour_points();
-    out.lines = static_cast<std::uint32_t>(plan->run().lines.size());
+    const glyph_run& run = plan->run();
+    out.lines = static_cast<std::uint32_t>(run.lines.size());
+    const double per_em = run.units_per_em > 0.0 ? 1.0 / run.units_per_em : 1.0;
+    for (const text_line& line : run.lines) out.advance = (std::max)(out.advance, line.advance * per_em);
     if (job.instances) return write_letters(*plan, out);
     const auto first = static_cast<std::uint32_t>(out.vertices());
     if (const auto done = write_whole(*plan, out); !done) return done;

@@ -307,6 +307,8 @@ export interface Statistics {
     readonly glyphs: number;
     /** Lines of the text. */
     readonly lines: number;
+    /** How long the longest line is, in em: from the pen at its first letter to the pen behind its last. */
+    readonly advance: number;
     /** Characters that no font has. */
     readonly missing: number;
     /** Glyphs left out. */

@@ -468,7 +468,7 @@ const field = {
     position: 0, normal: 1, uv: 2, index: 3, vertices: 4, triangles: 5, parts: 6, partCount: 7, letters: 8, letterCount: 9,
     instances: 10, translations: 11, instanceCount: 12, bounds: 13, glyphs: 19, lines: 20, contourPoints: 21, missing: 22,
     firstMissing: 23, refused: 24, narrowed: 25, invalidUnits: 26, unbroken: 27, firstRefusal: 28, planMicroseconds: 29,
-    letterOf: 30, letterRows: 31, letterRowCount: 32, tints: 33, tintCount: 34,
+    letterOf: 30, letterRows: 31, letterRowCount: 32, tints: 33, tintCount: 34, advance: 35,
 };
 
 /** What Mesh and Letters have in common. */
@@ -488,6 +488,7 @@ class Arrays {
             triangles: words[at + field.triangles],
             glyphs: words[at + field.glyphs],
             lines: words[at + field.lines],
+            advance: floats[at + field.advance],
             missing: words[at + field.missing],
             refused: words[at + field.refused],
             narrowed: words[at + field.narrowed],

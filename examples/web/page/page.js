@@ -38,7 +38,9 @@ function loading(words) {
     at("loading").hidden = words === "";
 }
 async function fetched(name, url) {
-    const answer = await fetch(url).catch(() => undefined);
+    const early = globalThis.early?.url === url ? globalThis.early.answer : undefined;  // what the page has asked for first of all
+    globalThis.early = undefined;
+    const answer = await (early ?? fetch(url)).catch(() => undefined);
     if (!answer?.ok) throw new Error(`${name} could not be loaded.`);
     return answer.arrayBuffer();
 }
@@ -293,18 +295,33 @@ function look(name) {
 
 // --- the program ---------------------------------------------------------------------------------------------------------------
 
+/** Options without those that have the library's defaults. */
+function pruned(options) {
+    const movesEdges = options.embolden || options.outline?.width;
+    const usual = new Map(typemesh.options.map(o => [o.name, o.default ?? o.choices?.[0]])), kept = {};
+    for (const [name, value] of Object.entries(options)) {
+        if (value?.constructor === Object && name !== "features") {
+            const inner = Object.fromEntries(Object.entries(value).filter(([k, v]) => v !== usual.get(`${name}.${k}`)));
+            if (Object.keys(inner).some(k => ["width", "height", "cylinder", "twist", "wave", "arc", "flag", "ring"].includes(k))) kept[name] = inner;
+        } else if (value !== usual.get(name) && name !== "letters" && !(name === "letterSpacing" && value === 0 && !movesEdges)) kept[name] = value;
+    }
+    return kept;
+}
+/** What programs.js takes. */
+function programState() {
+    const text = at("text").value, options = pruned(controls.options(text)), bent = options.bend || options.warp?.flag;
+    const { advance } = bent ? measurer.mesh(text, { ...options, bend: undefined, warp: undefined, depth: 0, bevel: undefined }).statistics : {};
+    return { text, options, advance, file: fonts.used.file ?? fonts.used.name, axis: morph && fonts.weights,
+             weight: fonts.weights && controls.values["page.weight"] };
+}
 function tellProgram() {
-    if (!at("program").open) return;
-    const { text } = meshed(), font = fonts.used;
-    const weight = fonts.weights ? controls.values["page.weight"] : undefined;
-    at("code").textContent = programs[at("language-of-program").value]({
-        text, options: { ...controls.options(text), letters: undefined }, file: font.file ?? font.name, weight, axis: morph && fonts.weights });
+    if (at("program").open && mesh) at("code").textContent = programs[at("language-of-program").value](programState());
 }
 
 // For the browser's console, and for tests.
 globalThis.page = {
     get mesh() { return mesh; }, get options() { return controls.options(at("text").value); }, get lastChange() { return lastChange; },
-    get weight() { return fonts.weights && controls.values["page.weight"]; }, get stage() { return stage; }, programs, presets,
+    get weight() { return fonts.weights && controls.values["page.weight"]; }, get stage() { return stage; }, programs, programState, presets,
 };
 
 // --- begin -------------------------------------------------------------------------------------------------------------------
