@@ -204,10 +204,10 @@ run_scripts() {  # run_scripts FOLDER [PRESET, which has built the tool: release
 }
 
 # One of npm's packages, in the folder of run_scripts.
-install_npm() {  # install_npm FOLDER PACKAGE VERSION
+install_npm() {  # install_npm FOLDER PACKAGE VERSION [PACKAGE@VERSION...]
     local work=$typemesh_root/build/$1
     command -v npm >/dev/null 2>&1 && [ ! -d "$work/node_modules/$2" ] || return 0
-    if ! npm install --prefix "$work" --no-save --no-audit --no-fund --fetch-retries=1 "$2@$3" >"$work/npm.log" 2>&1; then
+    if ! npm install --prefix "$work" --no-save --no-audit --no-fund --fetch-retries=1 "$2@$3" "${@:4}" >"$work/npm.log" 2>&1; then
         explain_failure "$work/npm.log" "npm's registry"
         say "failed: npm could not install $2"
         count 0 1
@@ -240,7 +240,7 @@ tier_engines() {
 tier_web() {
     install_missing emcc dpkg-source node npm
     (install_missing chromium) || say "The run continues without it: the page is not tested."
-    install_fonts fonts-dejavu-core fonts-liberation
+    install_fonts fonts-inter-variable fonts-dejavu-core fonts-liberation
     mkdir -p "$typemesh_root/build/web"
     build release mesh_hash
     export TYPEMESH_MESH_HASH=$typemesh_root/build/release/examples/mesh_hash
@@ -250,7 +250,7 @@ tier_web() {
         tail -n 20 "$typemesh_root/build/web/build.log"
         count 0 1
     fi
-    install_npm web puppeteer-core 24.43.1
+    install_npm web puppeteer-core 24.43.1 axe-core@4.10.3
     run_scripts web
 }
 

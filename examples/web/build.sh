@@ -31,7 +31,7 @@ features=(-msign-ext -mnontrapping-fptoint)
 compiler=("${features[@]}" -std=c++20 -fno-exceptions -fno-rtti -DNDEBUG -DHB_CONFIG_OVERRIDE_H='"harfbuzz_config.h"')
 folders=(-I"$typemesh_root/include" -I"$typemesh_root/examples" -I"$typemesh_root/examples/text_to_mesh" -I"$web"
     -isystem "$work/harfbuzz/src")
-sources=("$work/harfbuzz/src/harfbuzz.cc" "$typemesh_root/examples/text_to_mesh/solids.cpp" "$web"/{bends,settings,text_maker,text_writer,session,mesh_checks,exports}.cpp)
+sources=("$work/harfbuzz/src/harfbuzz.cc" "$typemesh_root/examples/text_to_mesh/solids.cpp" "$web"/{bends,settings,marked_words,text_maker,text_writer,weight_morph,session,mesh_checks,exports}.cpp)
 
 # emscripten forbids inlining where size counts, and the library's loops are then ten times as slow.
 flags_for() {  # flags_for SOURCE FLAG...

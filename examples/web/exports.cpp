@@ -70,6 +70,9 @@ struct web_mesh {
     const std::uint32_t* letter_of;
     const float* letter_rows;
     std::uint32_t letter_row_count;
+    const std::uint32_t* tints;
+    std::uint32_t tint_count;
+    float advance;
 };
 
 struct web_mesher {
@@ -235,7 +238,27 @@ TYPEMESH_WEB_EXPORT std::uint32_t web_make(web_mesher* m, const char16_t* text, 
     const auto done = m->made.make({text, size}, instances != 0);
     if (done) return 0;
     const char* why = m->made.explained(done.error());
-    return why != nullptr ? fail(why) : fail(done.error());
+    if (why == nullptr) return fail(done.error());
+    last = {why, done.error().cluster};
+    return 1;
+}
+
+/// Plans a text that moves along an axis of the first font; 0, or 1 for a failure.
+TYPEMESH_WEB_EXPORT std::uint32_t web_plan_morph(web_mesher* m, const char16_t* text, std::uint32_t size,
+                                                 std::uint32_t axis)
+{
+    char tag[5] = {};
+    for (unsigned k = 0; k < 4; ++k) tag[k] = static_cast<char>(axis >> (24 - 8 * k) & 0xFFu);
+    const auto done = m->made.plan_morph({text, size}, tag);
+    return done ? 0 : fail(done.error());
+}
+
+/// Makes the mesh of that text at a value of the axis; likewise.
+TYPEMESH_WEB_EXPORT std::uint32_t web_write_morph(web_mesher* m, double value)
+{
+    if (!m->made.has_morph()) return fail("Plan a morph before it is written.");
+    const auto done = m->made.write_morph(value);
+    return done ? 0 : fail(done.error());
 }
 
 /// What web_make() has made. Its arrays live until the next web_make() of this mesher.
@@ -272,7 +295,10 @@ TYPEMESH_WEB_EXPORT const web_mesh* web_result(web_mesher* m)
                  static_cast<float>(a.plan_microseconds),
                  a.letter_of.data(),
                  a.letter_rows.data(),
-                 number(a.letter_rows.size() / 5)};
+                 number(a.letter_rows.size() / 5),
+                 a.tints.data(),
+                 number(a.tints.size()),
+                 static_cast<float>(a.advance)};
     return &m->result;
 }
 

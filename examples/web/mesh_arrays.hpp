@@ -6,6 +6,7 @@
 #include <typemesh/text/text_report.hpp>
 #include <typemesh/vertex/bounds3.hpp>
 #include <typemesh/vertex/mesh_range.hpp>
+#include <typemesh/vertex/part.hpp>
 
 #include <cstdint>
 
@@ -35,10 +36,13 @@ struct mesh_arrays {
     typemesh::buffer<float> translations;       ///< three each
     typemesh::buffer<std::uint32_t> letter_of;  ///< for each vertex the row of its letter, if that is wanted
     typemesh::buffer<float> letter_rows;        ///< five each: pivot, word (-1: a bar has none), line
+    typemesh::buffer<std::uint32_t> tints;      ///< for each vertex, if tags give colours: red, green, blue from the
+                                                ///< lowest byte on, and in the highest 255 where they give none
     typemesh::bounds3 bounds{};
     typemesh::text_report report;
     std::uint64_t contour_points = 0;
     std::uint32_t lines = 0;
+    double advance = 0.0;            ///< of the longest line, in em
     double plan_microseconds = 0.0;  ///< shaping, building, placing: all but writing
 
     [[nodiscard]] std::size_t vertices() const noexcept { return position.size() / 3; }
@@ -48,15 +52,36 @@ struct mesh_arrays {
     {
         position.clear(), normal.clear(), uv.clear(), index.clear();
         parts.clear(), letters.clear(), instances.clear(), translations.clear();
-        letter_of.clear(), letter_rows.clear();
-        bounds = {}, report = {}, contour_points = 0, lines = 0, plan_microseconds = 0.0;
+        letter_of.clear(), letter_rows.clear(), tints.clear();
+        bounds = {}, report = {}, contour_points = 0, lines = 0, advance = 0.0, plan_microseconds = 0.0;
     }
 
-    /// Room for exactly so many, not set; false when memory runs out.
+    /// Adds room for exactly so many, not set; false when memory runs out.
     [[nodiscard]] bool make_room(std::size_t vertex_count, std::size_t index_count) noexcept
     {
-        return position.reserve(3 * vertex_count) && normal.reserve(3 * vertex_count) && uv.reserve(2 * vertex_count) &&
-               index.reserve(index_count) && (vertex_count == 0 || append_all(vertex_count, index_count));
+        const std::size_t all = vertices() + vertex_count;
+        return position.reserve(3 * all) && normal.reserve(3 * all) && uv.reserve(2 * all) &&
+               index.reserve(index.size() + index_count) && (vertex_count == 0 || append_all(vertex_count, index_count));
+    }
+
+    /// Adds what one solid's letters lack.
+    void add(const typemesh::text_report& r) noexcept
+    {
+        if (report.glyphs == 0) {
+            report = r;
+            return;
+        }
+        if (report.missing == 0) report.first_missing = r.first_missing;
+        if (report.refused == 0) report.first_refusal = r.first_refusal;
+        report.glyphs += r.glyphs, report.missing += r.missing, report.refused += r.refused;
+        report.narrowed += r.narrowed;
+    }
+
+    /// Adds a part, unless it is empty; false when memory runs out.
+    [[nodiscard]] bool add_part(typemesh::part p, const typemesh::mesh_range& r) noexcept
+    {
+        return r.index_count == 0 || parts.push_back({static_cast<std::uint32_t>(p), r.first_index, r.index_count,
+                                                      r.first_vertex, r.vertex_count});
     }
 
 private:

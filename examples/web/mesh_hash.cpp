@@ -3,6 +3,7 @@
 // The native counterpart of typemesh.wasm: prints the hash of a text's mesh, which is to be the same.
 //
 //     mesh_hash TEXT --font FILE [--font FILE...] [bevel.width=0.02 ...]        {"hash":"...","vertices":...}
+//     mesh_hash TEXT --weight 800 --font FILE                                   of a variable font
 //     mesh_hash TEXT --font FILE --time MILLISECONDS                            and how long a mesh takes
 
 #include "mesh_checks.hpp"
@@ -29,7 +30,7 @@ int refuse(const std::string& why)
     return 1;
 }
 
-std::string open(const char* path, std::vector<shared_font>& fonts)
+std::string open(const char* path, double weight, std::vector<shared_font>& fonts)
 {
     std::ifstream file{path, std::ios::binary};
     const std::string content{std::istreambuf_iterator<char>{file}, {}};
@@ -37,7 +38,10 @@ std::string open(const char* path, std::vector<shared_font>& fonts)
     auto* bytes = static_cast<std::byte*>(std::malloc(content.size()));
     if (bytes == nullptr) return "There is no memory for a font.";
     std::copy_n(reinterpret_cast<const std::byte*>(content.data()), content.size(), bytes);
-    auto font = typemesh::harfbuzz_font::open(std::span<const std::byte>{bytes, content.size()});
+    const typemesh::variation heavier[] = {{"wght", static_cast<float>(weight)}};
+    const auto variations = std::span{heavier}.first(weight > 0.0 ? 1 : 0);
+    auto font = typemesh::harfbuzz_font::open(std::span<const std::byte>{bytes, content.size()},
+                                              {.face = 0, .variations = variations});
     if (!font) return std::free(bytes), std::string{path} + ": " + font.error().message();
     fonts.push_back(std::make_shared<opened_font>(bytes, std::move(*font)));
     return {};
@@ -78,11 +82,13 @@ int main(int argc, char** argv)
     std::string text;
     std::vector<shared_font> fonts;
     settings how;
-    double milliseconds = 0.0;
+    double milliseconds = 0.0, weight = 0.0;
     for (int i = 1; i < argc; ++i) {
         const std::string_view word = argv[i];
         if (word == "--font" && i + 1 < argc) {
-            if (std::string why = open(argv[++i], fonts); !why.empty()) return refuse(why);
+            if (std::string why = open(argv[++i], weight, fonts); !why.empty()) return refuse(why);
+        } else if (word == "--weight" && i + 1 < argc) {
+            weight = std::atof(argv[++i]);
         } else if (word == "--time" && i + 1 < argc) {
             milliseconds = std::atof(argv[++i]);
         } else if (i == 1) {

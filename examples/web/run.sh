@@ -6,17 +6,24 @@ typemesh_root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
 
 usage() {
     cat <<'END'
-usage: examples/web/run.sh [--build | PORT]
+usage: examples/web/run.sh [--build | --static DIR | PORT]
 
 This script builds the live page into build/web/site and serves it at http://localhost:PORT/ (8000) until you press Ctrl-C.
---build only builds. It installs what is missing if it may: Debian's emscripten, HarfBuzz's source, fonts, python3. It fetches
-three.js from npm's registry, with npm or without. Afterwards the folder needs no network, and any file server can serve it.
+--build only builds. --static copies the page to DIR, which any host can serve, and prints its sizes. The script installs what is
+missing if it may: Debian's emscripten, HarfBuzz's source, fonts, python3, esbuild, brotli. It fetches three.js from npm's registry,
+with npm or without. Afterwards the folder needs no network.
 END
 }
 port=8000
+target=
 case ${1:-} in
     -h | --help) usage && exit 0 ;;
     --build) port= ;;
+    --static)
+        [ -n "${2:-}" ] || { usage >&2 && exit 2; }
+        port= target=$2
+        [ ! -e "$target" ] || [ -d "$target" ] || stop "$target is a file: name a folder."
+        ;;
     '') ;;
     *[!0-9]* | ??????* | 0*) usage >&2 && exit 2 ;;
     *) port=$1 ;;
@@ -51,22 +58,42 @@ web=$typemesh_root/examples/web
 site=$typemesh_root/build/web/site
 parts=$typemesh_root/build/web/npm
 install_missing python3 certificates
-install_fonts fonts-dejavu-core fonts-liberation fonts-comic-neue fonts-hosny-amiri fonts-sawarabi-mincho
+(install_missing esbuild brotli) || say "The run continues without them: the page arrives in larger files."
+install_fonts fonts-inter-variable fonts-dejavu-core fonts-liberation fonts-comic-neue fonts-hosny-amiri fonts-sawarabi-mincho
 "$web/three.sh" "$parts"
 "$web/build.sh"
 
-rm -rf "$site" && mkdir -p "$site/three/addons" "$site/fonts"
-cp "$web/page/"* "$web/package/typemesh.js" "$web/package/typemesh.wasm" "$site/"
-cp "$parts/three/build/"three.{module,core}.js "$site/three/"
-for folder in controls exporters utils; do cp -R "$parts/three/examples/jsm/$folder" "$site/three/addons/"; done
+rm -rf "$site" && mkdir -p "$site/fonts"
+cp "$web/page/index.html" "$web/page/page.css" "$web/package/typemesh.wasm" "$site/"
 
-# The fonts that are there, the first one being what the page begins with.
-names=
-while IFS='|' read -r name file; do
-    [ -e "/usr/share/fonts/$file" ] || { say "The page has no $name, because its Debian package is not installed." && continue; }
+# One small module, and a second one for the formats of files; without esbuild the modules as they are.
+if command -v esbuild >/dev/null 2>&1; then
+    NODE_PATH=$parts esbuild "$web/page/page.js" --bundle --minify --splitting --format=esm --target=es2022 --outdir="$site" \
+        --chunk-names='[name]-[hash]' "--alias:typemesh=$web/package/typemesh.js" '--external:node:*' --log-level=error
+    modules='<link rel="modulepreload" href="page.js">'
+    for file in $(grep -oE 'from *"\./chunk-[A-Za-z0-9-]+\.js"' "$site/page.js" | grep -oE 'chunk-[A-Za-z0-9-]+\.js' | sort -u); do
+        modules="$modules<link rel=\"modulepreload\" href=\"$file\">"
+    done
+else
+    mkdir -p "$site/three/addons"
+    cp "$web/page/"*.js "$web/package/typemesh.js" "$site/"
+    cp "$parts/three/build/"three.{module,core}.js "$site/three/"
+    for folder in controls exporters utils; do cp -R "$parts/three/examples/jsm/$folder" "$site/three/addons/"; done
+    modules='<script type="importmap">{"imports": {"three": "./three/three.module.js", "three/addons/": "./three/addons/", "typemesh": "./typemesh.js"}}</script>'
+fi
+
+# The fonts that are there, the first one being what the page begins with. Files stand in for each other, the first that is there.
+names= first=
+while IFS='|' read -r name files; do
+    file=
+    for one in $files; do [ -n "$file" ] || [ ! -e "/usr/share/fonts/$one" ] || file=$one; done
+    [ -n "$file" ] || { say "The page has no $name, because its Debian package is not installed." && continue; }
     cp "/usr/share/fonts/$file" "$site/fonts/"
-    names="$names${names:+,}\"$name\":\"fonts/$(basename "$file")\""
+    file=fonts/$(basename "$file")
+    names="$names${names:+,}\"$name\":\"$file\""
+    : "${first:=$file}"
 done <<'END'
+Inter (any weight)|truetype/inter-vf/Inter-roman.var.ttf truetype/inter-vf/InterVariable.ttf
 DejaVu Sans Bold|truetype/dejavu/DejaVuSans-Bold.ttf
 DejaVu Sans|truetype/dejavu/DejaVuSans.ttf
 DejaVu Serif Bold|truetype/dejavu/DejaVuSerif-Bold.ttf
@@ -77,8 +104,32 @@ Sawarabi Mincho (Japanese)|truetype/sawarabi-mincho/sawarabi-mincho-medium.ttf
 END
 [ -n "$names" ] || stop "None of the fonts is there."
 printf '{%s}\n' "$names" >"$site/fonts.json"
+early="<script>if (!/[#\&]font=/.test(location.hash)) globalThis.early = { url: \"$first\", answer: fetch(\"$first\") };</script>"
+sed -e "s|<!-- modules -->|$modules|" -e "s|<!-- first font -->|$early|" "$web/page/index.html" >"$site/index.html"
+
+# Beside each file what servers send instead of it.
+while IFS= read -r file; do
+    gzip -9 -n -c "$file" >"$file.gz"
+    ! command -v brotli >/dev/null 2>&1 || brotli -q 11 -f -o "$file.br" "$file"
+done <<END
+$(find "$site" -type f \( -name '*.html' -o -name '*.css' -o -name '*.js' -o -name '*.json' -o -name '*.wasm' -o -name '*.?tf' \))
+END
+if [ -n "$target" ]; then
+    mkdir -p "$target" && cp -R "$site/." "$target/"
+    cat <<END
+The page is in $target, for any host. What stands beside a file as .br or .gz is the same file compressed: let the host send it with
+"Content-Encoding: br" or "gzip" to browsers that accept that; hosts that compress by themselves need neither. The names of chunk-*.js
+change with their content, so they may be cached for a year; the other files may be cached as long as the page may be old.
+Bytes, and as sent, of what comes before the first letter:
+END
+    for file in "$target"/{index.html,page.css,page.js,chunk-*.js,typemesh.wasm,fonts.json} "$target/$first"; do
+        [ ! -e "$file" ] || { sent=$file && [ ! -e "$file.gz" ] || sent=$file.gz && [ ! -e "$file.br" ] || sent=$file.br &&
+            printf '%9s %9s  %s\n' "$(wc -c <"$file")" "$(wc -c <"$sent")" "${file#"$target"/}"; }
+    done
+    exit 0
+fi
 say "The page is in $site"
 [ -n "$port" ] || exit 0
 need_port  # again, for the minutes are over
 say "It is served at http://localhost:$port/ until you press Ctrl-C"
-exec python3 -m http.server --bind 127.0.0.1 --directory "$site" "$port"
+exec python3 "$web/serve.py" "$site" "$port"

@@ -23,8 +23,12 @@ void session::set(const settings& how)
 typemesh::result<void> session::lay_out(std::u16string_view text, const typemesh::layout_options& lines)
 {
     words_.breaker().is_even = options_.even_lines;
-    if (const auto done = words_.set(text, shape_options_of(options_)); !done) return done.error();
-    return words_.lay_out(lines, page_);
+    typemesh::shape_options how = shape_options_of(options_);
+    if (how_.markup)
+        if (const typemesh::error e = tags_.add_to(how, set_)) return e;
+    if (const auto done = words_.set(text, how); !done) return done.error();
+    if (const auto done = words_.lay_out(lines, page_); !done || !how_.markup) return done;
+    return tags_.write(words_, set_, page_);
 }
 
 typemesh::result<void> session::make(std::u16string_view text, bool instances)
@@ -32,10 +36,16 @@ typemesh::result<void> session::make(std::u16string_view text, bool instances)
     const auto begun = std::chrono::steady_clock::now();
     arrays_.clear();
     if (!how_.cached) cache_.clear();
-    text_job job{.text = text, .page = nullptr, .instances = instances, .letters = how_.letters, .begun = begun};
+    if (how_.markup) {
+        if (const auto done = tags_.read(text, fonts_.size()); !done) return done;
+        text = tags_.text();
+    }
+    text_job job{.text = text, .letters = how_.letters, .marked = how_.markup ? &tags_ : nullptr, .begun = begun};
+    job.instances = instances;
     typemesh::layout_options lines = options_.lines;
     lines.ellipsis = how_.ellipsis;
-    if (how_.bend.fit_text() || typemesh::refused_in_plain_text(lines) == typemesh::error::needs_paragraph) {
+    const bool needs_page = typemesh::refused_in_plain_text(lines) == typemesh::error::needs_paragraph;
+    if (how_.markup || how_.bend.fit_text() || needs_page) {
         if (const auto done = lay_out(text, lines); !done) return done.error();
         job.page = &page_;
     }
@@ -48,9 +58,25 @@ typemesh::result<void> session::make(std::u16string_view text, bool instances)
     return made;
 }
 
-const char* session::explained(const typemesh::error& e) const noexcept
+typemesh::result<void> session::plan_morph(std::u16string_view text, const char (&axis)[5])
 {
-    const bool is_tight = e == typemesh::error::bad_option && std::string_view{e.option} == "tolerance";
+    arrays_.clear();
+    morph_ = nullptr;
+    auto found = typemesh::harfbuzz_axis::open(fonts_.front()->font, axis);
+    if (!found) return found.error();
+    auto made = std::make_unique<weight_morph>(std::move(*found));
+    const auto done = made->plan(text, options_);
+    if (done) morph_ = std::move(made);
+    return done;
+}
+
+const char* session::explained(const typemesh::error& e)
+{
+    using typemesh::error;
+    if (e == error::bad_markup)
+        return (sentence_ = std::string{"There is "} + e.option + "; write [[ for a bracket.").c_str();
+    if (e == error::no_such_face && how_.markup) return "[font=...] is the number of a font: 1, 2 and so on.";
+    const bool is_tight = e == error::bad_option && std::string_view{e.option} == "tolerance";
     if (!is_tight || !how_.bend.in_space()) return nullptr;
     return "The text is bent too tightly for its bevels: bend it less, or take narrower bevels or a lower "
            "quality.";

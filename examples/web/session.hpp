@@ -5,6 +5,7 @@
 #include "mesh_arrays.hpp"
 #include "settings.hpp"
 #include "text_maker.hpp"
+#include "weight_morph.hpp"
 
 #include <typemesh/paragraph/paragraph.hpp>
 #include <typemesh/paragraph/total_fit.hpp>
@@ -12,6 +13,7 @@
 #include <cstdint>
 #include <memory>
 #include <span>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -42,10 +44,16 @@ public:
     /// Fills arrays(). Needs options that are not refused().
     [[nodiscard]] typemesh::result<void> make(std::u16string_view text, bool instances);
 
+    /// Plans a text that moves along an axis of the first font, such as "wght". Tags, bevels and bends are left out.
+    [[nodiscard]] typemesh::result<void> plan_morph(std::u16string_view text, const char (&axis)[5]);
+    /// Fills arrays() with the planned text at a value of the axis. Needs plan_morph().
+    [[nodiscard]] typemesh::result<void> write_morph(double value) { return morph_->write(value, arrays_); }
+    [[nodiscard]] bool has_morph() const noexcept { return morph_ != nullptr; }
+
     /// One sentence if the options cannot be had together, else null.
     [[nodiscard]] const char* refused() const noexcept { return how_.refused(); }
     /// A sentence about what make() refused, if the library's own would not help here; else null.
-    [[nodiscard]] const char* explained(const typemesh::error& e) const noexcept;
+    [[nodiscard]] const char* explained(const typemesh::error& e);
 
     [[nodiscard]] const mesh_arrays& arrays() const noexcept { return arrays_; }
     void clear_cache() noexcept { cache_.clear(); }
@@ -63,7 +71,10 @@ private:
     page_words words_{set_};
     typemesh::glyph_run page_;
     text_maker maker_{set_, cache_};
+    marked_words tags_;
+    std::unique_ptr<weight_morph> morph_;
     mesh_arrays arrays_;
+    std::string sentence_;
 };
 
 }  // namespace typemesh_web

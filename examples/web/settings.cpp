@@ -149,6 +149,7 @@ constexpr option table[] = {
     {"features", kind::features},
     {"language", kind::string, "", "", nullptr, set_ascii<&options::language>},
     {"script", kind::string, "", "", nullptr, set_ascii<&options::script>},
+    {"markup", kind::boolean, "", "0", [](settings& to, double n) { to.markup = n != 0.0; }},
     {"letters", kind::boolean, "", "0", [](settings& to, double n) { to.letters = n != 0.0; }},
     {"cached", kind::boolean, "", "1", [](settings& to, double n) { to.cached = n != 0.0; }},
 };

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "fonts.hpp"
+#include "marked_words.hpp"
 #include "mesh_arrays.hpp"
 #include "settings.hpp"
 #include "text_to_mesh/solids.hpp"
@@ -24,8 +25,9 @@ using web_plan = typemesh::text_plan<web_solid>;
 struct text_job {
     std::u16string_view text;
     const typemesh::glyph_run* page = nullptr;
-    bool instances = false;  ///< each different letter once, and where they stand
-    bool letters = false;    ///< vertices know their letters
+    bool instances = false;                ///< each different letter once, and where they stand
+    bool letters = false;                  ///< vertices know their letters
+    const marked_words* marked = nullptr;  ///< tags ask for solids and colours of their own
     std::chrono::steady_clock::time_point begun = {};
 };
 
@@ -44,6 +46,8 @@ public:
     [[nodiscard]] typemesh::result<void> make(const text_job& job, mesh_arrays& out);
 
 private:
+    [[nodiscard]] typemesh::result<void> make_solids(const text_job& job, mesh_arrays& out);
+    [[nodiscard]] typemesh::result<void> add(const text_job& job, mesh_arrays& out);
     font_set* fonts_;
     text_to_mesh::options options_;  // the texts in them are read while a plan is made
     typemesh::text_mesher<web_solid> mesher_;

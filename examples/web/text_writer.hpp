@@ -6,12 +6,17 @@
 
 namespace typemesh_web {
 
-/// Writes a plan. Compiled apart, for speed, as this runs for each vertex of each text; what builds letters is compiled for
+/// Adds what a plan writes. Compiled apart, for speed, as this runs for each vertex of each text; what builds letters is compiled for
 /// size.
 [[nodiscard]] typemesh::result<void> write_whole(const web_plan& plan, mesh_arrays& out) noexcept;
 
-/// Tells each vertex of what write_whole() has written the row of its letter. Needs the plan's letters.
-[[nodiscard]] typemesh::result<void> name_letters(const web_plan& plan, mesh_arrays& out) noexcept;
+/// Tells each vertex of what write_whole() has written last, from vertex `first` on, the row of its letter. Needs the
+/// plan's letters.
+[[nodiscard]] typemesh::result<void> name_letters(const web_plan& plan, std::uint32_t first, mesh_arrays& out) noexcept;
+
+/// Likewise the colour that tags give it.
+[[nodiscard]] typemesh::result<void> name_tints(const web_plan& plan, const marked_words& words, std::uint32_t first,
+                                                mesh_arrays& out) noexcept;
 
 /// The same as different letters and where they stand.
 [[nodiscard]] typemesh::result<void> write_letters(const web_plan& plan, mesh_arrays& out) noexcept;

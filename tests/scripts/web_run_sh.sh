@@ -29,11 +29,19 @@ if [ -e "$scratch/broken" ] && [[ $* == *settings.cpp* ]]; then echo "settings.c
 while [ "$1" != -o ]; do shift; done
 # The last to be compiled waits until the count of those before it has been shown.
 if [ -e "$scratch/wait" ] && [[ $2 == *exports.cpp* ]]; then
-    for _ in 1 2 3 4 5 6 7 8 9; do ! grep -q "8 of 9" "$scratch/out" || break; sleep 1; done
+    for _ in 1 2 3 4 5 6 7 8 9; do ! grep -q "10 of 11" "$scratch/out" || break; sleep 1; done
 fi
 echo made >"$2"
 END
 stand_in wasm-opt </dev/null
+stand_in esbuild <<'END'
+for word in "$@"; do case $word in --outdir=*) to=${word#*=} ;; esac; done
+echo 'import{a}from"./chunk-AB12.js";import("./downloads-CD34.js")' >"$to/page.js"
+touch "$to/chunk-AB12.js" "$to/downloads-CD34.js"
+END
+stand_in brotli <<'END'
+[ "$4" = -o ] && echo smaller >"$5"
+END
 stand_in fc-list <<'END'
 echo a font
 END
@@ -90,15 +98,32 @@ check "a machine without npm gets the page" succeeds
 check "Debian's npm is not installed" called_not 'apt-get.* install .*npm'
 grep -qs '^ *registry' /etc/npmrc /usr/etc/npmrc /usr/local/etc/npmrc ||
     check "the registry's address comes from Debian's package" called 'fetch.py .* https://of.debian.example/three/-/three-0.187.0.tgz$'
-check "the page has three.js" [ -e "$tree/build/web/site/three/three.core.js" ]
-check "it is served at the named port" called "^python3 -m http.server .* $free$"
+site=$tree/build/web/site
+check "the page is one small module" called '^esbuild .*/page/page.js --bundle --minify'
+check "its parts are fetched early" grep -q 'modulepreload" href="chunk-AB12.js"' "$site/index.html"
+check "what is needed later is not" [ "$(grep -c 'href="downloads' "$site/index.html")" = 0 ]
+check "the first font is fetched early" grep -qE 'fetch\("fonts/[A-Za-z.-]+"\)' "$site/index.html"
+check "files lie there compressed" [ -s "$site/page.js.br" -a -s "$site/typemesh.wasm.gz" -a -s "$site/index.html.br" ]
+check "it is served at the named port" called "^python3 .*/serve.py .*/site $free$"
 again && run $free
 check "the second run fetches nothing" called_not 'fetch.py|apt-get'
 check "the second run compiles nothing" called_not 'em\+\+ .* -c '
+anew && mv "$bin/esbuild" "$bin/brotli" "$scratch/" && run --build
+mv "$scratch/esbuild" "$scratch/brotli" "$bin/"
+check "without esbuild and brotli there is a page" succeeds
+check "it says that it is larger" says 'larger files'
+check "its modules are as they are" [ -e "$site/three/three.core.js" -a -e "$site/stage.js" -a ! -e "$site/page.js.br" ]
+check "the browser is told where they are" grep -q importmap "$site/index.html"
+anew && run --static "$scratch/a static folder"
+check "a static folder is made" [ -s "$scratch/a static folder/page.js.br" ]
+check "its sizes are told" says ' typemesh.wasm$'
+check "nothing is served" called_not 'serve.py'
+touch "$scratch/file" && run --static "$scratch/file"
+check "a file is no folder" fails
 anew && run NPM_CONFIG_REGISTRY=https://of.variable.example/npm --build
 check "a registry from a variable is used" called 'fetch.py .* https://of.variable.example/npm/three/-/three-'
 check "nothing else is searched" called_not 'apt-get'
-check "--build serves nothing" called_not 'http.server'
+check "--build serves nothing" called_not 'serve.py'
 anew && printf '; mine\nregistry = https://of.file.example/\n' >"$scratch/home/.npmrc" && run --build
 check "a registry from .npmrc is used" called 'fetch.py .* https://of.file.example/three/-/three-'
 anew && cp "$scratch/npm" "$bin/npm" && run --build
@@ -143,12 +168,12 @@ fi
 
 # --- compiling
 anew && touch "$scratch/wait" && run --build
-check "it shows its progress while it compiles" says ' 8 of 9$'
-check "nine files are compiled" [ "$(grep -cE 'em\+\+ .* -c ' "$scratch/calls")" = 9 ]
+check "it shows its progress while it compiles" says ' 10 of 11$'
+check "eleven files are compiled" [ "$(grep -cE 'em\+\+ .* -c ' "$scratch/calls")" = 11 ]
 again && touch "$tree/examples/web/page/page.css" "$tree/examples/web/run.sh" "$tree/examples/web/README.md" && run --build
 check "a changed page is no reason to compile" called_not 'em\+\+ .* -c '
 again && touch "$tree/include/a.hpp" && run --build
-check "a changed header is a reason to compile" [ "$(grep -cE 'em\+\+ .* -c ' "$scratch/calls")" = 9 ]
+check "a changed header is a reason to compile" [ "$(grep -cE 'em\+\+ .* -c ' "$scratch/calls")" = 11 ]
 again && touch "$tree/include/a.hpp" "$scratch/broken" && echo before >"$tree/examples/web/package/typemesh.wasm" && run --build
 check "a compiler's error ends the run" fails
 check "the error is shown" says "settings.cpp:1: error: a stand-in's"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // page.mjs SITE BROWSER PICTURES RENEW: does to the page what a user would, and fails on whatever is not as it should be.
 
-import { execFileSync } from "node:child_process";
+import { execFileSync, spawnSync } from "node:child_process";
 import fs from "node:fs";
 import http from "node:http";
 import { createRequire } from "node:module";
@@ -50,7 +50,8 @@ const measured = () => page.evaluate(() => Number(document.documentElement.datas
 async function settled(before) {
     await page.waitForFunction(n => Number(document.documentElement.dataset.measured ?? 0) > n || !document.getElementById("message").hidden, {}, before);
 }
-async function open(hash = "", { width = 1000, height = 640, dark = false, still = false } = {}) {
+/** Opens the page; nothing moves in it, unless `still` is false. */
+async function open(hash = "", { width = 1000, height = 640, dark = false, still = true } = {}) {
     await page.setViewport({ width, height });
     await page.emulateMediaFeatures([{ name: "prefers-color-scheme", value: dark ? "dark" : "light" },
         { name: "prefers-reduced-motion", value: still ? "reduce" : "no-preference" }]);
@@ -97,6 +98,10 @@ async function compare(name) {
     }, seen, fs.readFileSync(file).toString("base64"));
     check(share < 0.02, `${name}.png: ${(100 * share).toFixed(1)} % of the pixels are others`);
 }
+/** The canvas as it is now. */
+const canvas = async () => (await (await page.$("#canvas")).screenshot({ encoding: "base64" }));
+const rest = ms => new Promise(done => setTimeout(done, ms));
+const pick = name => page.$eval("#font", (e, v) => { e.value = v; e.dispatchEvent(new Event("change", { bubbles: true })); }, name);
 const drop = (name, bytes) => page.evaluate((name, text) => {
     const files = new DataTransfer();
     files.items.add(new File([Uint8Array.from(atob(text), c => c.charCodeAt(0))], name));
@@ -122,7 +127,7 @@ if (process.env.TYPEMESH_MESH_HASH) {
     const font = path.join(site, Object.values(fonts)[0]);
     const options = await page.evaluate(() => globalThis.page.options);
     const named = Object.entries(options).flatMap(([k, v]) => typeof v === "object" ? Object.entries(v).map(([s, w]) => `${k}.${s}=${w}`) : [`${k}=${v}`]);
-    const native = execFileSync(process.env.TYPEMESH_MESH_HASH, ["Hello world!", "--font", font, ...named], { encoding: "utf8" }).trim();
+    const native = execFileSync(process.env.TYPEMESH_MESH_HASH, ["Hello world!", "--weight", String(await page.evaluate(() => globalThis.page.weight)), "--font", font, ...named], { encoding: "utf8" }).trim();
     check(native.includes(await hash()), `the native program's mesh has the hash ${native}, the page's ${await hash()}`);
 }
 
@@ -134,9 +139,10 @@ await change(() => page.$eval("#text", e => {
 const changes = [];
 for (let i = 0; i < 20; ++i) {
     await page.$eval("#text", (e, i) => { e.value = e.value.slice(0, 199) + "aeiou"[i % 5]; e.dispatchEvent(new Event("input", { bubbles: true })); }, i);
-    changes.push(Number(await value("change")));
+    changes.push(await page.evaluate(() => globalThis.page.lastChange));
 }
 changes.sort((a, b) => a - b);
+check(Number(await value("change")) > 0 && Number(await value("change")) <= Math.max(...changes), "the page shows the median of its changes");
 figures.push(`a change of 200 characters: ${changes[10].toFixed(1)} ms (median of 20), ${changes[19].toFixed(1)} ms at most`);
 await page.focus("#text");
 await change(() => page.keyboard.type("!"));
@@ -144,12 +150,15 @@ check((await value("text")).endsWith("!") || (await value("text")).includes("!")
 
 // Every option, and each of its values. Short texts cannot be bent to the ends of the sliders.
 await open("#text=Aé here&bevel.width=0.02");
+const hidden = await page.$$eval("#groups details", all => all.filter(e => !e.open).length);
+check(hidden >= 2, "what few people need is folded");
+await page.$$eval("#groups details", all => all.forEach(e => { e.open = true; }));
 const ids = await page.$$eval("#groups input, #groups select", all => all.map(e => e.id));
 check(ids.length >= 20, "the panel has its controls");
 for (const id of ids) {
     const [kind, was, values] = await page.$eval("#" + id, e => [e.type, e.type === "checkbox" ? e.checked : e.value,
         e.type === "select-one" ? [...e.options].map(o => o.value) : e.type === "checkbox" ? [!e.checked] :
-        e.type === "range" ? [e.min, e.max] : e.id.endsWith("features") ? ["kern=0, liga"] : ["tr"]]);
+        e.type === "range" ? [e.min, e.max] : e.type === "color" ? ["#00aa55"] : e.id.endsWith("features") ? ["kern=0, liga"] : ["tr"]]);
     for (const v of values) {
         if (String(v) === String(was)) continue;
         await set("#" + id, v);
@@ -215,6 +224,96 @@ await open("#text=" + encodeURIComponent("Dark and narrow"), { width: 360, heigh
 await compare("phone-dark");
 check(await page.evaluate(() => document.scrollingElement.scrollWidth <= 360), "nothing is wider than a phone");
 
+// A phone: while an option is used, the mesh is in view.
+for (const [width, height] of [[360, 700], [390, 844], [740, 360]]) {
+    await open("#text=Phone", { width, height });
+    const seen = await page.evaluate(() => {
+        document.getElementById("png").scrollIntoView();
+        const box = e => document.getElementById(e).getBoundingClientRect(), [stage, button] = [box("stage"), box("png")];
+        return { stage: Math.min(stage.bottom, innerHeight) - Math.max(stage.top, 0), button: button.top >= 0 && button.bottom <= innerHeight + 1, wide: document.scrollingElement.scrollWidth };
+    });
+    check(seen.stage >= Math.min(240, 0.6 * height) && seen.button && seen.wide <= width, `at ${width} x ${height} the stage stays: ${JSON.stringify(seen)}`);
+}
+
+// Presets: each is one click, and its link opens as it was made.
+await open();
+const names = await page.$$eval("#presets a", all => all.map(e => e.className));
+check(names.length >= 8, `there are ${names.length} presets`);
+const programs = [];  // of what is on the screen, to be compiled
+const program = () => page.evaluate(() => ({ code: globalThis.page.programs.cpp(globalThis.page.programState()), font: globalThis.page.programState().file,
+    command: globalThis.page.programs.command(globalThis.page.programState()), javascript: globalThis.page.programs.javascript(globalThis.page.programState()),
+    vertices: globalThis.page.mesh.statistics.vertices, triangles: globalThis.page.mesh.statistics.triangles }));
+const unhurried = () => page.waitForFunction(() => document.getElementById("loading").hidden && globalThis.page.mesh.statistics.missing === 0);
+for (const name of names) {
+    await change(() => page.click(`#presets .${name}`));
+    await unhurried();
+    await rest(600);
+    const [made, hash_of_link] = [await hash(), await page.evaluate(() => location.hash)];
+    check(await message() === "" && await value("open-edges") === "0", `${name}: ${await message()} ${await value("open-edges")}`);
+    check(await page.$eval(`#presets .${name}`, e => e.getAttribute("aria-current")) === "true", `${name} is marked as what is shown`);
+    programs.push({ name, ...await program() });
+    await open(hash_of_link);
+    await unhurried();
+    check(await hash() === made, `the link of ${name} opens as it was made`);
+}
+
+// Tags.
+await open("#text=" + encodeURIComponent("[b]A[/b] [colour=#ff0000]B[/colour] [size=2]C[/]"));
+check(await page.evaluate(() => globalThis.page.mesh.tint.length === 4 * globalThis.page.mesh.statistics.vertices && globalThis.page.mesh.tint.includes(255)), "tags colour letters");
+check(await value("open-edges") === "0" && await page.evaluate(() => globalThis.page.mesh.statistics.glyphs) === 5, "tags are no letters");
+await set("#text", "[b");
+check(/^Tags are not read yet: at character 1/.test(await value("notes")) && await message() === "", `a tag that is not complete is told: ${await value("notes")}`);
+await set("#text", "one two");
+await page.$eval("#text", e => e.setSelectionRange(4, 7));
+await change(() => page.click("#tags [data-tag=b]"));
+check(await value("text") === "one [b]two[/]", `a button puts a tag around what is selected: ${await value("text")}`);
+
+// Undo and redo, of text and options alike.
+await open();
+const origin = await hash();
+await set("#text", "Other");
+await rest(1100);
+await set("#option-depth", "0.5");
+check(await page.$eval("#undo", e => !e.disabled), "there is something to undo");
+await change(() => page.click("#undo"));
+check(await value("text") === "Other" && await value("option-depth") === "0.2", "Undo takes the last change back");
+await page.focus("#text");
+await page.keyboard.down("Control");
+await change(() => page.keyboard.press("z"));
+check(await value("text") === "Hello world!" && await hash() === origin, "Ctrl+Z takes the one before back");
+await change(() => page.keyboard.press("y"));
+check(await value("text") === "Other", "Ctrl+Y does it again");
+await page.keyboard.up("Control");
+
+// Weights.
+await open();
+await set("#option-page-weight", "300");
+check(await hash() !== origin && await value("open-edges") === "0", "another weight is another mesh");
+await change(() => pick("DejaVu Sans Bold"));
+check(await page.$eval("#option-page-weight", e => e.closest(".row").hidden), "a font of one weight has no slider for it");
+
+// A slow turn until the mesh is touched.
+await open("", { still: false });
+const before_turn = await canvas();
+await rest(1500);
+check(await canvas() !== before_turn && await page.$eval("#turn", e => e.getAttribute("aria-pressed")) === "true", "the mesh turns by itself");
+await page.focus("#canvas");
+await page.keyboard.press("ArrowRight");
+await rest(300);
+const touched = await canvas();
+await rest(900);
+check(await canvas() === touched && await page.$eval("#turn", e => e.getAttribute("aria-pressed")) === "false", "and rests once it is touched");
+
+// A weight that breathes.
+await open("#page.motion=breathe&text=" + "breathing ".repeat(4), { still: false });
+const weights = await page.evaluate(() => {
+    const { mesh, stage } = globalThis.page, begun = performance.now();
+    for (let i = 0; i < 60; ++i) stage.breath(70 * i);
+    return { ms: performance.now() - begun, vertices: mesh.statistics ? globalThis.page.mesh.statistics.vertices : 0 };
+});
+figures.push(`60 weights of a text of 40 letters, ${weights.vertices} vertices, without drawing: ${weights.ms.toFixed(0)} ms`);
+check(weights.ms < 1000, `60 weights take ${weights.ms} ms, less than a second`);
+
 // Fonts.
 await open();
 const before = await hash();
@@ -226,22 +325,21 @@ check(/^junk\.ttf: .+\.$/.test(await message()), `a file that is no font is refu
 check(await hash() === kept && await value("font") === "Dropped.ttf", "and nothing else changes");
 
 // Of two choices the newer one counts, though its font is there and the other's arrives late.
-const bundled = JSON.parse(fs.readFileSync(path.join(site, "fonts.json"))), names = Object.keys(bundled);
+const bundled = JSON.parse(fs.readFileSync(path.join(site, "fonts.json"))), offered = Object.keys(bundled);
 const loading = () => page.$eval("#loading", e => e.hidden ? "" : e.textContent);
-const pick = name => page.$eval("#font", (e, v) => { e.value = v; e.dispatchEvent(new Event("change", { bubbles: true })); }, name);
 await open();
 const first = await hash();
-held.set(path.basename(bundled[names[2]]), []);
-await pick(names[2]);
-check(await loading() === `Loading ${names[2]}…`, `what is awaited is said: ${await loading()}`);
-await change(() => pick(names[0]));
+held.set(path.basename(bundled[offered[2]]), []);
+await pick(offered[2]);
+check(await loading() === `Loading ${offered[2]}…`, `what is awaited is said: ${await loading()}`);
+await change(() => pick(offered[0]));
 check(await loading() === "", "nothing is awaited after another choice");
-for (const answer of held.get(path.basename(bundled[names[2]]))) answer();
+for (const answer of held.get(path.basename(bundled[offered[2]]))) answer();
 held.clear();
 await new Promise(done => setTimeout(done, 700));
-check(await value("font") === names[0] && await hash() === first, `the newer choice counts: ${await value("font")}`);
-await change(() => pick(names[2]));
-check(await value("font") === names[2] && await hash() !== first, "the late font can be chosen afterwards");
+check(await value("font") === offered[0] && await hash() === first, `the newer choice counts: ${await value("font")}`);
+await change(() => pick(offered[2]));
+check(await value("font") === offered[2] && await hash() !== first, "the late font can be chosen afterwards");
 
 // What the chosen font lacks comes from the others of the page.
 await open("#text=" + encodeURIComponent("Aあ"));
@@ -265,21 +363,18 @@ await set("#text", "word ".repeat(40000));
 check(/200,000 characters/.test(await message()) && await hash() === long, `an overlong text is told: ${await message()}`);
 
 // Link.
-await open("#text=Link&bevel.profile=round&depth=0.3&view=normals");
+await open("#text=Link&bevel.profile=chamfer&depth=0.3&view=normals");
 await page.click("#link");
 const address = await page.evaluate(() => location.hash), linked = await hash();
 await open(address);
-check(await hash() === linked && await value("option-bevel-profile") === "round", "the link brings the mesh back");
+check(await hash() === linked && await value("option-bevel-profile") === "chamfer", "the link brings the mesh back");
 await change(() => page.click("#reset"));
-check(await value("text") === "Hello world!" && await value("option-bevel-profile") === "chamfer", "Reset sets everything back");
-
-// The canvas as it is now.
-const canvas = async () => (await (await page.$("#canvas")).screenshot({ encoding: "base64" }));
+check(await value("text") === "Hello world!" && await value("option-bevel-profile") === "round", "Reset sets everything back");
 
 // Letters that move, and those of somebody who wants less motion.
-const rest = ms => new Promise(done => setTimeout(done, ms));
-for (const motion of ["wave", "reveal", "scatter", "typewriter"]) {
-    await open(`#page.motion=${motion}&text=They move`);
+for (const motion of ["wave", "reveal", "scatter", "typewriter", "flag", "score", "breathe"]) {
+    await open(`#page.motion=${motion}&text=${motion === "score" ? "1984" : "They move"}`, { still: false });
+    await page.evaluate(() => globalThis.page.stage.turn(false));  // only the letters
     const early = await canvas();
     let moved = false;  // a typewriter waits when all is written
     for (let i = 0; i < 8 && !moved; ++i, await rest(400)) moved = await canvas() !== early;
@@ -302,11 +397,11 @@ await page.keyboard.press("+");
 check(await canvas() !== turned, "plus zooms");
 const reached = new Set();
 await page.evaluate(() => document.activeElement.blur());
-for (let i = 0; i < 60; ++i) {
+for (let i = 0; i < 90; ++i) {
     await page.keyboard.press("Tab");
     reached.add(await page.evaluate(() => document.activeElement.id));
 }
-for (const id of ["canvas", "text", "font", "file", "option-depth", "ticker", "glb", "reset"]) check(reached.has(id), `the Tab key reaches ${id}`);
+for (const id of ["canvas", "turn", "text", "font", "file", "undo", "option-depth", "ticker", "glb", "reset"]) check(reached.has(id), `the Tab key reaches ${id}`);
 
 // Files.
 await page.evaluate(() => {
@@ -361,6 +456,47 @@ await page.waitForFunction(() => Number(document.getElementById("rate").value) >
 figures.push(`1,000 new characters a frame: ${await value("rate")} frames a second, drawn in software`);
 await change(() => page.click("#ticker"));
 check(await message() === "", "the ticker has nothing to say");
+
+// Accessibility, if npm's axe-core is there.
+const axe = path.join(process.env.NODE_PATH, "axe-core", "axe.min.js");
+if (fs.existsSync(axe))
+    for (const how of [{}, { dark: true }, { width: 360, height: 700 }, { width: 360, height: 700, dark: true }, { width: 740, height: 360 }]) {
+        await open("", how);
+        await page.$$eval("#panel details", all => all.forEach(e => { e.open = true; }));
+        await page.evaluate(fs.readFileSync(axe, "utf8"));
+        const found = await page.evaluate(async () => (await globalThis.axe.run()).violations.map(v => `${v.id}: ${v.nodes.map(n => n.target).join("; ")}`));
+        check(found.length === 0, `axe, ${JSON.stringify(how)}: ${found.join(" | ")}`);
+    }
+
+// The programs for what was on the screen make the same meshes.
+await open("#text=One two three four&width=6&align=left&embolden=0.01&features=kern%3D0&bevel.profile=chamfer&quality=low");
+programs.push({ name: "paragraph", ...await program() });
+await open("#text=hollow&outline.width=0.02&path.wave=0.3&triangulator=delaunay");
+programs.push({ name: "hollow", ...await program() });
+const folder = fs.mkdtempSync(path.join(site, "..", "programs-")), compiler = process.env.CXX ?? "c++";
+const flags = () => execFileSync("pkg-config", ["--cflags", "--libs", "harfbuzz"], { encoding: "utf8" }).trim().split(/\s+/);
+const include = path.join(site, "..", "..", "..", "include");
+if (!spawnSync("pkg-config", ["--exists", "harfbuzz"]).error)
+    for (const { name, code, font, vertices, triangles, command, javascript } of programs) {
+        const [source, binary] = [path.join(folder, `${name}.cpp`), path.join(folder, name)];
+        fs.writeFileSync(source, code);
+        const compiled = spawnSync(compiler, ["-std=c++20", "-O0", "-Wall", "-I", include, source, ...flags(), "-o", binary], { encoding: "utf8" });
+        check(compiled.status === 0 && compiled.stderr === "", `the program for ${name} compiles: ${compiled.stderr}\n${code}`);
+        if (compiled.status !== 0) continue;
+        const said = spawnSync(binary, [path.join(site, "fonts", font)], { encoding: "utf8" }).stdout.trim();
+        const same = said === `${vertices} vertices, ${triangles} triangles`;
+        // Tags such as [b] are solids of their own, which the program names and leaves to its reader.
+        if (/tags/.test(code)) check(/^[1-9]\d+ vertices/.test(said), `the program for ${name} makes a mesh: ${said}`);
+        else check(same, `the program for ${name} makes ${said}, the page ${vertices} and ${triangles}`);
+        if (process.env.TYPEMESH_TEXT_TO_MESH) {
+            const words = command.replace("--font ", `--font ${path.join(site, "fonts")}/`).replace("-o text.glb", `-o ${binary}.glb`);
+            const ran = spawnSync("sh", ["-c", words.replace(/^text_to_mesh/, process.env.TYPEMESH_TEXT_TO_MESH)], { encoding: "utf8" });
+            check(ran.status === 0, `the command for ${name} runs: ${words}\n${ran.stderr}`);
+        }
+        fs.writeFileSync(path.join(folder, `${name}.mjs`), javascript);
+        check(spawnSync("node", ["--check", path.join(folder, `${name}.mjs`)]).status === 0, `the JavaScript for ${name} is well formed`);
+    }
+fs.rmSync(folder, { recursive: true });
 
 // Without WebGL. What three.js says of it on the console is meant.
 const blind = await browser.newPage();

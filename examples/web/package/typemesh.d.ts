@@ -198,6 +198,12 @@ export interface MeshOptions {
     /** ISO 15924: "Arab"; by default as the text has it. */
     script?: string;
 
+    /**
+     * true reads tags in the text: `[b]bold[/b]`, `[size=1.5]`, `[colour=#c33]`, `[i] [u] [s] [sup] [sub] [rise] [spacing] [depth] [bevel]
+     * [mark] [ruby] [lang]`, `[font=2]` (the second font), `[/]` closes the last, `[[` is a bracket. A mistake is refused, with its place.
+     * Colours are in `mesh.tint`.
+     */
+    markup?: boolean;
     /** true tells each vertex its letter: `mesh.letter` and `mesh.letters`. */
     letters?: boolean;
     /** false builds every letter of this mesh anew, for measurements; true by default. */
@@ -229,6 +235,13 @@ export interface Mesher {
     /** The same as different letters and where they stand, for instanced drawing. Letters are not merged. Ends as mesh() does. */
     letters(text: string, options?: MeshOptions): Letters;
 
+    /**
+     * Plans a text that moves along an axis of the mesher's first font, such as "wght", with the same triangles throughout: they are
+     * proven to hold at every place of the axis, not only at samples. `depth`, `size`, `quality` and what shapes the text hold; bevels,
+     * bends and tags do not. A few milliseconds for each different letter; the next morph() of this mesher ends it.
+     */
+    morph(text: string, axis: string, options?: MeshOptions): Morph;
+
     /** Forgets all letters that were built. */
     clear(): void;
 
@@ -258,7 +271,9 @@ export interface Mesh {
     readonly letter: Uint32Array;
     /** With the option `letters` what can move alone: graphemes, ligatures, letters that are written together or were merged, in reading order. Then underlines and other bars, whose word is -1. */
     readonly letters: readonly { readonly pivot: readonly [number, number, number]; readonly word: number; readonly line: number }[];
-    /** Together all the triangles. Empty parts are left out. */
+    /** With the option `markup`: red, green, blue of each vertex, and 0, or 255 where no tag gives a colour; else empty. */
+    readonly tint: Uint8Array;
+    /** Together all the triangles. Empty parts are left out; with tags such as [b] there may be several of a name. */
     readonly parts: readonly Part[];
     /** Of all positions. Of an empty mesh all are 0. */
     readonly bounds: { readonly low: readonly [number, number, number]; readonly high: readonly [number, number, number] };
@@ -292,6 +307,8 @@ export interface Statistics {
     readonly glyphs: number;
     /** Lines of the text. */
     readonly lines: number;
+    /** How long the longest line is, in em: from the pen at its first letter to the pen behind its last. */
+    readonly advance: number;
     /** Characters that no font has. */
     readonly missing: number;
     /** Glyphs left out. */
@@ -320,6 +337,15 @@ export interface Letters {
     readonly translation: Float32Array;
     readonly statistics: Statistics;
     readonly warnings: readonly string[];
+}
+
+/** A text that moves along an axis of its font: `for each frame: show(morph.at(weight))`. */
+export interface Morph {
+    /** The ends of the axis. */
+    readonly minimum: number;
+    readonly maximum: number;
+    /** The mesh at a value, which takes microseconds; it ends with the next mesh of this mesher. It has no letters, and u and v are x and y in em. */
+    at(value: number): Mesh;
 }
 
 /** What the library refuses. */

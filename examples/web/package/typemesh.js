@@ -364,6 +364,7 @@ class Mesher {
     #usesOwn = true; // they are those that the module has
     #text = { at: 0, room: 0 };
     #made = 0; // counts the texts
+    #morphs = 0;
 
     constructor(machine, fonts) {
         this.#machine = machine;
@@ -395,6 +396,16 @@ class Mesher {
     letters(text, options) {
         return new Letters(this.#machine, this.#make(text, options, 1));
     }
+    morph(text, axis, options) {
+        const tag = tagOf(axis);
+        const { calls } = this.#machine;
+        this.#call(text, options, (at) => calls.web_plan_morph(this.#handle, at, text.length, tag));
+        const plan = ++this.#morphs;
+        return new Morph(this.#fonts[0].axes.find((a) => a.tag === axis), (value) => {
+            if (plan !== this.#morphs) throw new TypeError('The morph is no longer valid, because its mesher has planned another: make it again.');
+            return new Mesh(this.#machine, this.#call('', undefined, () => calls.web_write_morph(this.#handle, value), text));
+        });
+    }
     clear() {
         this.#alive();
         this.#machine.calls.web_clear_cache(this.#handle);
@@ -411,6 +422,11 @@ class Mesher {
     }
 
     #make(text, options, instances) {
+        return this.#call(text, options, (at) => this.#machine.calls.web_make(this.#handle, at, text.length, instances));
+    }
+
+    /** Hands options and the text over, calls, and gives where the mesh is. */
+    #call(text, options, make, shown = text) {
         this.#alive();
         const begun = performance.now();
         if (typeof text !== 'string') throw new TypeError('The text must be a string.');
@@ -422,13 +438,12 @@ class Mesher {
             machine.table.hand(machine, this.#handle, this.#own);
             this.#usesOwn = true;
         }
-        const at = this.#put(text);
-        const status = machine.calls.web_make(this.#handle, at, text.length, instances);
+        const status = make(this.#put(text));
         const own = ++this.#made;
         if (status !== 0) throw machine.failure();
         const place = (machine.calls.web_result(this.#handle) >>> 0) >>> 2;
         const microseconds = 1000 * (performance.now() - begun);
-        return { mesher: this.#handle, place, text, microseconds, isThere: () => this.#handle !== 0 && this.#made === own };
+        return { mesher: this.#handle, place, text: shown, microseconds, isThere: () => this.#handle !== 0 && this.#made === own };
     }
 
     #put(text) {
@@ -453,7 +468,7 @@ const field = {
     position: 0, normal: 1, uv: 2, index: 3, vertices: 4, triangles: 5, parts: 6, partCount: 7, letters: 8, letterCount: 9,
     instances: 10, translations: 11, instanceCount: 12, bounds: 13, glyphs: 19, lines: 20, contourPoints: 21, missing: 22,
     firstMissing: 23, refused: 24, narrowed: 25, invalidUnits: 26, unbroken: 27, firstRefusal: 28, planMicroseconds: 29,
-    letterOf: 30, letterRows: 31, letterRowCount: 32,
+    letterOf: 30, letterRows: 31, letterRowCount: 32, tints: 33, tintCount: 34, advance: 35,
 };
 
 /** What Mesh and Letters have in common. */
@@ -473,6 +488,7 @@ class Arrays {
             triangles: words[at + field.triangles],
             glyphs: words[at + field.glyphs],
             lines: words[at + field.lines],
+            advance: floats[at + field.advance],
             missing: words[at + field.missing],
             refused: words[at + field.refused],
             narrowed: words[at + field.narrowed],
@@ -560,6 +576,9 @@ class Arrays {
 }
 
 class Mesh extends Arrays {
+    get tint() {
+        return this.view(Uint8Array, 'tint', field.tints, 4 * this.number(field.tintCount));
+    }
     get letter() {
         const count = this.number(field.letterRowCount) === 0 ? 0 : this.statistics.vertices;
         return this.words('letter', field.letterOf, count);
@@ -595,6 +614,27 @@ class Mesh extends Arrays {
     copy() {
         const [position, normal, uv, index] = [this.position, this.normal, this.uv, this.index].map((a) => a.slice());
         return { position, normal, uv, index, parts: this.parts.map((p) => ({ ...p })) };
+    }
+}
+
+/** A text that moves along an axis. */
+class Morph {
+    #axis;
+    #write;
+
+    constructor(axis, write) {
+        this.#axis = axis;
+        this.#write = write;
+    }
+    get minimum() {
+        return this.#axis.minimum;
+    }
+    get maximum() {
+        return this.#axis.maximum;
+    }
+    at(value) {
+        if (typeof value !== 'number' || !Number.isFinite(value)) throw new TypeError(`A value of an axis must be a number, not ${value}.`);
+        return this.#write(value);
     }
 }
 

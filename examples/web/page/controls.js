@@ -1,55 +1,67 @@
 // SPDX-License-Identifier: MIT
 // The panel's controls, their values, and the link that holds them.
 
+import { finishes } from "./looks.js";
+
 // name: the name of the mesher's option, "bevel.width" for {bevel: {width}}; or a name of the page itself, after "page."
+// choices: [value, words] each, the start first
 const range = (name, label, start, low, high, step, unit = "") => ({ kind: "range", name, label, start, low, high, step, unit });
-const choice = (name, label, ...choices) => ({ kind: "choice", name, label, start: choices[0], choices });
+const choice = (name, label, ...choices) => ({ kind: "choice", name, label, start: choices[0][0], choices });
 const check = (name, label, start) => ({ kind: "check", name, label, start });
 const words = (name, label, start, hint) => ({ kind: "words", name, label, start, hint });
 
 export const groups = [
-    { title: "Solid", open: true, controls: [
+    { title: "Look", open: true, controls: [
+        choice("page.finish", "Made of", ["satin", "satin plastic"], ["gloss", "balloon skin"], ["chrome", "chrome"], ["gold", "gold"], ["lacquer", "lacquer"], ["neon", "neon light"]),
+        { kind: "colour", name: "page.colour", label: "Colour", start: "" },
+        check("page.rainbow", "Each letter its own colour", false),
+        choice("page.world", "Surroundings", ["auto", "as the page"], ["light", "light studio"], ["dark", "dark studio"], ["dusk", "dusk"], ["night", "night"]),
+        choice("page.motion", "Letters", ["still", "stand still"], ["wave", "wave"], ["reveal", "grow one by one"], ["scatter", "fly apart and back"], ["typewriter", "are typed"],
+            ["flag", "fly like a flag"], ["score", "roll up to a number"], ["breathe", "breathe in weight"]),
+    ] },
+    { title: "Letters", open: true, controls: [
+        range("page.weight", "Weight", 800, 100, 900, 5),
         range("depth", "Depth", 0.2, 0, 1, 0.01),
-        range("bevel.width", "Bevel", 0.02, 0, 0.12, 0.002),
-        choice("bevel.profile", "Profile", "chamfer", "round", "concave", "stepped", "engraved"),
-        choice("bevel.mode", "Thin strokes", "clip", "fit", "fit_text"),
-        choice("bevel.sides", "Bevels on", "both", "front", "back"),
-        check("bevel.outward", "Put on outside", false),
         range("embolden", "Bolder", 0, -0.05, 0.1, 0.002),
-        range("outline.width", "Hollow", 0, 0, 0.08, 0.002),
+        range("outline.width", "Hollow, rim", 0, 0, 0.08, 0.002),
+        range("inflate.height", "Blow up", 0, 0, 2, 0.05),
+        range("letterSpacing", "Space between", 0, -0.1, 0.5, 0.01),
     ] },
-    { title: "Shape", open: true, controls: [
-        range("bend.cylinder", "Bend", 0, -360, 360, 10, "°"),
+    { title: "Edges", open: true, controls: [
+        range("bevel.width", "Bevel", 0.03, 0, 0.12, 0.002),
+        choice("bevel.profile", "Its form", ["round", "round"], ["chamfer", "flat"], ["concave", "hollowed out"], ["stepped", "steps"], ["engraved", "engraved"]),
+        choice("bevel.mode", "Thin strokes", ["clip", "end in a ridge"], ["fit", "get a narrower bevel, each letter"], ["fit_text", "get a narrower bevel, all letters"]),
+        choice("bevel.sides", "Bevels on", ["both", "both faces"], ["front", "the front"], ["back", "the back"]),
+        check("bevel.outward", "Letters grow by the bevel", false),
+    ] },
+    { title: "Bend and lay out", open: false, controls: [
+        range("bend.cylinder", "Round a column", 0, -360, 360, 10, "°"),
         range("bend.twist", "Twist", 0, -360, 360, 10, "°"),
-        range("bend.wave", "Wave", 0, 0, 1, 0.02),
+        range("bend.wave", "Curtain", 0, 0, 1, 0.02),
         range("warp.arc", "Arc", 0, -180, 180, 5, "°"),
-        range("warp.flag", "Flag", 0, 0, 0.5, 0.01),
-        range("path.ring", "Ring", 0, -8, 8, 0.25),
-        range("path.wave", "Path wave", 0, 0, 1, 0.05),
-        range("inflate.height", "Inflate", 0, 0, 2, 0.05),
+        range("warp.flag", "Pennant", 0, 0, 0.5, 0.01),
+        range("path.ring", "On a ring", 0, -8, 8, 0.25),
+        range("path.wave", "On waves", 0, 0, 1, 0.05),
     ] },
-    { title: "Motion", open: true, controls: [
-        choice("page.motion", "Letters", "still", "wave", "reveal", "scatter", "typewriter"),
-    ] },
-    { title: "Lines", open: true, controls: [
-        range("width", "Width", 0, 0, 40, 0.5),
-        choice("align", "Align", "centre", "start", "end", "left", "right", "justify"),
-        choice("wrap", "Wrap", "word_or_grapheme", "word", "grapheme", "none"),
-        choice("breaker", "Break lines", "first_fit", "total_fit"),
-        choice("direction", "Direction", "automatic", "ltr", "rtl", "ttb"),
-        range("letterSpacing", "Letter spacing", 0, -0.1, 0.5, 0.01),
-        words("features", "Features", "", "smcp, liga=0"),
+    { title: "Lines and languages", open: false, controls: [
+        range("width", "Lines at most", 0, 0, 40, 0.5, " em"),
+        choice("align", "Lines stand", ["centre", "in the middle"], ["start", "at their start"], ["end", "at their end"], ["left", "left"], ["right", "right"], ["justify", "stretched to the width"]),
+        choice("wrap", "Lines end", ["word_or_grapheme", "after words, else letters"], ["word", "only after words"], ["grapheme", "after any letter"], ["none", "only where I say"]),
+        choice("breaker", "Line ends are", ["first_fit", "chosen one by one"], ["total_fit", "chosen for even lines"]),
+        choice("direction", "Text runs", ["automatic", "as its script does"], ["ltr", "to the right"], ["rtl", "to the left"], ["ttb", "down, in columns"]),
+        words("features", "Font features", "", "smcp, liga=0"),
         words("language", "Language", "", "tr, zh-Hant"),
+        check("page.tags", "Tags such as [b] are read", true),
     ] },
-    { title: "How it is made", open: false, controls: [
+    { title: "How the mesh is made", open: false, controls: [
         range("size", "Size", 1, 0.1, 4, 0.05),
-        choice("quality", "Quality", "high", "low", "normal", "best"),
-        choice("discretiser", "Flattening", "certified", "two_lines", "adaptive"),
-        choice("triangulator", "Triangles", "monotone", "delaunay"),
-        choice("fill", "Fill rule", "font", "non_zero", "even_odd"),
-        choice("normals", "Wall normals", "curve", "creased", "averaged", "shared", "cap"),
-        choice("uv", "Texture", "em", "box", "cylindrical"),
-        check("merge", "Merge letters", true),
+        choice("quality", "Curves are", ["high", "fine"], ["low", "coarse"], ["normal", "medium"], ["best", "finest"]),
+        choice("discretiser", "Flattening", ["certified", "proven"], ["two_lines", "two lines a curve"], ["adaptive", "adaptive"]),
+        choice("triangulator", "Triangles", ["monotone", "made fast"], ["delaunay", "not slender (Delaunay)"]),
+        choice("fill", "Crossing outlines", ["font", "as the font says"], ["non_zero", "filled"], ["even_odd", "filled in turns"]),
+        choice("normals", "Walls are shaded", ["curve", "as the curve"], ["creased", "with creases"], ["averaged", "averaged"], ["shared", "all smooth"], ["cap", "as the caps"]),
+        choice("uv", "Texture runs", ["em", "along the faces"], ["box", "over the whole text"], ["cylindrical", "round each edge"]),
+        check("merge", "Letters that meet are one", true),
     ] },
 ];
 
@@ -68,10 +80,10 @@ const idle = [
     { by: ["inflate.height"], name: "outline.width", words: "Inflated letters are not hollow." },
     { by: ["inflate.height"], name: "normals", words: "" },
     { by: bends, name: "outline.width", words: "Bent letters are not hollow." },
+    { by: ["page.motion"], is: "breathe", name: "bevel", words: "A text that breathes has no bevels." },
 ];
 const isOf = (name, group) => name === group || name.startsWith(group + ".");
-const shown = word => word.replaceAll("_", " ");
-const id = name => "option-" + name.replace(".", "-");
+const id = name => "option-" + name.replaceAll(".", "-");
 
 export class Controls {
     /** Makes the controls in `into`, calls `changed` after each change. */
@@ -94,10 +106,11 @@ export class Controls {
         label.htmlFor = id(c.name);
         const input = row.appendChild(document.createElement(c.kind === "choice" ? "select" : "input"));
         input.id = id(c.name);
-        if (c.kind === "choice") input.append(...c.choices.map(v => new Option(shown(v), v)));
+        if (c.kind === "choice") input.append(...c.choices.map(([v, words]) => new Option(words, v)));
         if (c.kind === "range") Object.assign(input, { type: "range", min: c.low, max: c.high, step: c.step });
         if (c.low < 0) row.append(this.#tick(c, input));  // on which the slider stops more easily
         if (c.kind === "check") input.type = "checkbox";
+        if (c.kind === "colour") input.type = "color";
         if (c.kind === "words") Object.assign(input, { type: "text", placeholder: c.hint, spellcheck: false });
         if (c.kind === "range") row.appendChild(document.createElement("output")).htmlFor = input.id;
         input.addEventListener("input", () => {
@@ -136,11 +149,12 @@ export class Controls {
             }
     }
 
-    #isIdle(c) { return idle.some(i => isOf(c.name, i.name) && i.by.some(name => this.values[name] !== 0)); }
+    #holds(i) { return i.by.some(name => i.is ? this.values[name] === i.is : this.values[name] !== 0); }
+    #isIdle(c) { return idle.some(i => isOf(c.name, i.name) && this.#holds(i)); }
 
     /** What the page is to say about the values: sentences. */
     notes() {
-        const silent = idle.filter(i => i.words && i.by.some(name => this.values[name] !== 0) &&
+        const silent = idle.filter(i => i.words && this.#holds(i) &&
             this.values[i.name === "bevel" ? "bevel.width" : i.name] !== 0);
         return [this.setBack, ...silent.map(i => i.words)].filter(Boolean);
     }
@@ -148,12 +162,14 @@ export class Controls {
     #show(c) {
         const value = this.values[c.name];
         if (c.kind === "check") c.input.checked = value;
+        else if (c.kind === "colour") c.input.value = value || this.colour;
         else if (c.input.value !== String(value)) c.input.value = value;
         if (c.kind === "range") {
             const shown = c.name === "width" && value === 0 ? "any" : value + c.unit;
             c.input.parentNode.querySelector("output").value = shown;
             c.input.setAttribute("aria-valuetext", shown);
         }
+        if (c.name === "page.finish") all.filter(o => o.kind === "colour" && o.input).forEach(o => { o.input.value = this.colour; });
         for (const o of all)
             if (o.input) o.input.disabled = this.#isIdle(o);
     }
@@ -163,7 +179,8 @@ export class Controls {
         if (!c) return;
         if (c.kind === "range") value = Math.min(c.high, Math.max(c.low, Number(value) || 0));
         if (c.kind === "check") value = value === true || value === "1";
-        if (c.kind === "choice" && !c.choices.includes(value)) return;
+        if (c.kind === "choice" && !c.choices.some(([v]) => v === value)) return;
+        if (c.kind === "colour" && !/^(#[0-9a-f]{6})?$/.test(value)) return;
         this.values[name] = value;
         this.#yield(c);
         this.#show(c);
@@ -171,14 +188,27 @@ export class Controls {
 
     /** How letters move. */
     get motion() { return this.values["page.motion"]; }
+    /** The chosen colour, or that of what letters are made of. */
+    get colour() { return this.values["page.colour"] || finishes[this.values["page.finish"]].colour; }
+    /** As stage.dress() takes it. */
+    get look() { return { finish: this.values["page.finish"], colour: this.values["page.colour"], world: this.values["page.world"] }; }
+
+    /** Only fonts with an axis have a slider for it. */
+    setWeights(axis) {
+        const c = all.find(one => one.name === "page.weight");
+        c.input.closest(".row").hidden = !axis;
+        if (axis) Object.assign(c.input, { min: axis.minimum, max: axis.maximum });
+        this.#show(c);
+    }
 
     reset() {
         for (const c of all) this.set(c.name, c.start);
     }
 
     /** As typemesh.mesh() takes them. */
-    options() {
+    options(text = "") {
         const made = {};
+        if (this.values["page.tags"] && /\[[a-z/[]/.test(text)) made.markup = true;
         for (const c of all) {
             const value = this.values[c.name];
             if (c.name.startsWith("page.")) continue;
@@ -188,7 +218,8 @@ export class Controls {
             if (second) (made[first] ??= {})[second] = stored;
             else made[first] = stored;
         }
-        if (this.motion !== "still") made.letters = true;
+        if (this.motion !== "still" || this.values["page.rainbow"]) made.letters = true;
+        if (["wave", "reveal", "scatter", "score"].includes(this.motion)) made.merge = false;
         if (made.bevel) made.bevel.depth = Math.min(made.bevel.width, made.depth / 2);  // two of them are no deeper than the solid
         return made;
     }

@@ -52,11 +52,27 @@ export class Fonts {
     /** The fonts to set a text in. */
     list() {
         const others = this.#entries.filter(e => e !== this.used && e.load && e.font);
-        return [this.used, ...others].map(e => e.font);
+        return [this.#weighed ?? this.used.font, ...others.map(e => e.font)];
     }
 
+    /** The weight axis of the chosen font, or undefined. */
+    get weights() { return this.used?.font.axes?.find(axis => axis.tag === "wght"); }
+    /** Sets the chosen font at a weight, if it has weights; true if list() changes. */
+    weigh(wanted) {
+        const axis = this.weights, value = axis && Math.min(axis.maximum, Math.max(axis.minimum, wanted));
+        if (this.#of === this.used && this.#weight === value) return false;
+        this.#weighed?.free();
+        this.#weighed = axis && value !== axis.default ? this.#open(this.used.bytes, { variations: { wght: value } }) : undefined;
+        this.#of = this.used;
+        this.#weight = value;
+        return true;
+    }
+    #weighed;
+    #weight;
+    #of;  // the entry that is weighed
+
     async #opened(entry) {
-        if (!entry.font) entry.font = this.#open(entry.bytes ?? await entry.load());
+        if (!entry.font) entry.font = this.#open(entry.bytes ??= await entry.load());
         return entry.font;
     }
 }

@@ -1,18 +1,25 @@
 // SPDX-License-Identifier: MIT
-// Moves letters in the vertex shader of any of three.js' materials. Each vertex has its letter's number and pivot.
+// Moves and colours letters in the shaders of any of three.js' materials. Each vertex has its letter's number, pivot and tint.
 
-export const motions = ["still", "wave", "reveal", "scatter", "typewriter"];
+export const motions = ["still", "wave", "reveal", "scatter", "typewriter", "flag", "score", "breathe"];
 export const lessMotion = matchMedia("(prefers-reduced-motion: reduce)");
-const period = 4000;  // ms
+const period = 4000, scorePeriod = 9000;  // ms
 
-/** Of all materials: the number of the motion, its time from 0 to 1, and how many letters there are. */
-export const uniforms = { motion: { value: 0 }, motionTime: { value: 0 }, motionLetters: { value: 1 } };
+/** Of all materials: the number of the motion, its time from 0 to 1, how many letters there are; where a flag hangs and its width; a score and its wheels. */
+export const uniforms = {
+    motion: { value: 0 }, motionTime: { value: 0 }, motionLetters: { value: 1 }, flagFrom: { value: 0 }, flagWidth: { value: 1 },
+    score: { value: 0 }, wheels: { value: 1 },
+};
+export const wheelStep = 0.78, wheelRadius = 1.4;  // em
 
 const declarations = `
 attribute float letter;
 attribute vec3 pivot;
+attribute vec2 digit;
+attribute vec4 tint;
+varying vec4 letterTint;
 uniform int motion;
-uniform float motionTime, motionLetters;
+uniform float motionTime, motionLetters, flagFrom, flagWidth, score, wheels;
 float letterNoise(float n) { return 2.0 * fract(sin((letter + 1.0) * n) * 43758.5453) - 1.0; }
 // How far a letter's own motion has come: there and back, one letter after another.
 float letterProgress() {
@@ -23,6 +30,20 @@ vec3 turnedLetter(vec3 v, float angle) {
     return vec3(v.x * cos(angle) - v.y * sin(angle), v.x * sin(angle) + v.y * cos(angle), v.z);
 }
 float letterAngle() { return motion == 3 ? 3.0 * letterNoise(91.7) * (1.0 - letterProgress()) : 0.0; }
+// A flag: a wave that runs from its pole on and grows on the way.
+float flagPhase(float x) { return 6.2831853 * (1.1 * (x - flagFrom) / 3.0 - motionTime); }
+float flagGrowth(float x) { return 0.26 * smoothstep(0.0, 0.8, (x - flagFrom) / flagWidth); }
+// A wheel of ten digits. It moves while the one to its right goes from 9 to 0.
+float wheelAngle() {
+    float gone = score;
+    for (float i = wheels - 1.0; i > digit.x; i -= 1.0) {
+        float tens = floor(gone / 10.0);
+        gone = tens + max(0.0, gone - 10.0 * tens - 9.0);
+    }
+    float below = mod(digit.y - mod(gone, 10.0) + 20.0, 10.0);
+    return 0.62831853 * (below > 5.0 ? below - 10.0 : below);
+}
+vec3 onWheel(vec3 v, float angle) { return vec3(v.x, v.y * cos(angle) - v.z * sin(angle), v.y * sin(angle) + v.z * cos(angle)); }
 vec3 movedLetter(vec3 p) {
     if (motion == 1) return p + vec3(0.0, 0.12 * sin(6.2831853 * (letter / 8.0 - 2.0 * motionTime)), 0.0);
     if (motion == 2) return pivot + (p - pivot) * letterProgress();
@@ -31,40 +52,65 @@ vec3 movedLetter(vec3 p) {
         return pivot + turnedLetter(p - pivot, letterAngle()) + away;
     }
     if (motion == 4) return letter < (motionLetters + 4.0) * motionTime * 1.4 ? p : pivot;
+    if (motion == 5) return p + vec3(0.0, 0.0, flagGrowth(p.x) * sin(flagPhase(p.x)));
+    if (motion == 6) {
+        vec3 axle = vec3(${wheelStep.toFixed(2)} * (digit.x - 0.5 * (wheels - 1.0)), 0.0, ${(-wheelRadius).toFixed(1)});
+        float angle = wheelAngle();
+        return abs(angle) > 1.0 ? axle : axle + onWheel(p - pivot + vec3(0.0, 0.0, ${wheelRadius.toFixed(1)}), angle);
+    }
     return p;
 }
+vec3 movedNormal(vec3 n, vec3 p) {
+    if (motion == 3) return turnedLetter(n, letterAngle());
+    if (motion == 5) {
+        float a = atan(flagGrowth(p.x) * cos(flagPhase(p.x)) * 2.3);
+        return vec3(n.x * cos(a) - n.z * sin(a), n.y, n.x * sin(a) + n.z * cos(a));
+    }
+    return motion == 6 ? onWheel(n, wheelAngle()) : n;
+}
 `;
+const tinted = "pow(letterTint.rgb, vec3(2.2))";  // where a geometry has no tints, WebGL gives (0, 0, 0, 1)
 
-/** Lets a material move letters. Geometries without letters stay still, as their motion is 0 then. */
+/** Lets a material move and colour letters. Geometries without letters stay still, as their motion is 0 then. */
 export function movable(material) {
     material.onBeforeCompile = shader => {
         Object.assign(shader.uniforms, uniforms);
         shader.vertexShader = declarations + shader.vertexShader
-            .replace("#include <beginnormal_vertex>", "#include <beginnormal_vertex>\nobjectNormal = turnedLetter(objectNormal, letterAngle());")
-            .replace("#include <begin_vertex>", "#include <begin_vertex>\ntransformed = movedLetter(transformed);");
+            .replace("#include <beginnormal_vertex>", "#include <beginnormal_vertex>\nobjectNormal = movedNormal(objectNormal, position);")
+            .replace("#include <begin_vertex>", "#include <begin_vertex>\ntransformed = movedLetter(transformed);\nletterTint = tint;");
+        shader.fragmentShader = "varying vec4 letterTint;\n" + shader.fragmentShader
+            .replace("#include <color_fragment>", `#include <color_fragment>\ndiffuseColor.rgb = mix(${tinted}, diffuseColor.rgb, letterTint.a);`)
+            .replace("#include <emissivemap_fragment>", `#include <emissivemap_fragment>
+float glow = max(max(emissive.r, emissive.g), emissive.b);
+totalEmissiveRadiance = mix(glow * ${tinted}, totalEmissiveRadiance, letterTint.a);`);
     };
     return material;
 }
 
-/** Calls draw before each frame while letters move; none of them for those who want less motion. */
+/** What moves letters from frame to frame; nothing for those who want less motion. */
 export class Motion {
-    #frame;
-    constructor(draw) {
-        this.draw = draw;
-        lessMotion.addEventListener("change", () => this.set(this.name, this.letters));
+    /** changed() is called when it begins or ends. */
+    constructor(changed) {
+        this.changed = changed;
+        this.moves = false;
+        lessMotion.addEventListener("change", () => this.name && this.set(this.name, this.letters, this.target));
     }
-    set(name, letters) {
-        this.name = name;
-        this.letters = letters;
-        const moves = name !== "still" && letters > 0 && !lessMotion.matches;
-        uniforms.motion.value = moves ? motions.indexOf(name) : 0;
+    /** target: what a score comes to. */
+    set(name, letters, target = 0) {
+        const begins = name !== this.name || target !== this.target;
+        Object.assign(this, { name, letters, target });
+        this.moves = !["still", "breathe"].includes(name) && letters > 0 && !lessMotion.matches;
+        uniforms.motion.value = this.moves || (name === "score" && letters > 0) ? motions.indexOf(name) : 0;
         uniforms.motionLetters.value = Math.max(1, letters);
-        if (!moves) cancelAnimationFrame(this.#frame), this.#frame = undefined, this.draw();
-        else this.#frame ??= requestAnimationFrame(time => this.#step(time));
+        uniforms.score.value = this.moves ? uniforms.score.value : target;
+        if (begins) this.begun = undefined;
+        this.changed();
     }
-    #step(time) {
+    step(time) {
+        if (!this.moves) return;
         uniforms.motionTime.value = time % period / period;
-        this.draw();
-        this.#frame = requestAnimationFrame(next => this.#step(next));
+        this.begun ??= time;
+        const share = Math.min(1, (time - this.begun) % scorePeriod / (0.7 * scorePeriod));
+        uniforms.score.value = Math.round(1000 * this.target * (1 - (1 - share) ** 3)) / 1000;
     }
 }

@@ -3,18 +3,20 @@
 
 import load from "typemesh";
 import { Controls } from "./controls.js";
-import { saveGlb, savePng, saveStl } from "./downloads.js";
 import { Fonts } from "./fonts.js";
+import { History } from "./history.js";
 import { lessMotion } from "./motion.js";
+import { linkOf, presets } from "./presets.js";
+import { programs } from "./programs.js";
 import { materials, Stage, views } from "./stage.js";
 
 const at = id => document.getElementById(id);
-const start = { text: "Hello world!", view: "solid" };
+const start = { text: "Hello world!", view: "solid" };  // and what controls.js has
 const maxCharacters = 100000, maxInLink = 2000;  // the latter as they stand in an address
 const stage = openStage();
 const controls = new Controls(at("groups"), () => update());
-const fonts = new Fonts(bytes => typemesh.font(bytes));
-let typemesh, mesher, measurer, mesh, shown = "", later;  // shown: the text of the mesh
+const fonts = new Fonts((bytes, options) => typemesh.font(bytes, options));
+let typemesh, mesher, measurer, mesh, morph, shown = "", later;  // shown: the text of the mesh
 
 /** Nothing without WebGL: the mesh is then made, counted and saved, but not drawn. */
 function openStage() {
@@ -36,14 +38,16 @@ function loading(words) {
     at("loading").hidden = words === "";
 }
 async function fetched(name, url) {
-    const answer = await fetch(url).catch(() => undefined);
+    const early = globalThis.early?.url === url ? globalThis.early.answer : undefined;  // what the page has asked for first of all
+    globalThis.early = undefined;
+    const answer = await (early ?? fetch(url)).catch(() => undefined);
     if (!answer?.ok) throw new Error(`${name} could not be loaded.`);
     return answer.arrayBuffer();
 }
 function setFonts() {
     mesher?.free();
     measurer?.free();
-    mesh = undefined;
+    mesh = morph = undefined;
     mesher = typemesh.mesher(fonts.list());
     measurer = typemesh.mesher(fonts.list());
 }
@@ -58,6 +62,8 @@ async function choose(name) {
     loading("");
     at("font").value = fonts.used?.name ?? "";
     if (failed) return say(failed.message);
+    controls.setWeights(fonts.weights);
+    fonts.weigh(controls.values["page.weight"]);
     setFonts();
     update();
 }
@@ -101,48 +107,102 @@ function make(text, options) {
     mesh = mesher.mesh(text, options);
     shown = text;
 }
+/** Likewise; where tags are wrong, the text is shown as it stands. */
+function makeMarked(text, options) {
+    trouble = "";
+    try {
+        make(text, options);
+    } catch (e) {
+        if (!options.markup || !(e.at >= 0)) throw e;
+        make(text, { ...options, markup: false });
+        trouble = `Tags are not read yet: at character ${e.at + 1}, ${e.message[0].toLowerCase()}${e.message.slice(1)}`;
+    }
+}
+let trouble = "";
+
+/** The text that is meshed: for a score, ten digits for each of its digits. */
+function meshed() {
+    const text = at("text").value, wheels = text.replace(/\D/g, "").length;
+    if (controls.motion !== "score" || wheels === 0 || wheels > 6) return { text };
+    return { text: Array(wheels).fill("0123456789").join(" "), target: Number(text.replace(/\D/g, "")) };
+}
+const breathes = () => controls.motion === "breathe" && fonts.weights && !lessMotion.matches;
+
 /** Makes the mesh anew; after an error the last one stays on the stage. */
 function update() {
     if (!mesher) return;
-    const began = performance.now();
-    const options = controls.options(), text = at("text").value;
+    const began = performance.now(), { text, target } = meshed(), options = controls.options(text);
     if (text.length > maxCharacters)
         return say(`This text has ${number(text.length)} characters. The page accepts at most ${number(maxCharacters)}, and the library any number.`);
     try {
-        make(text, options);
+        if (fonts.weigh(controls.values["page.weight"])) setFonts();
+        morph = breathes() ? mesher.morph(text.replace(/\[[^\]]*\]/g, ""), "wght", { ...options, markup: false }) : undefined;
+        if (morph) mesh = morph.at(weightAt(performance.now())), shown = text;
+        else makeMarked(text, options);
         say("");
     } catch (e) {
         say(e.message);
         return;
     }
-    show();
-    at("change").value = (performance.now() - began).toFixed(1);
+    show(target);
+    count(performance.now() - began);
     clearTimeout(later);
-    later = setTimeout(() => measure(options), 200);
+    later = setTimeout(() => measure(text, options), 200);
     remember();
+    tellProgram();
     lookFurther();
 }
-function show() {
-    stage?.show(mesh, controls.motion);
+/** Of the last changes the median: the first one of a text builds letters, and the others do not. */
+function count(ms) {
+    lastChange = ms;
+    if (measured === 0) return;
+    changes.push(ms);
+    if (changes.length > 21) changes.shift();
+    at("change").value = [...changes].sort((a, b) => a - b)[changes.length >> 1].toFixed(1);
+}
+const changes = [];
+let lastChange = 0;
+
+const weightAt = time => {
+    const { minimum, maximum } = fonts.weights;
+    return minimum + (maximum - minimum) * (0.5 - 0.5 * Math.cos(time / 4200 * 2 * Math.PI));
+};
+/** The next frame of a text that breathes; whether there is one. */
+function breath(time) {
+    if (!morph) return false;
+    mesh = morph.at(weightAt(time));
+    stage.move(mesh);
+    return true;
+}
+
+function show(target) {
+    if (stage) {
+        stage.dress(controls.look);
+        const motion = controls.motion === "score" && target === undefined || morph ? "still" : controls.motion;
+        stage.show(mesh, { motion, target, rainbow: controls.values["page.rainbow"] });
+    }
     const s = mesh.statistics;
     at("vertices").value = number(s.vertices);
     at("triangles").value = number(s.triangles);
-    const notes = [...controls.notes(), ...mesh.warnings];
+    const notes = [trouble, ...controls.notes(), ...mesh.warnings].filter(Boolean);
     if (!stage) notes.unshift("This browser offers no WebGL, so the mesh is not drawn. It is made all the same and can be saved.");
     if (controls.motion !== "still" && lessMotion.matches) notes.push("Your system prefers less motion, so letters stay still.");
+    else if (controls.motion === "breathe" && !fonts.weights) notes.push("This font has one weight only, so it cannot breathe.");
+    if (controls.motion === "score" && target === undefined) notes.push("Only a number of up to six digits rolls.");
     if (controls.motion !== "still" && view === "contours") notes.push("Contours stay still.");
     if (shown.trim() === "") notes.push("There is no text: type one.");
     at("notes").textContent = notes.join(" ");
     for (const id of ["open-edges", "cold", "cached"]) at(id).value = "…";
 }
 /** What takes longer than a change should: once nothing has changed for a while. */
-function measure(options) {
+function measure(text, options) {
     if (ticking || !mesh) return;
-    const cold = measurer.mesh(at("text").value, { ...options, cached: false });
+    const marked = { ...options, markup: options.markup && !trouble };
+    const cold = measurer.mesh(text, { ...marked, cached: false });
     at("cold").value = number(Math.round(cold.statistics.microseconds));
-    make(at("text").value, options);  // the same again: all its letters are there now
+    at("open-edges").value = number(morph ? mesh.openEdges() : cold.openEdges());
+    if (!morph) make(text, marked);  // the same again: all its letters are there now
     at("cached").value = number(Math.round(mesh.statistics.microseconds));
-    at("open-edges").value = number(mesh.openEdges());
     document.documentElement.dataset.measured = String(++measured);
 }
 let measured = 0;
@@ -188,26 +248,43 @@ function toggle(on) {
 // --- the link ----------------------------------------------------------------------------------------------------------------
 
 let view = start.view;
-function link() {
-    const kept = new URLSearchParams(controls.changes());
-    if (at("text").value !== start.text && fitsLink()) kept.set("text", at("text").value);
-    if (view !== start.view) kept.set("view", view);
-    if (fonts.used && fonts.used !== fonts.first && fonts.used.load) kept.set("font", fonts.used.name);
-    return kept.toString();
+const history = new History();
+const fitsLink = () => new URLSearchParams({ text: at("text").value }).toString().length <= maxInLink;
+/** All that the page is set to; the text only if `withText`. */
+function kept(withText) {
+    const all = new URLSearchParams(controls.changes());
+    if (at("text").value !== start.text && withText) all.set("text", at("text").value);
+    if (view !== start.view) all.set("view", view);
+    if (fonts.used && fonts.used !== fonts.first && fonts.used.load) all.set("font", fonts.used.name);
+    return all;
 }
-function fitsLink() { return new URLSearchParams({ text: at("text").value }).toString().length <= maxInLink; }
+const link = () => kept(fitsLink()).toString();
 let remembering;
 function remember() {  // browsers refuse more than some changes of the address a second
     clearTimeout(remembering);
-    remembering = setTimeout(() => history.replaceState(null, "", link() ? "#" + link() : location.pathname), 250);
+    history.keep({ set: kept(false).toString(), text: at("text").value, font: fonts.used?.name });
+    at("undo").disabled = !history.canUndo;
+    for (const one of at("presets").children) {
+        if (one.hash === "#" + link()) one.setAttribute("aria-current", "true");
+        else one.removeAttribute("aria-current");
+    }
+    remembering = setTimeout(() => globalThis.history.replaceState(null, "", link() ? "#" + link() : location.pathname), 250);
 }
-function recall() {
-    const kept = new URLSearchParams(location.hash.slice(1));
+/** Sets the page to what is kept, and gives the name of the font. */
+function recall(kept = new URLSearchParams(location.hash.slice(1))) {
     controls.reset();
     for (const [name, value] of kept) controls.set(name, value);
     at("text").value = kept.get("text") ?? start.text;
+    changes.length = 0;
     look(views.includes(kept.get("view")) ? kept.get("view") : start.view);
     return kept.get("font");
+}
+function goTo(state) {
+    if (!state) return;
+    const kept = new URLSearchParams(state.set);
+    kept.set("text", state.text);
+    recall(kept);
+    choose(state.font);
 }
 function look(name) {
     view = name;
@@ -216,8 +293,36 @@ function look(name) {
     if (mesh) update();
 }
 
+// --- the program ---------------------------------------------------------------------------------------------------------------
+
+/** Options without those that have the library's defaults. */
+function pruned(options) {
+    const movesEdges = options.embolden || options.outline?.width;
+    const usual = new Map(typemesh.options.map(o => [o.name, o.default ?? o.choices?.[0]])), kept = {};
+    for (const [name, value] of Object.entries(options)) {
+        if (value?.constructor === Object && name !== "features") {
+            const inner = Object.fromEntries(Object.entries(value).filter(([k, v]) => v !== usual.get(`${name}.${k}`)));
+            if (Object.keys(inner).some(k => ["width", "height", "cylinder", "twist", "wave", "arc", "flag", "ring"].includes(k))) kept[name] = inner;
+        } else if (value !== usual.get(name) && name !== "letters" && !(name === "letterSpacing" && value === 0 && !movesEdges)) kept[name] = value;
+    }
+    return kept;
+}
+/** What programs.js takes. */
+function programState() {
+    const text = at("text").value, options = pruned(controls.options(text)), bent = options.bend || options.warp?.flag;
+    const { advance } = bent ? measurer.mesh(text, { ...options, bend: undefined, warp: undefined, depth: 0, bevel: undefined }).statistics : {};
+    return { text, options, advance, file: fonts.used.file ?? fonts.used.name, axis: morph && fonts.weights,
+             weight: fonts.weights && controls.values["page.weight"] };
+}
+function tellProgram() {
+    if (at("program").open && mesh) at("code").textContent = programs[at("language-of-program").value](programState());
+}
+
 // For the browser's console, and for tests.
-globalThis.page = { get mesh() { return mesh; }, get options() { return controls.options(); } };
+globalThis.page = {
+    get mesh() { return mesh; }, get options() { return controls.options(at("text").value); }, get lastChange() { return lastChange; },
+    get weight() { return fonts.weights && controls.values["page.weight"]; }, get stage() { return stage; }, programs, programState, presets,
+};
 
 // --- begin -------------------------------------------------------------------------------------------------------------------
 
@@ -231,24 +336,58 @@ at("font").addEventListener("change", () => choose(at("font").value));
 at("file").addEventListener("change", event => take(event.target.files));
 at("fit").addEventListener("click", () => stage?.fit());
 at("ticker").addEventListener("click", () => toggle(!ticking));
-at("glb").addEventListener("click", () => saveGlb(mesh, shown, materials).catch(e => say(e.message)));
-at("stl").addEventListener("click", () => saveStl(mesh, materials).catch(e => say(e.message)));
-at("png").addEventListener("click", () => stage ? savePng(stage) : say("There is no picture to save, because this browser has no WebGL."));
+const saving = (id, save) => at(id).addEventListener("click", () => import("./downloads.js").then(save).catch(e => say(e.message)));
+saving("glb", d => d.saveGlb(mesh, shown, materials));
+saving("stl", d => d.saveStl(mesh, materials));
+saving("png", d => stage ? d.savePng(stage) : say("There is no picture to save, because this browser has no WebGL."));
 at("link").addEventListener("click", async () => {
     const address = location.origin + location.pathname + (link() ? "#" + link() : "");
-    history.replaceState(null, "", address);
+    globalThis.history.replaceState(null, "", address);
     await navigator.clipboard?.writeText(address).catch(() => {});
     at("link").textContent = fitsLink() ? "Link is in the address" : "Link has no text: it is too long for one";
     setTimeout(() => { at("link").textContent = "Copy link"; }, 1500);
 });
 at("reset").addEventListener("click", async () => {
-    history.replaceState(null, "", location.pathname);
+    globalThis.history.replaceState(null, "", location.pathname);
     recall();
-    if (stage) stage.moved = false;
+    afresh();
     await choose(fonts.first.name);
 });
 at("panel").addEventListener("submit", event => event.preventDefault());
-addEventListener("hashchange", () => choose(recall()));
+addEventListener("hashchange", () => choose(recall()).then(afresh));
+const afresh = () => stage?.turn(!lessMotion.matches);
+at("undo").addEventListener("click", () => goTo(history.undo()));
+addEventListener("keydown", event => {
+    if (!(event.ctrlKey || event.metaKey) || event.altKey || !/^[zy]$/i.test(event.key)) return;
+    event.preventDefault();
+    goTo(event.shiftKey || event.key.toLowerCase() === "y" ? history.redo() : history.undo());
+});
+for (const preset of presets) {
+    const one = at("presets").appendChild(document.createElement("a"));
+    Object.assign(one, { href: linkOf(preset), className: preset.name, title: preset.title });
+    one.appendChild(document.createElement("span")).textContent = preset.label;
+}
+for (const button of at("tags").children) button.addEventListener("click", () => {
+    const box = at("text"), { selectionStart: from, selectionEnd: to } = box, tag = button.dataset.tag;
+    box.setRangeText(`[${tag}]${box.value.slice(from, to)}[/]`, from, to, "select");
+    box.setSelectionRange(from + tag.length + 2, to + tag.length + 2);
+    box.focus();
+    update();
+});
+at("program").addEventListener("toggle", tellProgram);
+at("language-of-program").addEventListener("change", tellProgram);
+at("copy").addEventListener("click", async () => {
+    const done = await navigator.clipboard?.writeText(at("code").textContent).then(() => true, () => false);
+    if (!done) getSelection().selectAllChildren(at("code"));
+    at("copy").textContent = done ? "Copied" : "Press Ctrl+C";
+    setTimeout(() => { at("copy").textContent = "Copy"; }, 1500);
+});
+if (stage) {
+    stage.breath = breath;
+    stage.ontouch = () => at("turn").setAttribute("aria-pressed", String(stage.turning));
+    at("turn").addEventListener("click", () => stage.turn(!stage.turning));
+    stage.ontouch();
+}
 let inside = 0;
 addEventListener("dragenter", event => { event.preventDefault(); ++inside; document.body.classList.add("dropping"); });
 addEventListener("dragleave", () => { if (--inside === 0) document.body.classList.remove("dropping"); });
@@ -263,7 +402,7 @@ addEventListener("drop", event => {
 try {
     const [library, bundled] = await Promise.all([load("typemesh.wasm"), fetch("fonts.json").then(r => r.json())]);
     typemesh = library;
-    for (const [name, url] of Object.entries(bundled)) offer({ name, load: () => fetched(name, url) });
+    for (const [name, url] of Object.entries(bundled)) offer({ name, file: url.split("/").pop(), load: () => fetched(name, url) });
     await choose(recall());
     stage?.drawNow();
     document.documentElement.dataset.ready = performance.now().toFixed(0);  // ms since the page was requested

@@ -2,100 +2,152 @@
 // Draws a mesh with three.js.
 
 import * as THREE from "three";
-import { Motion, movable } from "./motion.js";
 import { OrbitControls } from "three/addons/controls/OrbitControls.js";
+import { Glow } from "./glow.js";
+import { Backdrop, environment, materials, onDark, worldOf } from "./looks.js";
+import { lessMotion, Motion, uniforms, wheelRadius, wheelStep } from "./motion.js";
 
+export { materials };
 export const views = ["solid", "wireframe", "normals", "texture", "contours"];
-const colours = { front: 0xcf5a2e, back: 0xcf5a2e, side: 0x8a4326, front_bevel: 0xe9a27c, back_bevel: 0xe9a27c,
-                  letter_front: 0xf5efe6, letter_back: 0xf5efe6, letter_side: 0xc9bfae };
-const ink = () => matchMedia("(prefers-color-scheme: dark)").matches ? 0xeceae5 : 0x1d1f23;
-
-function makeMaterials() {
-    const board = document.createElement("canvas");
-    board.width = board.height = 64;
-    const pen = board.getContext("2d");
-    for (let i = 0; i < 4; ++i) {
-        pen.fillStyle = i % 3 === 0 ? "#f5efe6" : "#3c6e71";
-        pen.fillRect(32 * (i & 1), 32 * (i >> 1), 32, 32);
-    }
-    const checker = new THREE.CanvasTexture(board);
-    checker.wrapS = checker.wrapT = THREE.RepeatWrapping;
-    checker.repeat.set(4, 4);
-    checker.colorSpace = THREE.SRGBColorSpace;
-    checker.anisotropy = 8;
-    const faint = { polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 1 };
-    const solid = name => movable(new THREE.MeshStandardMaterial({ name, color: colours[name], roughness: 0.5, ...faint }));
-    return {
-        solid: Object.fromEntries(Object.keys(colours).map(name => [name, solid(name)])),
-        normals: movable(new THREE.MeshNormalMaterial()),
-        texture: movable(new THREE.MeshStandardMaterial({ map: checker, roughness: 0.6 })),
-        line: movable(new THREE.LineBasicMaterial({ color: ink(), transparent: true, opacity: 0.75 })),
-        contour: new THREE.LineBasicMaterial({ color: 0x1a6fd0, depthTest: false }),
-    };
-}
-export const materials = makeMaterials();
+const rainbow = [0xff3b5c, 0xff9f1c, 0xffd23f, 0x2ec4b6, 0x3a86ff, 0x8f5bff];
+const sway = 0.5, swayPeriod = 13000;  // radians to each side, ms
 
 export class Stage {
+    #frame;
+    #skies = new Map();
+
     constructor(canvas) {
         this.canvas = canvas;
         this.renderer = new THREE.WebGLRenderer({ canvas, antialias: true, alpha: true });
+        this.renderer.autoClear = false;
+        this.renderer.toneMapping = THREE.NeutralToneMapping;
+        this.renderer.shadowMap.enabled = true;
+        this.renderer.shadowMap.type = THREE.VSMShadowMap;
+        this.renderer.shadowMap.autoUpdate = false;
         this.scene = new THREE.Scene();
-        this.scene.add(new THREE.HemisphereLight(0xffffff, 0x8d7f70, 1.5));
-        for (const [x, y, z, light] of [[-0.7, 1.1, 1.2, 2.2], [1.4, 0.1, 0.5, 0.7]]) {
-            const lamp = new THREE.DirectionalLight(0xffffff, light);
-            lamp.position.set(x, y, z);
-            this.scene.add(lamp);
-        }
+        this.lamp = new THREE.DirectionalLight(0xffffff, 1.6);
+        this.lamp.castShadow = true;
+        this.lamp.shadow.mapSize.set(1024, 1024);
+        this.lamp.shadow.radius = 7;
+        this.lamp.shadow.blurSamples = 12;
+        this.backdrop = new Backdrop();
+        this.group = new THREE.Group();
+        this.mirror = new THREE.Group();  // the same below the floor
+        this.mirror.scale.y = -1;
+        this.scene.add(this.lamp, this.lamp.target, this.group, this.mirror, this.backdrop.back, this.backdrop.floor, this.backdrop.shadow);
         this.camera = new THREE.PerspectiveCamera(30, 1, 0.01, 1000);
         this.orbit = new OrbitControls(this.camera, canvas);
         this.orbit.addEventListener("change", () => this.draw());
-        this.orbit.addEventListener("start", () => { this.moved = true; });
+        this.orbit.addEventListener("start", () => this.#touch());
         this.moved = false;
+        this.turning = !lessMotion.matches;
         this.view = "solid";
-        this.group = new THREE.Group();
-        this.scene.add(this.group);
-        this.motion = new Motion(() => this.drawNow());
+        this.look = { finish: "satin", colour: "", world: "auto" };
+        this.motion = new Motion(() => this.#wake());
         canvas.addEventListener("keydown", event => this.#key(event));
         new ResizeObserver(() => this.#resize()).observe(canvas);
-        matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => {
-            materials.line.color.set(ink());
-            this.draw();
-        });
+        onDark(() => this.dress(this.look));
+        lessMotion.addEventListener("change", () => this.turn(!lessMotion.matches));
         this.#resize();
     }
 
+    /** Takes a finish, a colour and surroundings. */
+    dress(look) {
+        this.look = look;
+        materials.dress(look.finish, look.colour);
+        const world = worldOf(look.world);
+        if (!this.#skies.has(world)) this.#skies.set(world, environment(this.renderer, world));
+        this.scene.environment = this.#skies.get(world);
+        this.scene.environmentIntensity = world.strength;
+        this.backdrop.dress(world);
+        if (materials.glows) this.glow ??= new Glow(this.renderer);
+        this.draw();
+    }
+
     /** Shows a mesh of typemesh. Its arrays go to the graphics card from where they are, and are not kept. */
-    show(mesh, motion = "still") {
+    show(mesh, { motion = "still", target = 0, rainbow: isColourful = false } = {}) {
         for (const child of this.group.children) child.geometry.dispose();
         this.group.clear();
+        this.mirror.clear();
         const { low, high } = mesh.bounds;
         this.box = new THREE.Box3(new THREE.Vector3(...low), new THREE.Vector3(...high));
+        const wheels = motion === "score" ? new Set(mesh.letters.map(l => l.word)).size : 0;
+        if (wheels > 0) this.box.set(new THREE.Vector3(-wheelStep * wheels / 2, -0.88 * wheelRadius, -0.9 * wheelRadius), new THREE.Vector3(wheelStep * wheels / 2, 0.88 * wheelRadius, 0));
+        Object.entries({ flagFrom: low[0], flagWidth: Math.max(0.1, high[0] - low[0]), wheels }).forEach(([name, v]) => { uniforms[name].value = v; });
         if (mesh.index.length > 0) {
             const geometry = this.#geometry();
-            geometry.setAttribute("position", this.#array(mesh.position, 3));
-            geometry.setAttribute("normal", this.#array(mesh.normal, 3));
-            geometry.setAttribute("uv", this.#array(mesh.uv, 2));
-            geometry.setIndex(this.#array(mesh.index, 1));
-            const letters = this.#letters(mesh);
+            this.#fill(geometry, mesh);
+            const letters = this.#letters(mesh, isColourful);
             for (const name in letters) geometry.setAttribute(name, letters[name]);
             for (const part of mesh.parts) geometry.addGroup(part.start, part.count, geometry.groups.length);
             const lone = this.view === "normals" ? materials.normals : this.view === "texture" ? materials.texture : null;
-            this.group.add(this.#placed(new THREE.Mesh(geometry, mesh.parts.map(p => lone ?? materials.solid[p.name]))));
+            const solid = mesh.parts.map(p => lone ?? materials.solid[p.name]);
+            this.group.add(this.#placed(new THREE.Mesh(geometry, solid)));
+            if (this.#hasFloor) this.mirror.add(this.#placed(new THREE.Mesh(geometry, solid)));
+            this.group.children[0].castShadow = this.#hasFloor;
+            this.group.children[0].customDepthMaterial = materials.depth;
             if (this.view === "wireframe") this.#lines(mesh.position, edges(mesh.index), materials.line, letters);
             if (this.view === "contours") this.#lines(mesh.contours(), null, materials.contour);
         }
-        this.motion.set(this.view === "contours" ? "still" : motion, mesh.letters.length);
-        if (!this.moved) this.fit();
+        this.#light();
+        this.motion.set(this.view === "contours" ? "still" : motion, mesh.letters.length, target);
+        if (!this.moved) this.fit(true);
         else this.draw();
     }
 
-    /** The letter and pivot of each vertex, if the mesh knows them. */
-    #letters(mesh) {
-        const { letter, letters } = mesh;
-        if (letter.length === 0) return {};
-        const pivots = new Float32Array(3 * letter.length);
-        letter.forEach((k, i) => pivots.set(letters[k].pivot, 3 * i));
-        return { letter: new THREE.BufferAttribute(Float32Array.from(letter), 1), pivot: new THREE.BufferAttribute(pivots, 3) };
+    /** The next mesh of a text that breathes: in the place of the last one, if it has as many vertices. */
+    move(mesh) {
+        const geometry = this.group.children[0]?.geometry;
+        if (this.group.children.length !== 1 || geometry.attributes.position.count !== mesh.statistics.vertices || geometry.index.count !== mesh.index.length)
+            return this.show(mesh);
+        for (const [name, view] of [["position", mesh.position], ["normal", mesh.normal]])
+            Object.assign(geometry.attributes[name], { array: view, needsUpdate: true });
+        this.renderer.shadowMap.needsUpdate = true;
+        return this.draw();
+    }
+
+    get #hasFloor() { return this.view === "solid"; }
+
+    /** Floor, mirror and shadow fit the mesh. */
+    #light() {
+        const size = this.box.getSize(new THREE.Vector3()), middle = this.box.getCenter(new THREE.Vector3());
+        const ground = this.box.min.y - 0.03 * Math.min(1, size.y), reach = 0.5 * Math.hypot(size.x, size.y, size.z) + 0.2;
+        this.ground = ground;
+        this.mirror.position.y = 2 * ground;
+        this.backdrop.place(middle, ground, reach);
+        this.lamp.target.position.copy(middle);
+        this.lamp.position.copy(middle).add(new THREE.Vector3(-0.45, 1.15, 0.8).multiplyScalar(2 * reach));
+        const eye = this.lamp.shadow.camera;
+        Object.assign(eye, { left: -1.6 * reach, right: 1.6 * reach, top: 1.6 * reach, bottom: -1.6 * reach, near: 0.1 * reach, far: 6 * reach });
+        eye.updateProjectionMatrix();
+        this.renderer.shadowMap.needsUpdate = true;
+    }
+
+    #fill(geometry, mesh) {
+        for (const [name, size] of [["position", 3], ["normal", 3], ["uv", 2]]) geometry.setAttribute(name, this.#array(mesh[name], size));
+        geometry.setIndex(this.#array(mesh.index, 1));
+    }
+
+    /** The letter, pivot, digit and tint of each vertex, if the mesh knows them. */
+    #letters(mesh, isColourful) {
+        const { letter, letters, tint } = mesh, made = {};
+        if (tint.length > 0) made.tint = new THREE.BufferAttribute(tint.slice(), 4, true);
+        if (letter.length === 0) return made;
+        const pivots = new Float32Array(3 * letter.length), digits = new Float32Array(2 * letter.length), begun = new Map();
+        const places = letters.map(({ word }, i) => {
+            if (!begun.has(word)) begun.set(word, i);
+            return [word, i - begun.get(word)];
+        });
+        letter.forEach((k, i) => { pivots.set(letters[k].pivot, 3 * i), digits.set(places[k], 2 * i); });
+        if (isColourful && !made.tint) {
+            const tints = new Uint8Array(4 * letter.length), of = k => rainbow[k % rainbow.length];
+            letter.forEach((k, i) => tints.set([of(k) >> 16, of(k) >> 8 & 255, of(k) & 255, 0], 4 * i));
+            made.tint = new THREE.BufferAttribute(tints, 4, true);
+        }
+        made.letter = new THREE.BufferAttribute(Float32Array.from(letter), 1);
+        made.pivot = new THREE.BufferAttribute(pivots, 3);
+        made.digit = new THREE.BufferAttribute(digits, 2);
+        return made;
     }
 
     #lines(points, index, material, letters = {}) {
@@ -121,14 +173,18 @@ export class Stage {
     }
 
     /** Turns to the front and shows all of the mesh. */
-    fit() {
+    fit(keepsTurn = false) {
         this.moved = false;
         if (!this.box) return;
         const size = this.box.getSize(new THREE.Vector3()), middle = this.box.getCenter(new THREE.Vector3());
         const half = Math.tan(THREE.MathUtils.degToRad(this.camera.fov / 2));
-        const distance = Math.max(size.y / half, size.x / (half * this.camera.aspect), 0.1) * 0.62 + size.z;
+        const distance = Math.max(1.25 * size.y / half, size.x / (half * this.camera.aspect), 0.1) * 0.62 + size.z;
+        if (this.#hasFloor) middle.y -= 0.08 * size.y;
         this.orbit.target.copy(middle);
-        this.camera.position.copy(middle).add(new THREE.Vector3(-0.22, 0.16, 1).normalize().multiplyScalar(distance));
+        const way = new THREE.Vector3(-0.22, 0.16, 1).normalize().multiplyScalar(distance);
+        if (keepsTurn) way.applyAxisAngle(new THREE.Vector3(0, 1, 0), this.turned ?? 0);
+        else this.turned = 0, this.begun = undefined;
+        this.camera.position.copy(middle).add(way);
         this.camera.near = distance / 100;
         this.camera.far = distance * 100;
         this.camera.updateProjectionMatrix();
@@ -136,14 +192,58 @@ export class Stage {
         this.draw();
     }
 
+    /** Lets the mesh turn slowly from side to side, until it is touched. */
+    turn(on) {
+        this.turning = on;
+        this.begun = undefined;
+        this.turned = 0;
+        this.ontouch?.();
+        if (on) this.fit();
+        this.#wake();
+    }
+    #touch() {
+        this.moved = true;
+        if (this.turning) this.turn(false);
+    }
+
     /** Draws before the next frame, once. */
     draw() {
-        this.waiting ??= requestAnimationFrame(() => this.drawNow());
+        this.#frame ??= requestAnimationFrame(time => this.#step(time));
+    }
+    #wake() { this.draw(); }
+    #step(time) {
+        this.#frame = undefined;
+        this.motion.step(time);
+        if (this.motion.moves) this.renderer.shadowMap.needsUpdate = this.#hasFloor;
+        const turns = this.turning && !this.moved && this.box;
+        if (turns) {
+            this.begun ??= time;
+            const angle = sway * Math.sin(2 * Math.PI * (time - this.begun) / swayPeriod), by = angle - (this.turned ?? 0);
+            this.camera.position.sub(this.orbit.target).applyAxisAngle(new THREE.Vector3(0, 1, 0), by).add(this.orbit.target);
+            this.turned = angle;
+            this.orbit.update();
+        }
+        const breathes = this.breath?.(time);
+        this.drawNow();
+        if (turns || this.motion.moves || breathes) this.draw();
     }
     drawNow() {
-        if (this.waiting !== undefined) cancelAnimationFrame(this.waiting);
-        this.waiting = undefined;
-        this.renderer.render(this.scene, this.camera);
+        if (this.#frame !== undefined) cancelAnimationFrame(this.#frame), this.#frame = undefined;
+        const { renderer, scene, camera, backdrop } = this;
+        const floor = this.#hasFloor && this.group.children.length > 0 && camera.position.y > this.ground;
+        backdrop.visible = floor;
+        this.mirror.visible = floor;
+        renderer.getDrawingBufferSize(backdrop.uniforms.size.value);
+        renderer.clear();
+        renderer.render(scene, camera);
+        if (!materials.glows || !this.#hasFloor || !this.glow) return;
+        backdrop.visible = backdrop.back.visible = false;
+        const tops = scene.environmentIntensity;
+        scene.environmentIntensity = 0;
+        this.lamp.visible = false;
+        this.glow.draw(scene, camera);
+        this.lamp.visible = backdrop.back.visible = true;
+        scene.environmentIntensity = tops;
     }
 
     #resize() {
@@ -154,7 +254,7 @@ export class Stage {
         this.camera.aspect = width / height;
         this.camera.updateProjectionMatrix();
         if (this.moved) this.draw();
-        else this.fit();
+        else this.fit(true);
     }
 
     #key(event) {
@@ -174,7 +274,7 @@ export class Stage {
         event.preventDefault();
     }
     #look(way) {
-        this.moved = true;
+        this.#touch();
         this.camera.position.setFromSpherical(way).add(this.orbit.target);
         this.orbit.update();
         this.draw();

@@ -75,7 +75,7 @@ test('every value of every option makes a mesh', () => {
             if (option.name !== 'depth' || value > 0) assert.equal(mesh.openEdges(), 0, `${option.name} = ${value}`);
             hashes.add(mesh.hash());
         }
-        const indifferent = ['fill', 'direction', 'letters', 'cached', 'features', 'language', 'script', 'justify', 'wrap', 'breaker', 'ellipsis', 'bevel.mode', 'merge', 'discretiser'];
+        const indifferent = ['fill', 'direction', 'letters', 'cached', 'features', 'language', 'script', 'justify', 'wrap', 'breaker', 'ellipsis', 'bevel.mode', 'merge', 'discretiser', 'markup'];
         if (!indifferent.includes(option.name)) assert.ok(hashes.size > 1 || !hashes.has(plain), `${option.name} changes the mesh`);
     }
     assert.equal(typemesh.hash('Grün affix\ntwo', font), plain, 'options of one text are gone with the next');
@@ -217,6 +217,48 @@ test('fonts describe themselves, stand in for each other, and may be bytes', () 
     assert.match(typemesh.mesh('a\uD800', font).warnings.join(), /half of a character/);
 });
 
+test('tags are read', () => {
+    const text = 'a[b]b[/b][colour=#c33]c[/] [size=2]d[/] [mark=#ff0]e[/][[';
+    const options = { markup: true, bevel: { width: 0.02 }, letters: true };
+    const mesh = typemesh.mesh(text, font, options);
+    check(mesh);
+    assert.equal(mesh.openEdges(), 0);
+    assert.equal(mesh.tint.length, 4 * mesh.statistics.vertices);
+    const tints = new Set();
+    for (let i = 0; i < mesh.tint.length; i += 4) tints.add([...mesh.tint.subarray(i, i + 4)].join());
+    assert.deepEqual([...tints].sort(), ['0,0,0,255', '204,51,51,0', '255,255,0,0']);
+    assert.equal(mesh.letters.length, 7, 'six letters and a mark');
+    const plain = typemesh.hash('abc', font);
+    assert.notEqual(typemesh.hash('[b]abc[/b]', font, { markup: true }), plain);
+    assert.equal(typemesh.hash('[colour=#123]abc', font, { markup: true }), plain, 'colours move nothing');
+    assert.equal(typemesh.hash('abc', font, { markup: true }), plain);
+    assert.equal(typemesh.mesh('[b]', font).tint.length, 0);
+    for (const [wrong, at, words] of [['ab[b', 2, /^There is a tag without its \]/], ['a[/b]', 1, /^There is a closing tag/], ['[font=7]a', 0, /^\[font=/]])
+        assert.throws(() => typemesh.mesh(wrong, font, { markup: true }), (e) => e instanceof TypemeshError && e.at === at && words.test(e.message));
+});
+
+const inter = execFileSync('fc-match', ['-f', '%{file}', 'Inter:variable=true'], { encoding: 'utf8' });
+test('a text moves along an axis', { skip: !/Inter/.test(inter) && 'Inter is not installed as a variable font' }, () => {
+    const font = typemesh.font(readFileSync(inter)), mesher = typemesh.mesher(font);
+    const morph = mesher.morph('breathe', 'wght', { depth: 0.1 });
+    assert.deepEqual([morph.minimum, morph.maximum], [100, 900]);
+    const thin = morph.at(100), index = thin.index.slice(), first = thin.position.slice();
+    check(thin);
+    assert.equal(thin.openEdges(), 0);
+    const wide = morph.at(900);
+    check(wide);
+    assert.deepEqual(wide.index, index, 'the triangles stay');
+    assert.notDeepEqual(wide.position, first);
+    assert.ok(wide.bounds.high[0] > first.reduce((all, x, i) => (i % 3 ? all : Math.max(all, x)), 0), 'bold letters are wider');
+    assert.throws(() => thin.position, /no longer valid/);
+    mesher.mesh('other');
+    check(morph.at(500));
+    assert.throws(() => morph.at('1'), TypeError);
+    assert.throws(() => mesher.morph('a', 'wdth'), (e) => e instanceof TypemeshError && /axis/.test(e.message));
+    mesher.morph('b', 'wght');
+    assert.throws(() => morph.at(500), /planned another/);
+});
+
 test('what is refused is said in a sentence', () => {
     const refuses = (run, type, words) => assert.throws(run, (e) => e instanceof type && words.test(e.message));
     refuses(() => typemesh.font(new Uint8Array(100)), TypemeshError, /^The data is not a font/);
@@ -236,7 +278,6 @@ test('what is refused is said in a sentence', () => {
     bent('Hello', { warp: { arc: 400 } }, /^The text is longer than the circumference/);
     bent('Hello', { bend: { radius: 0 } }, /outside its range: .*\(radius\)$/);
     bent('Hello', { bend: { twist: NaN } }, /outside its range: .*\(degrees_per_em\)$/);
-    bent('Hello', { bend: { twist: 360 }, bevel: { width: 0.06 } }, /^The text is bent too tightly for its bevels/);
     bent('Hello', { bend: { twist: 90, wave: 0.1 } }, /^A text bends in one way at a time/);
     bent('Hello', { bend: { cylinder: 90, radius: 2 } }, /^A cylinder has degrees or a radius/);
     bent('Hello', { warp: { arc: 90, flag: 0.1 } }, /^A text has one warp or path at a time/);
