@@ -449,9 +449,8 @@ void add_inflate_options(CLI::App& app, options& out)
 
 void add_output_options(CLI::App& app, options& out, raw_values& raw)
 {
-    app.add_option(
-           "-o,--output", out.output,
-           "write .glb, .obj (with .mtl), .stl, .ply or .3mf; curves: .svg, .dxf; - is standard output")
+    app.add_option("-o,--output", out.output,
+                   "write .glb, .obj (with .mtl), .stl, .ply or .3mf; curves: .svg, .dxf; - is standard output")
         ->type_name("FILE");
     app.add_option("--format", raw.format, "the format of --output, whatever its name is")
         ->check(one_of({"glb", "obj", "stl", "ply", "3mf", "svg", "dxf"}));

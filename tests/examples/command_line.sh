@@ -505,7 +505,7 @@ expect 0 "" "Hello" --font $sans --output curves.svg
 that "a text's curves are one path" [ "$(grep -c '<path d="M' curves.svg)" = 1 ]
 that "curves stay curves" grep -q 'd="[^"]*Q' curves.svg
 that "an em is ten millimetres in curves" grep -qE '<svg [^>]*width="[12][0-9](\.[0-9]+)?mm"' curves.svg
-that "the file's size is told" grep -qE '^curves\.svg: [0-9]+ curves and lines, [0-9.]+ x [0-9.]+ mm$' out
+that "the program says how large a file of curves is" grep -qE '^curves\.svg: [0-9]+ curves and lines, [0-9.]+ x [0-9.]+ mm$' out
 expect 0 "" "Hello" --font $sans --output curves.dxf --size 40
 that "a drawing has splines" grep -q '^SPLINE' curves.dxf
 that "a drawing ends" [ "$(tail -n 1 curves.dxf)" = EOF ]

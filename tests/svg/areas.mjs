@@ -2,7 +2,7 @@
 //
 // Compares the area that text_to_mesh covers with what resvg draws, for each file. run.sh calls it.
 //
-//     node areas.mjs PROGRAM RESULT.tsv FILES.txt     FILES.txt names a file a line; resvg-js is in NODE_PATH
+//     node --expose-gc areas.mjs PROGRAM RESULT.tsv FILES.txt     FILES.txt names a file a line; resvg-js is in NODE_PATH
 //
 // Opacities are made 1 for both, because a mesh covers a place or does not. A line of the result: file, what became of it,
 // the area of resvg and of the mesh as a share of the larger side's square, the difference in percent, warnings.
@@ -42,6 +42,7 @@ let worst = 0, worstFile = '';
 for (const file of readFileSync(list, 'utf8').trim().split('\n')) {
     const text = readFileSync(file, 'utf8').replace(/((?:fill-|stroke-|stop-)?opacity)\s*([=:])\s*("?)[\d.]+/g, '$1$2$31');
     writeFileSync(input, text);
+    globalThis.gc();  // pictures are large, and node does not see that
     let area;
     try {
         area = drawnArea(text);
