@@ -19,8 +19,9 @@ const [input, output] = [join(folder, 'in.svg'), join(folder, 'out.obj')];
 
 function drawnArea(text) {
     const picture = new Resvg(text, { fitTo: { mode: 'width', value: 1024 }, font: { loadSystemFonts: false } }).render();
+    const pixels = picture.pixels;  // a new copy at each call
     let sum = 0;
-    for (let i = 3; i < picture.pixels.length; i += 4) sum += picture.pixels[i];
+    for (let i = 3; i < pixels.length; i += 4) sum += pixels[i];
     return sum / 255 / Math.max(picture.width, picture.height) ** 2;
 }
 
