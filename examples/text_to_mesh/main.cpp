@@ -32,6 +32,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <filesystem>
 #include <map>
 #include <memory>
 #include <string>
@@ -517,7 +518,7 @@ private:
         if (std::string trouble = name_warnings(o_, *plan, font_); !trouble.empty()) return trouble;
 
         model mesh;
-        mesh.name = o_.text;
+        mesh.name = o_.drawing ? std::filesystem::path{o_.svg}.stem().string() : o_.text;
         tell_.begin("making " + std::to_string(plan->size().triangles) + " triangles");
         clock(typemesh::stage::extrude);
         const auto written = o_.instances         ? write_letters(o_, *plan, font_, mesh)

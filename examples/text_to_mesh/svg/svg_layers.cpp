@@ -132,6 +132,10 @@ result<void> svg_layers::build(double tolerance, layer_cut cut)
     shape_source source{drawing_.shapes};
     colour_glyph glyph;
     if (!layer_writer{drawing_, glyph}.write(layers_)) return error::out_of_memory;
+    const auto shows_through = [](const rgb_colour& c) { return c.alpha != 255; };
+    if (cut == layer_cut::visible && layers_.size() > 1 &&
+        std::any_of(layers_.begin() + 1, layers_.end(), shows_through))
+        drawing_.warnings.push_back("translucent shapes hide what they cover");
     if (const auto done = regions_.build(source, 0, glyph, tolerance, cut); !done) return done.error();
     contours loops;
     for (glyph_id g = 0; g <= layers_.size(); ++g) {
