@@ -574,6 +574,15 @@ if "$program" --svg drawing.svg --output probe.glb >out 2>err; then
     expect 2 "--svg must be a file's name or -" --svg "" --output no.glb
     expect 2 "leave out --embolden and --bend" --svg drawing.svg --embolden 0.1 --output no.svg
     expect 2 "A .svg file has no stacked layers" --svg drawing.svg --colour-layers=stacked --output no.svg
+    # A text's curves, read again: the same area. Lengths are in units of the larger side.
+    expect 0 "" "Rag" --font $sans --output again.svg --quality best --stroke 0.04,round
+    volume() { sed 's/.*"volume":\([0-9.e-]*\).*/\1/' out; }
+    expect 0 "" "Rag" --font $sans --stats --quality best --stroke 0.04,round --merge
+    text_volume=$(volume)
+    expect 0 "" --svg again.svg --stats --tolerance 0.00002
+    that "a text's curves cover what the text covers" awk -v text="$text_volume" -v again="$(volume)" \
+        -v side="$(sed -n 's/.*width="\([0-9.]*\)mm".*/\1/p' again.svg)" \
+        'BEGIN { ratio = again * side * side / 100 / text; exit !(text > 0 && ratio > 0.9995 && ratio < 1.0005) }'
     that "nothing is left of refused drawings" [ ! -e no.glb ]
 else
     expect 1 "^text_to_mesh: --svg is not built in: this program was built without pugixml, which reads XML\.$" --svg drawing.svg --output probe.glb

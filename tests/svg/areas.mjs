@@ -18,7 +18,7 @@ const folder = mkdtempSync(join(tmpdir(), 'typemesh-svg-'));
 const [input, output] = [join(folder, 'in.svg'), join(folder, 'out.obj')];
 
 function drawnArea(text) {
-    const picture = new Resvg(text, { fitTo: { mode: 'width', value: 1024 }, font: { loadSystemFonts: false } }).render();
+    const picture = new Resvg(text, { fitTo: { mode: 'width', value: 2048 }, font: { loadSystemFonts: false } }).render();
     const pixels = picture.pixels;  // a new copy at each call
     let sum = 0;
     for (let i = 3; i < pixels.length; i += 4) sum += pixels[i];
@@ -52,7 +52,7 @@ for (const file of readFileSync(list, 'utf8').trim().split('\n')) {
         ++counts.unread;
         continue;
     }
-    const made = spawnSync(program, ['--svg', input, '--depth', '0', '--tolerance', '0.0002', '--output', output], { encoding: 'utf8' });
+    const made = spawnSync(program, ['--svg', input, '--depth', '0', '--tolerance', '0.00002', '--output', output], { encoding: 'utf8' });
     const said = made.stderr.trim().replaceAll('\n', ' / ');
     if (made.status !== 0) {
         const kind = area === 0 && said.includes('blank') ? 'blank' : 'refused';

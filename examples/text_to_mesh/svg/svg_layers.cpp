@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <cstring>
+#include <utility>
 
 namespace text_to_mesh {
 namespace {
@@ -57,15 +58,15 @@ public:
     /// Gives the colours of the layers.
     [[nodiscard]] bool write(std::vector<rgb_colour>& colours)
     {
-        for (const svg_drawing::item& i : from_.items) {
-            std::uint32_t shape = add({.id = static_cast<glyph_id>(i.shape)});
-            if (i.within != svg_drawing::no_clip) shape = both(shape, clip(i.within));
-            const bool again = !colours.empty() && same(colours.back(), i.colour);
-            if (again)
-                to_.layers.back().shape = either(to_.layers.back().shape, shape);
-            else
-                fits_ = fits_ && to_.layers.push_back({shape, {}});
-            if (!again) colours.push_back(i.colour);
+        std::vector<std::uint32_t> together;  // the shapes of one layer
+        for (std::size_t i = 0; i < from_.items.size(); ++i) {
+            const svg_drawing::item& one = from_.items[i];
+            const std::uint32_t shape = add({.id = static_cast<glyph_id>(one.shape)});
+            together.push_back(one.within == svg_drawing::no_clip ? shape : both(shape, clip(one.within)));
+            if (i + 1 < from_.items.size() && same(from_.items[i + 1].colour, one.colour)) continue;
+            fits_ = fits_ && to_.layers.push_back({any_of(together), {}});
+            colours.push_back(one.colour);
+            together.clear();
         }
         if (!from_.view.empty()) to_.clip = from_.view;
         return fits_;
@@ -87,24 +88,28 @@ private:
     {
         return add({.is = layer_shape::kind::both, .a = a, .b = b});
     }
-    std::uint32_t either(std::uint32_t a, std::uint32_t b)
+    /// What any of some shapes cover. They are joined in pairs, so that each point takes part in few of the joins.
+    std::uint32_t any_of(std::vector<std::uint32_t> shapes)
     {
-        return add({.is = layer_shape::kind::either, .a = a, .b = b});
+        for (; shapes.size() > 1; shapes.resize((shapes.size() + 1) / 2))
+            for (std::size_t i = 0; i < shapes.size(); i += 2)
+                shapes[i / 2] = i + 1 == shapes.size()
+                                    ? shapes[i]
+                                    : add({.is = layer_shape::kind::either, .a = shapes[i], .b = shapes[i + 1]});
+        return shapes.front();
     }
     /// The shape of a clip; a clip without shapes is what a shape leaves of itself.
     std::uint32_t clip(std::size_t number)
     {
         if (clips_[number] != none) return clips_[number];
         const svg_drawing::clip& c = from_.clips[number];
-        std::uint32_t all = none;
-        for (const std::size_t shape : c.shapes) {
-            const std::uint32_t one = add({.id = static_cast<glyph_id>(shape)});
-            all = all == none ? one : either(all, one);
-        }
-        if (all == none) {
-            const std::uint32_t any = 0;
-            all = add({.is = layer_shape::kind::without, .a = any, .b = any});
-        }
+        std::vector<std::uint32_t> shapes;
+        for (const std::size_t shape : c.shapes) shapes.push_back(add({.id = static_cast<glyph_id>(shape)}));
+        std::uint32_t all = 0;
+        if (shapes.empty())
+            all = add({.is = layer_shape::kind::without, .a = 0, .b = 0});
+        else
+            all = any_of(std::move(shapes));
         if (c.inside != svg_drawing::no_clip) all = both(all, clip(c.inside));
         clips_[number] = all;
         return all;
