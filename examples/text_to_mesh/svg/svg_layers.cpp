@@ -50,7 +50,12 @@ private:
     fill_rule rule_ = fill_rule::non_zero;
 };
 
-/// Makes the layers of a drawing: what they are filled with is not told here.
+bool same(const rgb_colour& a, const rgb_colour& b)
+{
+    return std::memcmp(a.rgb, b.rgb, sizeof a.rgb) == 0 && a.alpha == b.alpha;
+}
+
+/// Makes the layers of a drawing.
 class layer_writer {
 public:
     layer_writer(const svg_drawing& from, colour_glyph& to) : from_{from}, to_{to}, clips_(from.clips.size(), none) {}
@@ -75,10 +80,6 @@ public:
 private:
     static constexpr std::uint32_t none = 0xFFFF'FFFFu;
 
-    static bool same(const rgb_colour& a, const rgb_colour& b)
-    {
-        return std::memcmp(a.rgb, b.rgb, sizeof a.rgb) == 0 && a.alpha == b.alpha;
-    }
     std::uint32_t add(const layer_shape& shape)
     {
         fits_ = fits_ && to_.shapes.push_back(shape);
@@ -127,6 +128,12 @@ std::string svg_layers::open(const std::string& path, double tolerance, layer_cu
 {
     const svg_options how{0.25 * tolerance * svg_drawing::units_per_em, colour};
     if (std::string trouble = read_svg(path, how, drawing_); !trouble.empty()) return trouble;
+    constexpr std::size_t max_layers = 5000;  // cutting takes time in proportion to the square
+    std::size_t changes = 0;
+    for (std::size_t i = 1; i < drawing_.items.size(); ++i)
+        changes += same(drawing_.items[i - 1].colour, drawing_.items[i].colour) ? 0 : 1;
+    if (changes >= max_layers)
+        return path + " has more than 5000 layers of different colours: join the shapes of one colour.";
     is_stacked_ = cut == layer_cut::stacked;
     const auto built = build(tolerance, cut);
     return built ? std::string{} : path + ": " + in_words(built.error());
@@ -150,7 +157,7 @@ result<void> svg_layers::build(double tolerance, layer_cut cut)
         if (!kept) return kept.error();
     }
     for (std::size_t i = 0; i < layers_.size(); ++i) {
-        const auto is_it = [&](const rgb_colour& c) { return std::memcmp(&c, &layers_[i], sizeof c) == 0; };
+        const auto is_it = [&](const rgb_colour& c) { return same(c, layers_[i]); };
         const auto found =
             is_stacked_ ? style_colours_.end() : std::find_if(style_colours_.begin(), style_colours_.end(), is_it);
         styles_.push_back(static_cast<std::uint32_t>(found - style_colours_.begin()) + 1);
