@@ -33,6 +33,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <filesystem>
 #include <functional>
 #include <map>
 #include <memory>
@@ -534,7 +535,7 @@ private:
         moved_run moved{page_};
         double up = 0.0;
         model mesh;
-        mesh.name = o_.text;
+        mesh.name = o_.drawing ? std::filesystem::path{o_.svg}.stem().string() : o_.text;
         mesh.as_manifold = o_.manifold;
         std::optional<plate_model> plate;
         if (o_.plate.is_on) plate.emplace(o_, font_);

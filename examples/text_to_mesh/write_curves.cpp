@@ -100,7 +100,7 @@ void draw(const coloured_curves& from, Sink& to)
     }
 }
 
-/// The curves behind those of one colour, or a new colour's.
+/// The last entry if it has this colour, or a new one.
 coloured_curves& of_colour(std::vector<coloured_curves>& all, const std::optional<rgb_colour>& colour)
 {
     const auto code = [](const std::optional<rgb_colour>& c) {

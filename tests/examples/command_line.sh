@@ -505,7 +505,7 @@ expect 0 "" "Hello" --font $sans --output curves.svg
 that "a text's curves are one path" [ "$(grep -c '<path d="M' curves.svg)" = 1 ]
 that "curves stay curves" grep -q 'd="[^"]*Q' curves.svg
 that "an em is ten millimetres in curves" grep -qE '<svg [^>]*width="[12][0-9](\.[0-9]+)?mm"' curves.svg
-that "the file's size is told" grep -qE '^curves\.svg: [0-9]+ curves and lines, [0-9.]+ x [0-9.]+ mm$' out
+that "the program says how large a file of curves is" grep -qE '^curves\.svg: [0-9]+ curves and lines, [0-9.]+ x [0-9.]+ mm$' out
 expect 0 "" "Hello" --font $sans --output curves.dxf --size 40
 that "a drawing has splines" grep -q '^SPLINE' curves.dxf
 that "a drawing ends" [ "$(tail -n 1 curves.dxf)" = EOF ]
@@ -565,6 +565,8 @@ if "$program" --svg drawing.svg --output probe.glb >out 2>err; then
     expect 1 "bomb.svg draws more than 200000 elements" --svg bomb.svg --output no.glb
     awk 'BEGIN { printf "<svg>"; for (i = 0; i < 5000; ++i) printf "<g>"; for (i = 0; i < 5000; ++i) printf "</g>"; print "</svg>" }' >deep.svg
     expect 1 "deep.svg has elements in each other.*more than 200 levels deep" --svg deep.svg --output no.glb
+    awk 'BEGIN { printf "<svg>"; for (i = 0; i <= 5000; ++i) printf "<path d=\"M0 0h9v9z\" fill=\"#%06x\"/>", i; print "</svg>" }' >layers.svg
+    expect 1 "layers.svg has more than 5000 layers of different colours" --svg layers.svg --output no.glb
     printf '\037\213' >packed.svg
     expect 1 "packed.svg is compressed: unpack it with gunzip" --svg packed.svg --output no.glb
     expect 1 "none.svg cannot be read: No such file" --svg none.svg --output no.glb
@@ -574,6 +576,15 @@ if "$program" --svg drawing.svg --output probe.glb >out 2>err; then
     expect 2 "--svg must be a file's name or -" --svg "" --output no.glb
     expect 2 "leave out --embolden and --bend" --svg drawing.svg --embolden 0.1 --output no.svg
     expect 2 "A .svg file has no stacked layers" --svg drawing.svg --colour-layers=stacked --output no.svg
+    # A text's curves, read again: the same area. Lengths are in units of the larger side.
+    expect 0 "" "Rag" --font $sans --output again.svg --quality best --stroke 0.04,round
+    volume() { sed 's/.*"volume":\([0-9.e-]*\).*/\1/' out; }
+    expect 0 "" "Rag" --font $sans --stats --quality best --stroke 0.04,round --merge
+    text_volume=$(volume)
+    expect 0 "" --svg again.svg --stats --tolerance 0.00002
+    that "a text's curves cover what the text covers" awk -v text="$text_volume" -v again="$(volume)" \
+        -v side="$(sed -n 's/.*width="\([0-9.]*\)mm".*/\1/p' again.svg)" \
+        'BEGIN { ratio = again * side * side / 100 / text; exit !(text > 0 && ratio > 0.9995 && ratio < 1.0005) }'
     that "nothing is left of refused drawings" [ ! -e no.glb ]
 else
     expect 1 "^text_to_mesh: --svg is not built in: this program was built without pugixml, which reads XML\.$" --svg drawing.svg --output probe.glb

@@ -155,6 +155,30 @@ TEST_CASE("colours of SVG cascade, and what covers others is cut out of them", "
     CHECK(file.bounds[3].high.y == Approx(400.0));
 }
 
+TEST_CASE("what is not drawn as it should be is named once for each kind", "[examples][svg]")
+{
+    const scratch_folder folder;
+    const std::string path = folder.file("lossy.svg");
+    std::ofstream{path}
+        << "<svg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 9 9'><style>a > b { fill: red }</style>"
+           "<rect width='9' height='9'/><rect width='5' height='5' opacity='.5' filter='url(#f)'/>"
+           "<image/><image/><foo/><rect mask='url(#m)' width='1' height='1' transform='turn(3)'/>"
+           "<path d='M0 0h3v3x'/></svg>";
+    svg_drawing drawing;
+    if (read_svg(path, {}, drawing).find("not built in") != std::string::npos) return;
+    CHECK(drawing.items.size() == 4);
+    const std::vector<std::string> wanted = {"style rules other than for names, classes and ids are left out",
+                                             "filters are not drawn",
+                                             "<image> is not drawn",
+                                             "<foo> is not drawn",
+                                             "malformed transforms are left out",
+                                             "masks are not drawn",
+                                             "malformed path data are drawn up to the mistake"};
+    CHECK(drawing.warnings == wanted);
+    svg_layers layers;
+    CHECK(layers.open(path, 1e-3, typemesh::layer_cut::visible, rgb_colour{{0, 0, 0}}).empty());
+}
+
 TEST_CASE("a file without a view box is as large as its shapes", "[examples][svg]")
 {
     const read_file_of file{"<rect x='-30' y='7' width='200' height='50'/>", ""};

@@ -2,7 +2,7 @@
 //
 // Compares the area that text_to_mesh covers with what resvg draws, for each file. run.sh calls it.
 //
-//     node areas.mjs PROGRAM RESULT.tsv FILES.txt     FILES.txt names a file a line; resvg-js is in NODE_PATH
+//     node --expose-gc areas.mjs PROGRAM RESULT.tsv FILES.txt     FILES.txt names a file a line; resvg-js is in NODE_PATH
 //
 // Opacities are made 1 for both, because a mesh covers a place or does not. A line of the result: file, what became of it,
 // the area of resvg and of the mesh as a share of the larger side's square, the difference in percent, warnings.
@@ -18,9 +18,10 @@ const folder = mkdtempSync(join(tmpdir(), 'typemesh-svg-'));
 const [input, output] = [join(folder, 'in.svg'), join(folder, 'out.obj')];
 
 function drawnArea(text) {
-    const picture = new Resvg(text, { fitTo: { mode: 'width', value: 1024 }, font: { loadSystemFonts: false } }).render();
+    const picture = new Resvg(text, { fitTo: { mode: 'width', value: 2048 }, font: { loadSystemFonts: false } }).render();
+    const pixels = picture.pixels;  // a new copy at each call
     let sum = 0;
-    for (let i = 3; i < picture.pixels.length; i += 4) sum += picture.pixels[i];
+    for (let i = 3; i < pixels.length; i += 4) sum += pixels[i];
     return sum / 255 / Math.max(picture.width, picture.height) ** 2;
 }
 
@@ -42,6 +43,7 @@ let worst = 0, worstFile = '';
 for (const file of readFileSync(list, 'utf8').trim().split('\n')) {
     const text = readFileSync(file, 'utf8').replace(/((?:fill-|stroke-|stop-)?opacity)\s*([=:])\s*("?)[\d.]+/g, '$1$2$31');
     writeFileSync(input, text);
+    globalThis.gc();  // pictures are large, and node does not see that
     let area;
     try {
         area = drawnArea(text);
@@ -50,7 +52,7 @@ for (const file of readFileSync(list, 'utf8').trim().split('\n')) {
         ++counts.unread;
         continue;
     }
-    const made = spawnSync(program, ['--svg', input, '--depth', '0', '--tolerance', '0.0002', '--output', output], { encoding: 'utf8' });
+    const made = spawnSync(program, ['--svg', input, '--depth', '0', '--tolerance', '0.00002', '--output', output], { encoding: 'utf8' });
     const said = made.stderr.trim().replaceAll('\n', ' / ');
     if (made.status !== 0) {
         const kind = area === 0 && said.includes('blank') ? 'blank' : 'refused';

@@ -15,4 +15,4 @@ for set in simple-icons/icons @mdi/svg/svg bootstrap-icons/icons openmoji/color/
     find "$work/node_modules/$set" -name '*.svg' | LC_ALL=C sort | awk -v every="$every" 'NR % every == 1'
 done >"$work/files.txt"
 cp "$root/tests/svg/areas.mjs" "$work/"
-node "$work/areas.mjs" "$program" "$work/areas.tsv" "$work/files.txt"
+node --expose-gc "$work/areas.mjs" "$program" "$work/areas.tsv" "$work/files.txt"

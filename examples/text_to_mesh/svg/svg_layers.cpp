@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <cstring>
+#include <utility>
 
 namespace text_to_mesh {
 namespace {
@@ -49,7 +50,12 @@ private:
     fill_rule rule_ = fill_rule::non_zero;
 };
 
-/// Makes the layers of a drawing: what they are filled with is not told here.
+bool same(const rgb_colour& a, const rgb_colour& b)
+{
+    return std::memcmp(a.rgb, b.rgb, sizeof a.rgb) == 0 && a.alpha == b.alpha;
+}
+
+/// Makes the layers of a drawing.
 class layer_writer {
 public:
     layer_writer(const svg_drawing& from, colour_glyph& to) : from_{from}, to_{to}, clips_(from.clips.size(), none) {}
@@ -57,15 +63,15 @@ public:
     /// Gives the colours of the layers.
     [[nodiscard]] bool write(std::vector<rgb_colour>& colours)
     {
-        for (const svg_drawing::item& i : from_.items) {
-            std::uint32_t shape = add({.id = static_cast<glyph_id>(i.shape)});
-            if (i.within != svg_drawing::no_clip) shape = both(shape, clip(i.within));
-            const bool again = !colours.empty() && same(colours.back(), i.colour);
-            if (again)
-                to_.layers.back().shape = either(to_.layers.back().shape, shape);
-            else
-                fits_ = fits_ && to_.layers.push_back({shape, {}});
-            if (!again) colours.push_back(i.colour);
+        std::vector<std::uint32_t> together;  // the shapes of one layer
+        for (std::size_t i = 0; i < from_.items.size(); ++i) {
+            const svg_drawing::item& one = from_.items[i];
+            const std::uint32_t shape = add({.id = static_cast<glyph_id>(one.shape)});
+            together.push_back(one.within == svg_drawing::no_clip ? shape : both(shape, clip(one.within)));
+            if (i + 1 < from_.items.size() && same(from_.items[i + 1].colour, one.colour)) continue;
+            fits_ = fits_ && to_.layers.push_back({any_of(together), {}});
+            colours.push_back(one.colour);
+            together.clear();
         }
         if (!from_.view.empty()) to_.clip = from_.view;
         return fits_;
@@ -74,10 +80,6 @@ public:
 private:
     static constexpr std::uint32_t none = 0xFFFF'FFFFu;
 
-    static bool same(const rgb_colour& a, const rgb_colour& b)
-    {
-        return std::memcmp(a.rgb, b.rgb, sizeof a.rgb) == 0 && a.alpha == b.alpha;
-    }
     std::uint32_t add(const layer_shape& shape)
     {
         fits_ = fits_ && to_.shapes.push_back(shape);
@@ -87,24 +89,28 @@ private:
     {
         return add({.is = layer_shape::kind::both, .a = a, .b = b});
     }
-    std::uint32_t either(std::uint32_t a, std::uint32_t b)
+    /// What any of some shapes cover. They are joined in pairs, so that each point takes part in few of the joins.
+    std::uint32_t any_of(std::vector<std::uint32_t> shapes)
     {
-        return add({.is = layer_shape::kind::either, .a = a, .b = b});
+        for (; shapes.size() > 1; shapes.resize((shapes.size() + 1) / 2))
+            for (std::size_t i = 0; i < shapes.size(); i += 2)
+                shapes[i / 2] = i + 1 == shapes.size()
+                                    ? shapes[i]
+                                    : add({.is = layer_shape::kind::either, .a = shapes[i], .b = shapes[i + 1]});
+        return shapes.front();
     }
     /// The shape of a clip; a clip without shapes is what a shape leaves of itself.
     std::uint32_t clip(std::size_t number)
     {
         if (clips_[number] != none) return clips_[number];
         const svg_drawing::clip& c = from_.clips[number];
-        std::uint32_t all = none;
-        for (const std::size_t shape : c.shapes) {
-            const std::uint32_t one = add({.id = static_cast<glyph_id>(shape)});
-            all = all == none ? one : either(all, one);
-        }
-        if (all == none) {
-            const std::uint32_t any = 0;
-            all = add({.is = layer_shape::kind::without, .a = any, .b = any});
-        }
+        std::vector<std::uint32_t> shapes;
+        for (const std::size_t shape : c.shapes) shapes.push_back(add({.id = static_cast<glyph_id>(shape)}));
+        std::uint32_t all = 0;
+        if (shapes.empty())
+            all = add({.is = layer_shape::kind::without, .a = 0, .b = 0});
+        else
+            all = any_of(std::move(shapes));
         if (c.inside != svg_drawing::no_clip) all = both(all, clip(c.inside));
         clips_[number] = all;
         return all;
@@ -122,6 +128,12 @@ std::string svg_layers::open(const std::string& path, double tolerance, layer_cu
 {
     const svg_options how{0.25 * tolerance * svg_drawing::units_per_em, colour};
     if (std::string trouble = read_svg(path, how, drawing_); !trouble.empty()) return trouble;
+    constexpr std::size_t max_layers = 5000;  // cutting takes time in proportion to the square
+    std::size_t changes = 0;
+    for (std::size_t i = 1; i < drawing_.items.size(); ++i)
+        changes += same(drawing_.items[i - 1].colour, drawing_.items[i].colour) ? 0 : 1;
+    if (changes >= max_layers)
+        return path + " has more than 5000 layers of different colours: join the shapes of one colour.";
     is_stacked_ = cut == layer_cut::stacked;
     const auto built = build(tolerance, cut);
     return built ? std::string{} : path + ": " + in_words(built.error());
@@ -132,6 +144,10 @@ result<void> svg_layers::build(double tolerance, layer_cut cut)
     shape_source source{drawing_.shapes};
     colour_glyph glyph;
     if (!layer_writer{drawing_, glyph}.write(layers_)) return error::out_of_memory;
+    const auto shows_through = [](const rgb_colour& c) { return c.alpha != 255; };
+    if (cut == layer_cut::visible && layers_.size() > 1 &&
+        std::any_of(layers_.begin() + 1, layers_.end(), shows_through))
+        drawing_.warnings.push_back("translucent shapes hide what they cover");
     if (const auto done = regions_.build(source, 0, glyph, tolerance, cut); !done) return done.error();
     contours loops;
     for (glyph_id g = 0; g <= layers_.size(); ++g) {
@@ -141,7 +157,7 @@ result<void> svg_layers::build(double tolerance, layer_cut cut)
         if (!kept) return kept.error();
     }
     for (std::size_t i = 0; i < layers_.size(); ++i) {
-        const auto is_it = [&](const rgb_colour& c) { return std::memcmp(&c, &layers_[i], sizeof c) == 0; };
+        const auto is_it = [&](const rgb_colour& c) { return same(c, layers_[i]); };
         const auto found =
             is_stacked_ ? style_colours_.end() : std::find_if(style_colours_.begin(), style_colours_.end(), is_it);
         styles_.push_back(static_cast<std::uint32_t>(found - style_colours_.begin()) + 1);

@@ -28,7 +28,7 @@ using typemesh::point;
 
 constexpr std::size_t max_elements = 200'000, max_depth = 200;
 
-/// The name of an element without a prefix of SVG's; empty for those of other languages.
+/// The name of an element without a prefix of SVG's; empty for elements of other languages.
 std::string_view name_of(const pugi::xml_node& node)
 {
     const std::string_view name = node.name();
