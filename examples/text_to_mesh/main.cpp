@@ -245,7 +245,9 @@ bool is_stacked(const options& o) { return o.layers && o.colour_layers == typeme
 /// Puts a thin solid of a level of colour layers on the front of the level below: the two planes are the same floats.
 void stand_on(model& some, std::uint32_t level, double size)
 {
-    const auto front_of = [size](std::uint32_t n) { return static_cast<float>(double{colour_layers::step} * n * size); };
+    const auto front_of = [size](std::uint32_t n) {
+        return static_cast<float>(double{colour_layers::step} * n * size);
+    };
     const float half = -0.5f * front_of(1);
     for (model_vertex& v : some.vertices) v.position[2] = front_of(v.position[2] < half ? level - 1 : level);
 }

@@ -185,8 +185,8 @@ TEST_CASE("a translucent layer is divided by what shines through it, and takes i
             const glyph_paint paint = regions.paint(i, g);
             sum += area;
             if (area == 0) continue;
-            all.push_back({regions.number_in_glyph(i), static_cast<double>(area) / 2.0 / cells, paint.colour,
-                           paint.entry});
+            all.push_back(
+                {regions.number_in_glyph(i), static_cast<double>(area) / 2.0 / cells, paint.colour, paint.entry});
         }
         CHECK(sum == twice_area(*regions.silhouette(loops)));
         return all;

@@ -32,8 +32,8 @@ TEST_CASE("a colour over another one is their mean by its alpha", "[colour]")
 TEST_CASE("blend modes give the values of their formulas", "[colour]")
 {
     CHECK(mixed_red(200, 100, 12) == 255);
-    CHECK(mixed_red(51, 102, 13) == 133);   // 0.2 + 0.4 - 0.08
-    CHECK(mixed_red(51, 102, 14) == 41);    // 2 * 0.2 * 0.4
+    CHECK(mixed_red(51, 102, 13) == 133);  // 0.2 + 0.4 - 0.08
+    CHECK(mixed_red(51, 102, 14) == 41);   // 2 * 0.2 * 0.4
     CHECK(mixed_red(51, 102, 15) == 51);
     CHECK(mixed_red(51, 102, 16) == 102);
     CHECK(mixed_red(51, 102, 17) == 85);    // 0.2 / 0.6
@@ -43,9 +43,9 @@ TEST_CASE("blend modes give the values of their formulas", "[colour]")
     CHECK(mixed_red(51, 102, 20) == 43);    // 0.2 - 0.2 * 0.2 * 0.8
     CHECK(mixed_red(102, 204, 20) == 138);  // 0.4 + 0.6 * (sqrt(0.4) - 0.4)
     CHECK(mixed_red(51, 102, 21) == 51);
-    CHECK(mixed_red(51, 102, 22) == 112);   // 0.6 - 0.16
+    CHECK(mixed_red(51, 102, 22) == 112);  // 0.6 - 0.16
     CHECK(mixed_red(51, 102, 23) == 20);
-    CHECK(mixed_red(51, 102, 24) == 102);   // hue, which is not mixed
+    CHECK(mixed_red(51, 102, 24) == 102);  // hue, which is not mixed
     CHECK(mixed_red(100, 255, 23, 0.5f) == 100);
     for (std::uint32_t mode = 0; mode < 28; ++mode)
         for (const int b : {0, 128, 255})

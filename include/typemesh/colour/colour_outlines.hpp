@@ -28,20 +28,20 @@ namespace typemesh::inline TYPEMESH_ABI {
 
 /// The options of colour_outlines.
 struct colour_options {
-    layer_cut layers = layer_cut::visible;  ///< whether layers are cut or stacked
-    double tolerance = quality::high;  ///< in em, as the text's own: layers are flattened before they are cut
-    colour_choice choice = {};     ///< the palette, and limits
+    layer_cut layers = layer_cut::visible;     ///< whether layers are cut or stacked
+    double tolerance = quality::high;          ///< in em, as the text's own: layers are flattened before they are cut
+    colour_choice choice = {};                 ///< the palette, and limits
     std::uint32_t first_style = 0x4000'0000u;  ///< paints get the styles from here on: use smaller numbers for your own
     std::uint32_t max_pieces = default_max_pieces;  ///< the limit for a glyph: see layer_regions::build()
 };
 
 /// What split() found in a run.
 struct colour_report {
-    std::uint32_t coloured = 0;     ///< glyphs that were replaced by their layers
-    std::uint32_t refused = 0;      ///< glyphs whose colours cannot be read or cut, which stay as they were
-    error first_refusal = {};       ///< the reason for the first of them, with the glyph and its cluster
-    std::uint32_t blended = 0;      ///< glyphs with composites whose colours should mix (see colour_layer::blend) and do
-                                    ///< not: all in layer_cut::stacked, hue and the like in layer_cut::visible
+    std::uint32_t coloured = 0;  ///< glyphs that were replaced by their layers
+    std::uint32_t refused = 0;   ///< glyphs whose colours cannot be read or cut, which stay as they were
+    error first_refusal = {};    ///< the reason for the first of them, with the glyph and its cluster
+    std::uint32_t blended = 0;   ///< glyphs with composites whose colours should mix (see colour_layer::blend) and do
+                                 ///< not: all in layer_cut::stacked, hue and the like in layer_cut::visible
     std::uint32_t translucent = 0;  ///< glyphs with a translucent layer above others, which is mixed with them in
                                     ///< layer_cut::visible, or that cuts others
     std::uint32_t unbounded = 0;    ///< glyphs that lack a layer without bounds

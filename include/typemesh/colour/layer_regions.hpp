@@ -96,8 +96,8 @@ public:
         return e;
     }
 
-    /// The number of layers that were built, from the lowest to the uppermost: those of the glyph, or more, if parts of
-    /// them have mixed colours.
+    /// The number of layers that were built, from the lowest to the uppermost: as many as the glyph has, or more, if
+    /// parts of them have mixed colours.
     [[nodiscard]] std::size_t layer_count() const noexcept { return layers_.size(); }
 
     /// Whether nothing of a layer remains; layer < layer_count().
@@ -106,7 +106,7 @@ public:
     /// The layer of the glyph that a layer is, or is a part of; layer < layer_count().
     [[nodiscard]] std::uint32_t number_in_glyph(std::size_t layer) const noexcept { return layers_[layer].number; }
 
-    /// The paint of a layer: that of the glyph's layer, or a solid one of the entry mixed_colour_entry.
+    /// The paint of a layer: the glyph's own, or a solid one with the entry mixed_colour_entry.
     [[nodiscard]] glyph_paint paint(std::size_t layer, const colour_glyph& glyph) const noexcept
     {
         const built& l = layers_[layer];

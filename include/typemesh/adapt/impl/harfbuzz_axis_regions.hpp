@@ -53,7 +53,7 @@ public:
     {
     }
 
-    static constexpr std::size_t max_coordinates = 1024;    ///< of masters, or of changes; fonts have a few dozen
+    static constexpr std::size_t max_coordinates = 1024;       ///< of masters, or of changes; fonts have a few dozen
     static constexpr std::uint32_t max_conditions = 1u << 16;  ///< of all features; fonts have a few hundred
 
     /// Fails  error::not_a_font: more coordinates, or more regions than a sound table has room for

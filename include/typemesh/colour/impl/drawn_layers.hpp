@@ -52,7 +52,7 @@ public:
         std::uint32_t face = 0;
         glyph_id id = 0;
         std::uint64_t variation = 0;  // the key of the face's variation
-        std::size_t first = 0;  // of its layers
+        std::size_t first = 0;        // of its layers
         std::uint32_t count = 0;
         bool coloured = false, blended = false, translucent = false, unbounded = false;
         error refusal = {};
@@ -61,7 +61,10 @@ public:
         {
             return a.face == b.face && a.id == b.id && a.variation == b.variation;
         }
-        friend std::uint64_t hash_of(const glyph& g) noexcept { return mixed_key(mixed_key(g.variation, g.face), g.id); }
+        friend std::uint64_t hash_of(const glyph& g) noexcept
+        {
+            return mixed_key(mixed_key(g.variation, g.face), g.id);
+        }
     };
 
     explicit drawn_layers(memory source) noexcept

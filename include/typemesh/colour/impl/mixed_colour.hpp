@@ -22,22 +22,22 @@ namespace typemesh::inline TYPEMESH_ABI::detail {
         return under + (2.0 * over - 1.0) * (1.0 - under);
     };
     switch (mode) {
-    case 12: return b + s < 1.0 ? b + s : 1.0;  // plus
-    case 13: return b + s - b * s;              // screen
-    case 14: return hard(s, b);                 // overlay
-    case 15: return b < s ? b : s;              // darken
-    case 16: return b > s ? b : s;              // lighten
-    case 17: return b <= 0.0 ? 0.0 : b >= 1.0 - s ? 1.0 : b / (1.0 - s);              // colour dodge
-    case 18: return b >= 1.0 ? 1.0 : 1.0 - b >= s ? 0.0 : 1.0 - (1.0 - b) / s;        // colour burn
-    case 19: return hard(b, s);                                                       // hard light
-    case 20: {                                                                        // soft light
+    case 12: return b + s < 1.0 ? b + s : 1.0;                                  // plus
+    case 13: return b + s - b * s;                                              // screen
+    case 14: return hard(s, b);                                                 // overlay
+    case 15: return b < s ? b : s;                                              // darken
+    case 16: return b > s ? b : s;                                              // lighten
+    case 17: return b <= 0.0 ? 0.0 : b >= 1.0 - s ? 1.0 : b / (1.0 - s);        // colour dodge
+    case 18: return b >= 1.0 ? 1.0 : 1.0 - b >= s ? 0.0 : 1.0 - (1.0 - b) / s;  // colour burn
+    case 19: return hard(b, s);                                                 // hard light
+    case 20: {                                                                  // soft light
         if (s <= 0.5) return b - (1.0 - 2.0 * s) * b * (1.0 - b);
         const double lifted = b <= 0.25 ? ((16.0 * b - 12.0) * b + 4.0) * b : std::sqrt(b);
         return b + (2.0 * s - 1.0) * (lifted - b);
     }
-    case 21: return b > s ? b - s : s - b;   // difference
-    case 22: return b + s - 2.0 * b * s;     // exclusion
-    case 23: return b * s;                   // multiply
+    case 21: return b > s ? b - s : s - b;  // difference
+    case 22: return b + s - 2.0 * b * s;    // exclusion
+    case 23: return b * s;                  // multiply
     default: return s;
     }
 }

@@ -67,8 +67,8 @@ public:
 private:
     static constexpr std::uint32_t max_pieces = 64;
     static constexpr std::uint32_t max_points = 1000;
-    static constexpr std::size_t max_pairs = 4096;          // of a contour that is worth dividing
-    static constexpr std::size_t most_pairs = 256;          // more are not used as ends of chords
+    static constexpr std::size_t max_pairs = 4096;  // of a contour that is worth dividing
+    static constexpr std::size_t most_pairs = 256;  // more are not used as ends of chords
 
     struct ends {
         std::uint32_t u = 0, v = 0;
