@@ -203,6 +203,16 @@ void append(model& all, const model& some, float up)
     }
 }
 
+/// Puts a thin solid of a level of colour layers on the front of the level below: the two planes are the same floats.
+void stand_on(model& some, std::uint32_t level, double size)
+{
+    const auto front_of = [size](std::uint32_t n) {
+        return static_cast<float>(double{colour_layers::step} * n * size);
+    };
+    const float half = -0.5f * front_of(1);
+    for (model_vertex& v : some.vertices) v.position[2] = front_of(v.position[2] < half ? level - 1 : level);
+}
+
 /// Adds a coarser level of detail behind the finer ones.
 void add_level(model& all, const model& level)
 {
@@ -241,16 +251,6 @@ typemesh::result<void> write_solids(const options& o, font_set& font, const type
 }
 
 bool is_stacked(const options& o) { return o.layers && o.colour_layers == typemesh::layer_cut::stacked; }
-
-/// Puts a thin solid of a level of colour layers on the front of the level below: the two planes are the same floats.
-void stand_on(model& some, std::uint32_t level, double size)
-{
-    const auto front_of = [size](std::uint32_t n) {
-        return static_cast<float>(double{colour_layers::step} * n * size);
-    };
-    const float half = -0.5f * front_of(1);
-    for (model_vertex& v : some.vertices) v.position[2] = front_of(v.position[2] < half ? level - 1 : level);
-}
 
 /// The whole mesh of a run with stacked layers. The lowest level is as deep as the text, and each further level a thin
 /// solid on the front of the level below it.

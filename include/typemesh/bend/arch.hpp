@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <typemesh/core/impl/steady.hpp>
 #include <typemesh/bend/plane_warp.hpp>
 #include <typemesh/core/finite.hpp>
-#include <typemesh/core/impl/steady.hpp>
 
 #include <cmath>
 

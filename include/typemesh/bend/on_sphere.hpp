@@ -3,9 +3,9 @@
 
 #include <typemesh/bend/deformation.hpp>
 #include <typemesh/bend/double3.hpp>
+#include <typemesh/core/impl/steady.hpp>
 #include <typemesh/core/error.hpp>
 #include <typemesh/core/finite.hpp>
-#include <typemesh/core/impl/steady.hpp>
 
 #include <cmath>
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <typemesh/core/curve.hpp>
 #include <typemesh/core/impl/steady.hpp>
+#include <typemesh/core/curve.hpp>
 #include <typemesh/core/point.hpp>
 
 #include <cmath>
