@@ -280,9 +280,13 @@ private:
             const detail::pooled_region& other = shapes_[glyph.layers[k].shape];
             if (!rest.meets(other)) continue;
             detail::pooled_region part, left;
-            if (error e = pool_.both(rest, other, space_, part)) return e;
-            if (part.points == 0) continue;
-            if (error e = pool_.join(rest, part, fill_rule::even_odd, space_, left)) return e;
+            if (error e = pool_.without(rest, other, space_, left)) return e;
+            if (error e = pool_.join(rest, left, fill_rule::even_odd, space_, part)) return e;
+            if (part.points == 0) {
+                pool_.rewind(before, left);
+                rest = left;
+                continue;
+            }
             const bool last = detail::hides(glyph.layers[k]) || depth == max_shining;
             if (!last) shining_[depth] = static_cast<std::uint32_t>(k);
             if (error e = last ? keep_mixed(glyph, part, depth, &glyph.layers[k].paint.colour)
