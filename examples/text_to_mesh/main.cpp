@@ -209,6 +209,16 @@ void append(model& all, const model& some, float up)
     }
 }
 
+/// Puts a thin solid of a level of colour layers on the front of the level below: the two planes are the same floats.
+void stand_on(model& some, std::uint32_t level, double size)
+{
+    const auto front_of = [size](std::uint32_t n) {
+        return static_cast<float>(double{colour_layers::step} * n * size);
+    };
+    const float half = -0.5f * front_of(1);
+    for (model_vertex& v : some.vertices) v.position[2] = front_of(v.position[2] < half ? level - 1 : level);
+}
+
 /// Adds a coarser level of detail behind the finer ones.
 void add_level(model& all, const model& level)
 {
@@ -267,7 +277,8 @@ typemesh::result<void> write_levels(const options& o, Source& source, const type
         if (!plan) return plan.error();
         model some;
         if (const auto done = write_model(own, *plan, some); !done) return done.error();
-        append(out, some, static_cast<float>(double{colour_layers::step} * level * how.size));
+        if (level != 0) stand_on(some, level, how.size);
+        append(out, some, 0.0f);
     }
     return {};
 }

@@ -304,7 +304,7 @@ TEST_CASE("neighbouring layers share every point of their common boundary", "[co
 TEST_CASE("layers that cannot be built leave none, and the next glyph is built", "[colour]")
 {
     recorded_outlines outlines = squares();
-    const colour_font font = flat_font({{1, {{9, 0}, {77, 1}}}, {2, {{9, 0}, {3, 1}}}});
+    const colour_font font = flat_font({{1, {{9, 0}, {77, 1}}}, {2, {{9, 0}, {3, 3}}}});
     colour_glyph g;
     layer_regions regions;
     REQUIRE(read_colour_glyph(font.tables(), 1, {}, g));

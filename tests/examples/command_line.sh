@@ -221,6 +221,12 @@ expect 2 "--style: font must be a whole number" abcd --font $sans --stats --styl
 # Mark-up: the same as --style, and solids of their own.
 alike "tags say what --style says" obj "Hello [u][colour=#2060c0]world[/][/]!" --markup --font $sans / "Hello world!" --font $sans --style 6..11:colour=#2060c0,underline
 alike "a text without tags stays as it is" glb "a [[b] c" --markup --font $sans / "a [b] c" --font $sans
+coloured=/usr/share/fonts/opentype/fonts-hosny-amiri/AmiriQuranColored.ttf
+for layers in --colour-layers --colour-layers=stacked; do
+    expect 0 "" "بِسْمِ" --font $coloured $layers --anchor base --output coloured.obj
+    that "$layers writes both colours" [ "$(grep '^usemtl' coloured.obj | sort -u | wc -l)" = 6 ]
+done
+that "levels of a stack share planes" [ "$(awk '/^v / { print $4 }' coloured.obj | sort -u | tr '\n' ' ')" = "0 0.2 0.21000001 " ]
 alike "a font has a number or a name" stl "a[font=2]b[/]" --markup --font $sans --fallback $arabic / "a[font=$arabic]b" --markup --font $sans --fallback $arabic
 alike "what holds no colours is merged without them" stl "سل[colour=#f00]ا[/]م" --markup --font $arabic / "سلام" --font $arabic
 expect 1 "--markup: line 2, character 3: there is an unknown tag; write \\[\\[ for a bracket of the text" 'é\né [x]' --markup --font $sans --stats

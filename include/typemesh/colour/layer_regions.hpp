@@ -97,8 +97,8 @@ public:
         return e;
     }
 
-    /// The number of layers that were built, from the lowest to the uppermost: those of the glyph, or more, if parts of
-    /// them have mixed colours.
+    /// The number of layers that were built, from the lowest to the uppermost: as many as the glyph has, or more, if
+    /// parts of them have mixed colours.
     [[nodiscard]] std::size_t layer_count() const noexcept { return layers_.size(); }
 
     /// Whether nothing of a layer remains; layer < layer_count().
@@ -107,7 +107,7 @@ public:
     /// The layer of the glyph that a layer is, or is a part of; layer < layer_count().
     [[nodiscard]] std::uint32_t number_in_glyph(std::size_t layer) const noexcept { return layers_[layer].number; }
 
-    /// The paint of a layer: that of the glyph's layer, or a solid one of the entry mixed_colour_entry.
+    /// The paint of a layer: the glyph's own, or a solid one with the entry mixed_colour_entry.
     [[nodiscard]] glyph_paint paint(std::size_t layer, const colour_glyph& glyph) const noexcept
     {
         const built& l = layers_[layer];
@@ -290,9 +290,13 @@ private:
             const detail::pooled_region& other = shapes_[glyph.layers[k].shape];
             if (!rest.meets(other)) continue;
             detail::pooled_region part, left;
-            if (error e = pool_.both(rest, other, space_, part)) return e;
-            if (part.points == 0) continue;
-            if (error e = pool_.join(rest, part, fill_rule::even_odd, space_, left)) return e;
+            if (error e = pool_.without(rest, other, space_, left)) return e;
+            if (error e = pool_.join(rest, left, fill_rule::even_odd, space_, part)) return e;
+            if (part.points == 0) {
+                pool_.rewind(before, left);
+                rest = left;
+                continue;
+            }
             const bool last = detail::hides(glyph.layers[k]) || depth == max_shining;
             if (!last) shining_[depth] = static_cast<std::uint32_t>(k);
             if (error e = last ? keep_mixed(glyph, part, depth, &glyph.layers[k].paint.colour)

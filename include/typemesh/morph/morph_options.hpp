@@ -32,7 +32,7 @@ struct morph_options {
 };
 
 /// What has become of the letters of a morph: how many of its drawn glyphs, repeated glyphs each time. Where the font
-/// replaces glyphs along the axis, each number is that of the stretch with the most.
+/// replaces glyphs along the axis, each number comes from the stretch with the most.
 struct morph_report {
     std::uint32_t letters = 0;  ///< all glyphs that are not blank
     std::uint32_t split = 0;    ///< glyphs that need different triangles in different parts of the axis
