@@ -48,9 +48,8 @@ typemesh::error marked_words::add_to(typemesh::shape_options& how, font_set& fon
     how.boxes = read_.boxes();
     if (rubies_.empty()) return {};
     ruby_options_.shape.language = how.language;
-    ruby_options_.shape.direction = how.direction == typemesh::direction::top_to_bottom
-                                        ? how.direction
-                                        : typemesh::direction::automatic;
+    ruby_options_.shape.direction =
+        how.direction == typemesh::direction::top_to_bottom ? how.direction : typemesh::direction::automatic;
     const auto rooms = ruby_writer_.rooms(fonts, text(), rubies_, ruby_options_);
     if (rooms) how.rooms = *rooms;
     return rooms.error();

@@ -61,7 +61,8 @@ struct mesh_arrays {
     {
         const std::size_t all = vertices() + vertex_count;
         return position.reserve(3 * all) && normal.reserve(3 * all) && uv.reserve(2 * all) &&
-               index.reserve(index.size() + index_count) && (vertex_count == 0 || append_all(vertex_count, index_count));
+               index.reserve(index.size() + index_count) &&
+               (vertex_count == 0 || append_all(vertex_count, index_count));
     }
 
     /// Adds what one solid's letters lack.

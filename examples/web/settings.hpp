@@ -24,7 +24,7 @@ struct settings {
     bends bend;
     bool letters = false;  ///< whether vertices know their letters
     bool cached = true;
-    bool markup = false;   ///< whether tags in the text are read
+    bool markup = false;  ///< whether tags in the text are read
 
     /// `chosen` with all that follows from the rest, as text_to_mesh has it: bevels are as deep as wide; letters with
     /// bevels, rings or moved edges are merged, and stand as much farther apart as they have become wider.

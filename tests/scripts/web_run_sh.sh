@@ -113,10 +113,10 @@ mv "$scratch/esbuild" "$scratch/brotli" "$bin/"
 check "without esbuild and brotli there is a page" succeeds
 check "it says that it is larger" says 'larger files'
 check "its modules are as they are" [ -e "$site/three/three.core.js" -a -e "$site/stage.js" -a ! -e "$site/page.js.br" ]
-check "the browser is told where they are" grep -q importmap "$site/index.html"
+check "the browser knows where they are" grep -q importmap "$site/index.html"
 anew && run --static "$scratch/a static folder"
 check "a static folder is made" [ -s "$scratch/a static folder/page.js.br" ]
-check "its sizes are told" says ' typemesh.wasm$'
+check "it prints its sizes" says ' typemesh.wasm$'
 check "nothing is served" called_not 'serve.py'
 touch "$scratch/file" && run --static "$scratch/file"
 check "a file is no folder" fails

@@ -8,4 +8,11 @@ for browser in chromium chromium-browser google-chrome ''; do ! command -v "$bro
 [ -n "$browser" ] || skip "Chromium is not installed"
 [ -d "${NODE_PATH:-}/puppeteer-core" ] || skip "npm's puppeteer-core is not there"
 "$root/examples/web/run.sh" --build || fail "the page could not be built"
-node "$here/page.mjs" "$root/build/web/site" "$(command -v "$browser")" "$here/pictures" "${TYPEMESH_RENEW_PICTURES:-no}"
+node "$here/page.mjs" "$root/build/web/site" "$(command -v "$browser")" "$here/pictures" "${TYPEMESH_RENEW_PICTURES:-no}" || fail "page.mjs has failed"
+
+# What arrives before the first letter. Without brotli files are larger.
+command -v brotli >/dev/null 2>&1 && command -v esbuild >/dev/null 2>&1 || exit 0
+python3 "$root/examples/web/serve.py" "$root/build/web/site" 18473 &
+server=$!
+trap 'kill "$server"' EXIT
+node "$here/arrival.mjs" "$(command -v "$browser")" http://127.0.0.1:18473/ | tee -a "$root/build/web/figures.txt"

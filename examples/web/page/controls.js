@@ -188,7 +188,7 @@ export class Controls {
 
     /** How letters move. */
     get motion() { return this.values["page.motion"]; }
-    /** The chosen colour, or that of what letters are made of. */
+    /** The chosen colour, or the usual one of what letters are made of. */
     get colour() { return this.values["page.colour"] || finishes[this.values["page.finish"]].colour; }
     /** As stage.dress() takes it. */
     get look() { return { finish: this.values["page.finish"], colour: this.values["page.colour"], world: this.values["page.world"] }; }

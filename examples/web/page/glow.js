@@ -38,7 +38,7 @@ export class Glow {
         this.#quad.frustumCulled = false;
     }
 
-    /** Adds the glow of the scene, of which only what glows is to be visible now. */
+    /** Adds the glow of the scene; only what glows is to be visible now. */
     draw(scene, camera) {
         const { renderer } = this, size = renderer.getDrawingBufferSize(new THREE.Vector2()), [fine, wide] = this.#sizes;
         for (const s of this.#sizes)

@@ -38,7 +38,7 @@ function loading(words) {
     at("loading").hidden = words === "";
 }
 async function fetched(name, url) {
-    const early = globalThis.early?.url === url ? globalThis.early.answer : undefined;  // what the page has asked for first of all
+    const early = globalThis.early?.url === url ? globalThis.early.answer : undefined;  // begun with the page
     globalThis.early = undefined;
     const answer = await (early ?? fetch(url)).catch(() => undefined);
     if (!answer?.ok) throw new Error(`${name} could not be loaded.`);

@@ -84,7 +84,7 @@ export class Stage {
             const solid = mesh.parts.map(p => lone ?? materials.solid[p.name]);
             this.group.add(this.#placed(new THREE.Mesh(geometry, solid)));
             if (this.#hasFloor) this.mirror.add(this.#placed(new THREE.Mesh(geometry, solid)));
-            this.group.children[0].castShadow = this.#hasFloor;
+            this.group.children[0].castShadow = this.#hasFloor && !materials.glows;
             this.group.children[0].customDepthMaterial = materials.depth;
             if (this.view === "wireframe") this.#lines(mesh.position, edges(mesh.index), materials.line, letters);
             if (this.view === "contours") this.#lines(mesh.contours(), null, materials.contour);
@@ -237,7 +237,7 @@ export class Stage {
         renderer.clear();
         renderer.render(scene, camera);
         if (!materials.glows || !this.#hasFloor || !this.glow) return;
-        backdrop.visible = backdrop.back.visible = false;
+        backdrop.visible = backdrop.back.visible = this.mirror.visible = false;
         const tops = scene.environmentIntensity;
         scene.environmentIntensity = 0;
         this.lamp.visible = false;
