@@ -144,8 +144,9 @@ done
 [ -n "${CXX:-}" ] || install_missing g++
 install_missing catch2
 case $tried in *adapt* | *threads* | *conformance* | *workload* | *plate*) install_missing pkg-config harfbuzz freetype fontconfig-dev icu fontconfig font ;; esac
+case $tried in *plate*) install_fonts fonts-dejavu-core fonts-liberation fonts-hosny-amiri fonts-sawarabi-mincho ;; esac
 case $tried in
-    *adapt* | *threads* | *conformance* | *workload* | *plate* | *unicode*)
+    *adapt* | *threads* | *conformance* | *workload* | *unicode*)
         fonts=$(awk -F '\t' 'NR > 1 && $2 < 20000000 { print $1 }' "$typemesh_root/tests/workload/smoke-fonts.tsv")
         # shellcheck disable=SC2086  # a list of words
         install_fonts $fonts
