@@ -1016,6 +1016,8 @@ expect 0 "" "سلام" --font $arabic --backing 0.2 --output plate.obj
 that "a backing of Arabic is closed" closed plate.obj
 # shellcheck disable=SC2086  # words
 expect 0 "" "Ao8" --font $sans $plate --picture plate.png
+expect 0 "" --help
+that "the help's lines of plates fit" sh -c '! grep -E ".{121}" out'
 expect 0 "" "Ao8" --font $sans --plate 0.2 --inlay --colour blue --output inlay.obj
 that "an inlay is two objects" [ "$(grep '^o ' inlay.obj | tr '\n' ' ')" = "o plate o inlay " ]
 that "only the inlay has the text's colour" [ "$(grep -c "^newmtl .*_blue" inlay.mtl)" = 1 ]
