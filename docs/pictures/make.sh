@@ -167,13 +167,15 @@ montage "$scratch"/{ring,bow}.png -tile 2x1 -geometry 700x560+2+2 -background '#
 # Plates, and walls that lean.
 bold=/usr/share/fonts/truetype/dejavu/DejaVuSans-Bold.ttf
 "$program" "Anna" --font $bold --plate 0.2,0.15,0.12 --picture "$scratch/standing.png"
-"$program" "Tea & Co" --font $serif-Bold.ttf --plate 0.25,0.1,0.1 --inlay --colour '#2060a0' --picture "$scratch/inlay.png"
+"$program" "Marin" --font $serif-Bold.ttf --plate 0.25,0.1,0.1 --inlay --colour '#2060a0' --picture "$scratch/inlay.png"
 "$program" "ABO8" --font $bold --plate 0.2,0.1,0.08 --stencil 0.05 --picture "$scratch/stencil.png"
-"$program" "Okapi" --font $bold --backing 0.1,0.12 --keyring 0.08 --picture "$scratch/keyring.png"
-montage "$scratch"/{standing,inlay,stencil,keyring}.png -tile 2x2 -geometry 560x260+2+2 -background '#eef0f3' plates.png
-"$program" "Headline" --font $bold --depth 0.3 --taper 12 --turn -22 --picture "$scratch/headline.png"
+"$program" "Opal" --font $bold --backing 0.1,0.12 --keyring 0.08 --picture "$scratch/keyring.png"
+mogrify -resize 540x272^ -gravity center -extent 540x272 "$scratch"/{standing,inlay,stencil,keyring}.png
+montage "$scratch"/{standing,inlay,stencil,keyring}.png -tile 2x2 -geometry +0+0 plates.png
+"$program" "CAD" --font $bold --depth 0.25 --taper 10 --turn -18 --picture "$scratch/headline.png"
 "$program" "Roofs" --font $serif-Bold.ttf --depth 0.3 --taper 40 --turn 22 --picture "$scratch/roofs.png"
-montage "$scratch"/{headline,roofs}.png -tile 2x1 -geometry 560x300+2+2 -background '#eef0f3' tapered.png
+mogrify -resize 560x270^ -gravity center -extent 560x270 "$scratch"/{headline,roofs}.png
+montage "$scratch"/{headline,roofs}.png -tile 2x1 -geometry +0+0 tapered.png
 
 # A headline of three styles in three fonts; the styled range of a line of both directions is two stretches.
 "$program" "Type سلام 活字" --font $serif-Bold.ttf --fallback ${arabic/Regular/Bold} --fallback $japanese --bevel 0.015 --profile round \
@@ -214,4 +216,5 @@ for motion in wave ring score; do
     convert -delay 6 -loop 0 "$scratch/$motion"/*.ppm +dither -colors 96 -layers optimize $motion.gif
 done
 
-pngquant --quality 90-100 --speed 1 --force --ext .png beside.png paragraph.png normals.png bevels.png bevelled_scripts.png bent.png carved.png inflated.png markup.png meshing.png path.png warped.png bold_and_hollow.png plates.png tapered.png refined.png styles.png textures.png
+pngquant --quality 90-100 --speed 1 --force --ext .png beside.png paragraph.png normals.png bevels.png bevelled_scripts.png bent.png carved.png inflated.png markup.png meshing.png path.png warped.png bold_and_hollow.png refined.png styles.png textures.png
+pngquant --quality 60-92 --speed 1 --force --ext .png plates.png tapered.png

@@ -15,6 +15,7 @@
 #include <charconv>
 #include <cmath>
 #include <cstdio>
+#include <iterator>
 #include <memory>
 #include <string_view>
 #include <utility>
@@ -382,9 +383,7 @@ void add_bevel_options(CLI::App& app, options& out, raw_values& raw)
 void add_taper_option(CLI::App& app, options& out)
 {
     add_number(
-        app, "--taper",
-        "let the walls lean inwards by this angle, so that letters come out of a mould; thin ones get a "
-        "ridge",
+        app, "--taper", "let the walls lean inwards by this angle, as in a mould; thin strokes get a ridge",
         "a number from 0 to 89", [](double n) { return n >= 0.0 && n <= 89.0; },
         [&out](double n) { out.taper = static_cast<float>(n); })
         ->type_name("DEGREES");
@@ -472,11 +471,9 @@ void add_inflate_options(CLI::App& app, options& out, raw_values& raw)
 void add_plate_options(CLI::App& app, plate_words& words)
 {
     app.add_option("--plate", words.plate,
-                   "stand the letters, --depth high (default 0.05), on a plate: the margin around them, the radius of "
-                   "its corners, and its thickness (default 0.1 each)")
+                   "stand the letters, --depth high (default 0.05), on a plate; radius and thickness are 0.1")
         ->type_name("MARGIN[,RADIUS[,THICKNESS]]");
-    app.add_option("--backing", words.backing,
-                   "stand them on a plate that follows their outline: its distance, and its thickness (default 0.1)")
+    app.add_option("--backing", words.backing, "stand them on a plate that follows their outline at this distance")
         ->type_name("EM[,THICKNESS]");
     app.add_flag("--open-counters", words.open_counters, "leave the counters of a --backing open");
     app.add_option("--keyring", words.keyring,
@@ -485,11 +482,10 @@ void add_plate_options(CLI::App& app, plate_words& words)
     app.add_option("--engrave", words.engrave, "engrave the letters into the plate, this deep")->type_name("EM");
     app.add_flag("--cut", words.cut, "cut the letters through the plate");
     app.add_option("--stencil", words.stencil,
-                   "cut them through with bridges of this width, so that nothing falls out, and how many per counter "
-                   "(default 2)")
+                   "cut them through, with N (default 2) bridges of this width for each counter")
         ->type_name("EM[,N]");
     app.add_flag("--inlay", words.inlay,
-                 "fill what --engrave (default 0.05) or --cut removes with a second solid, in .3mf, .glb and .obj");
+                 "fill what --engrave (default 0.05) or --cut removes with a second solid: .3mf, .glb, .obj");
     app.add_flag("--stamp", words.stamp, "mirror the plate and its letters");
 }
 
@@ -716,6 +712,10 @@ std::string settle_plate(options& out, const raw_values& raw)
     if (!out.plate.is_on) return {};
     const std::string option = out.plate.follows ? "--backing" : "--plate";
     if (!raw.not_with_plates.empty()) return raw.not_with_plates + " does not work with " + option;
+    constexpr file_kind solids[] = {file_kind::glb, file_kind::obj, file_kind::stl, file_kind::ply,
+                                    file_kind::three_mf};
+    if (!out.output.empty() && std::find(std::begin(solids), std::end(solids), out.kind) == std::end(solids))
+        return option + " needs a file of solids: .glb, .obj, .stl, .ply or .3mf";
     if (out.bend.is_on) return "--bend works with " + option + " only in the plane: arc, arch, flag, perspective";
     for (const styled_range& r : out.styles)
         if (r.colour) return "--style: colours do not work with " + option + ", whose letters have one colour";
@@ -1145,8 +1145,9 @@ std::optional<int> parse(int argc, char** argv, options& out)
          {"--bevel-out", "--bevel-sides", "--bevel-mode", "--bevel-steps", "--profile", "--bevel-depth"})
         if (app.count(option) > 0) raw.of_a_bevel = option;
     raw.depth_given = app.count("--depth") > 0;
-    for (const char* option : not_with_plates)
-        if (app.count(option) > 0) raw.not_with_plates = option;
+    for (const char* name : not_with_plates)
+        if (const CLI::Option* option = app.get_option_no_throw(name); option != nullptr && option->count() > 0)
+            raw.not_with_plates = name;
     for (const char* option : {"--bevel", "--carve", "--inflate", "--refine"})
         if (app.count(option) > 0) raw.not_with_taper = option;
     for (const char* option : {"--carve-as", "--carve-depth"})

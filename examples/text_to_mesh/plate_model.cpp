@@ -106,13 +106,11 @@ result<void> plate_model::add_solid(std::size_t k, model& out) const
     return {};
 }
 
-std::uint32_t plate_model::pieces()
+std::uint32_t plate_model::pieces_of(cell_set cells)
 {
     workspace space;
     contours loops;
-    const bool cut = o_.plate.how.style == plate_style::cut;
-    const auto made =
-        plate_.cells().trace(cut ? name_plate::body() & ~name_plate::text() : name_plate::body(), space, loops);
+    const auto made = plate_.cells().trace(cells, space, loops);
     return made ? made->outers() : 0;
 }
 
@@ -123,14 +121,16 @@ bool plate_model::name_faults()
         return true;
     };
     bool any = false;
-    const std::uint32_t loose = plate_.stencil().loose, parts = pieces();
+    const std::uint32_t loose = plate_.stencil().loose, whole = pieces_of(name_plate::body());
+    const bool cut = o_.plate.how.style == plate_style::cut;
+    const std::uint32_t left = cut ? pieces_of(name_plate::body() & ~name_plate::text()) : whole;
     if (loose > 0)
         any = say(std::to_string(loose) + (loose == 1 ? " island" : " islands") +
                   " of the stencil would fall out: no bridge reaches the plate.");
-    else if (parts > 1 && o_.plate.how.style == plate_style::cut && !(o_.plate.how.bridge_width > 0.0f))
-        any = say("the plate falls into " + std::to_string(parts) + " pieces: --stencil holds them together.");
-    else if (parts > 1)
-        any = say("the plate has " + std::to_string(parts) + " pieces" +
+    else if (left > whole && !(o_.plate.how.bridge_width > 0.0f))
+        any = say("the plate falls into " + std::to_string(left) + " pieces: --stencil holds them together.");
+    if (whole > 1)
+        any = say("the plate has " + std::to_string(whole) + " pieces" +
                   (o_.plate.follows ? ": give a larger --backing." : "."));
     if (o_.corners != touching::keep && !plate_.is_manifold())
         any = say("corners of the plate still touch in spite of --touching.");

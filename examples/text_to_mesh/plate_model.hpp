@@ -28,7 +28,7 @@ public:
     [[nodiscard]] std::string bridges_in_words() const;
 
 private:
-    [[nodiscard]] std::uint32_t pieces();
+    [[nodiscard]] std::uint32_t pieces_of(typemesh::cell_set cells);
     [[nodiscard]] typemesh::result<void> add_solid(std::size_t k, model& out) const;
 
     const options& o_;

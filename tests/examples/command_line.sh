@@ -1109,16 +1109,18 @@ for option in "" "--depth 0.2" --cut "--engrave 0.05" "--stencil 0.04" "--stenci
     done
 done
 for kind in stl ply glb; do expect 0 "" "Ao8" --font $sans --plate 0.2 --output plate.$kind; done
-expect 0 "" "سلام" --font $arabic --backing 0.1 --output plate.obj
+expect 0 "" "سلام" --font $arabic --backing 0.2 --output plate.obj
 that "a backing of Arabic is closed" closed plate.obj
 # shellcheck disable=SC2086  # words
 expect 0 "" "Ao8" --font $sans $plate --picture plate.png
+expect 0 "" --help
+that "the help's lines of plates fit" sh -c '! grep -E ".{121}" out'
 expect 0 "" "Ao8" --font $sans --plate 0.2 --inlay --colour blue --output inlay.obj
 that "an inlay is two objects" [ "$(grep '^o ' inlay.obj | tr '\n' ' ')" = "o plate o inlay " ]
 that "only the inlay has the text's colour" [ "$(grep -c "^newmtl .*_blue" inlay.mtl)" = 1 ]
 expect 0 "" "Ao8" --font $sans --plate 0.2 --inlay --output inlay.glb
 that "an inlay is two nodes: plate, inlay" grep -q '"name":"inlay_2"' inlay.glb
-measured() { awk -F'"volume":|[,}]' '{ for (i = 1; i < NF; ++i) if ($i ~ /"size":/) { split($i, a, "["); x = a[2]; y = $(i + 1); sub("]", "", $(i + 2)); z = $(i + 2) } match($0, /"volume":[0-9.]*/); v = substr($0, RSTART + 9, RLENGTH - 9); print x * y * z, v }' out; }
+measured() { tr -d '[]{}"' <out | tr ',' '\n' | awk -F: '$1 == "size" { all = $2; n = 1; next } n && n < 3 { all *= $1; ++n } $1 == "volume" { print all, $2 }'; }
 expect 0 "" "Ao8" --font $sans --plate 0.2,0 --inlay --cut --stats
 that "a plate and its inlay fill the whole plate: $(measured)" awk -v all="$(measured)" 'BEGIN { split(all, v, " "); exit !(v[2] / v[1] > 0.99999 && v[2] / v[1] < 1.00001) }'
 expect 0 "" "Ao8" --font $sans --plate 0.2 --stencil 0.04 --output plate.stl

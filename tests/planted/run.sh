@@ -128,7 +128,7 @@ fi
 libraries_of() {  # libraries_of ROOM: what tests/CMakeLists.txt gives it
     case $1 in
         adapt) say harfbuzz freetype2 fontconfig icu-uc ;;
-        threads | conformance | workload) say harfbuzz freetype2 ;;
+        threads | conformance | workload | plate) say harfbuzz freetype2 ;;
     esac
 }
 way_of() {  # way_of ROOM: as the preset gcc has it
@@ -143,7 +143,8 @@ for name in $names; do
 done
 [ -n "${CXX:-}" ] || install_missing g++
 install_missing catch2
-case $tried in *adapt* | *threads* | *conformance* | *workload*) install_missing pkg-config harfbuzz freetype fontconfig-dev icu fontconfig font ;; esac
+case $tried in *adapt* | *threads* | *conformance* | *workload* | *plate*) install_missing pkg-config harfbuzz freetype fontconfig-dev icu fontconfig font ;; esac
+case $tried in *plate*) install_fonts fonts-dejavu-core fonts-liberation fonts-hosny-amiri fonts-sawarabi-mincho ;; esac
 case $tried in
     *adapt* | *threads* | *conformance* | *workload* | *unicode*)
         fonts=$(awk -F '\t' 'NR > 1 && $2 < 20000000 { print $1 }' "$typemesh_root/tests/workload/smoke-fonts.tsv")

@@ -91,7 +91,7 @@ void check_solid(const name_plate& plate, std::size_t k)
 }
 
 /// Texts in Latin, Arabic and Han.
-constexpr struct {
+const struct {
     const char* font;
     const char* text;
 } plate_texts[] = {

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <typemesh/extrude/embolden.hpp>
 #include <typemesh/inspect/manifoldness.hpp>
 #include <typemesh/plate/name_plate.hpp>
 #include <typemesh/typemesh.hpp>
@@ -124,6 +125,21 @@ TEST_CASE("each bridge is as wide as asked, and both of its ends lie in solid pl
             CHECK(ends >= 2 * plate.stencil_bars().size());
         }
     }
+}
+
+TEST_CASE("an island with a hole of the plate in it is tied as well", "[plate][stencil]")
+{
+    auto font = test::opened(test::dejavu);
+    text_mesher mesher{font, flat{}};
+    text_mesher bolder{font, embolden{.by = 0.05f}, flat{}};
+    auto text = test::required(mesher.plan("Oo", {}));
+    auto outline = test::required(bolder.plan("Oo", {}));
+    name_plate plate;
+    REQUIRE(plate.plan(*text, *outline, {.style = plate_style::cut, .bridge_width = 0.03f}, monotone{}));
+    CHECK(plate.stencil().islands == 2);  // rings around the plate's open counters
+    CHECK(plate.stencil().loose == 0);
+    CHECK(components(plate, name_plate::body() & ~name_plate::text()) == components(plate, name_plate::body()));
+    CHECK(is_manifold(plate));
 }
 
 TEST_CASE("after the last bars, the islands that are loose are counted anew", "[plate][stencil]")

@@ -333,7 +333,8 @@ private:
     detail::slab_walls walls_;
     const layer_arrangement* cells_ = nullptr;
     std::uint32_t rim_sources_ = 0, touching_ = 0, hanging_ = 0;
-    mesh_size sizes_[static_cast<std::size_t>(plate_part::wall) + 1];  // by the part's number
+    static constexpr std::size_t part_numbers = 7;
+    mesh_size sizes_[part_numbers];  // by the part's number
 };
 
 }  // namespace typemesh::inline TYPEMESH_ABI

@@ -227,7 +227,7 @@ private:
         bool more = true;
         for (int round = 0; more && round < stencil_bridges::max_rounds; ++round) {
             const auto added =
-                stencil_.tie(cells_, body() & ~text(), plate_edges(), {width, how.bridges}, bridges_, space_);
+                stencil_.tie(cells_, body() & ~text(), outer_rim_, {width, how.bridges}, bridges_, space_);
             if (!added) return added.error();
             more = *added;
             if (!more) break;
@@ -235,7 +235,7 @@ private:
                 return filled.error();
             if (error e = arrange(how)) return e;
         }
-        return more ? stencil_.count(cells_, body() & ~text(), plate_edges(), space_).error() : error{};
+        return more ? stencil_.count(cells_, body() & ~text(), outer_rim_, space_).error() : error{};
     }
 
     /// Makes the arrangement of all layers as they are now.
@@ -245,7 +245,9 @@ private:
         const auto add = [this](const silhouette& s, std::uint32_t layer) noexcept {
             return cells_.add(s.points(), s.starts(), layer).error();
         };
-        if (error e = add(plate_, plate_layer)) return e;
+        if (error e = add_plate(true)) return e;
+        outer_rim_ = cells_.source_count();
+        if (error e = add_plate(false)) return e;
         if (error e = add(holes_, hole_layer)) return e;
         rim_ = cells_.source_count();
         if (error e = add(letters_, letter_layer)) return e;
@@ -253,9 +255,17 @@ private:
         if (error e = add(bridges_, bridge_layer)) return e;
         return cells_.cut(space_, how.max_pieces).error();
     }
-    [[nodiscard]] std::uint32_t plate_edges() const noexcept
+    /// Adds the outer loops of the plate, or its holes.
+    [[nodiscard]] error add_plate(bool outer) noexcept
     {
-        return static_cast<std::uint32_t>(plate_.points().size());
+        const auto starts = plate_.starts();
+        for (std::uint32_t k = 0; k + 1 < starts.size(); ++k) {
+            if (plate_.is_outer(k) != outer) continue;
+            const std::uint32_t own[2] = {0, starts[k + 1] - starts[k]};
+            if (const auto done = cells_.add(plate_.points().subspan(starts[k], own[1]), own, plate_layer); !done)
+                return done.error();
+        }
+        return {};
     }
 
     /// The slabs of its solids.
@@ -352,7 +362,8 @@ private:
     layered_solid::slab slabs_[2][2];
     float bottom_[2] = {};
     std::uint32_t used_[2] = {};
-    std::uint32_t rim_ = 0, parted_ = 0;
+    std::uint32_t outer_rim_ = 0, rim_ = 0, parted_ = 0;  // sources with lower numbers are the plate's outer loops;
+                                                          // are the plate's, or its holes'
     std::size_t count_ = 0;
     bool mirrored_ = false;
 };

@@ -131,12 +131,7 @@ public:
         std::uint32_t kept = 0;
         for (std::uint32_t k = 0, begin = 0; k < loops_.contour_count(); ++k) {
             const std::uint32_t after = loops_.starts[k + 1];
-            std::uint64_t area = 0;  // doubled; partial sums may wrap
-            for (std::uint32_t i = begin; i < after; ++i) {
-                const grid_point p = loops_.points[i], q = loops_.points[i + 1 < after ? i + 1 : begin];
-                area += static_cast<std::uint64_t>(std::int64_t{p.x} * q.y - std::int64_t{p.y} * q.x);
-            }
-            if (static_cast<std::int64_t>(area) > 0) {
+            if (is_outer(begin, after)) {
                 for (std::uint32_t i = begin; i < after; ++i, ++end) {
                     loops_.points[end] = loops_.points[i];
                     loops_.edges[end] = loops_.edges[i];
@@ -154,6 +149,11 @@ public:
 
     [[nodiscard]] array_view<const grid_point> points() const noexcept { return loops_.points.view(); }
     [[nodiscard]] array_view<const std::uint32_t> starts() const noexcept { return loops_.starts.view(); }
+    /// Whether a loop of the union that fill() made is an outer one, and not a hole's. Cost: O(its points)
+    [[nodiscard]] bool is_outer(std::uint32_t loop) const noexcept
+    {
+        return is_outer(loops_.starts[loop], loops_.starts[loop + 1]);
+    }
     [[nodiscard]] bool empty() const noexcept { return loops_.points.empty(); }
 
     /// The corners of its bounding box; meaningless if it is empty.
@@ -171,6 +171,17 @@ public:
     }
 
 private:
+    /// Whether the points from `begin` to before `after` run counter-clockwise.
+    [[nodiscard]] bool is_outer(std::uint32_t begin, std::uint32_t after) const noexcept
+    {
+        std::uint64_t area = 0;  // doubled; partial sums may wrap
+        for (std::uint32_t i = begin; i < after; ++i) {
+            const grid_point p = loops_.points[i], q = loops_.points[i + 1 < after ? i + 1 : begin];
+            area += static_cast<std::uint64_t>(std::int64_t{p.x} * q.y - std::int64_t{p.y} * q.x);
+        }
+        return static_cast<std::int64_t>(area) > 0;
+    }
+
     [[nodiscard]] bool put(grid_point p) noexcept
     {
         if (loops_.starts.empty() && !loops_.starts.push_back(0)) return false;

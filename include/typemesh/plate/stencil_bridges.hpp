@@ -99,7 +99,8 @@ public:
     /// One round: counts the islands of `solid`, and adds bars for them.
     ///
     ///     solid       the cells of the plate that remain when the letters are cut, with the bridges so far
-    ///     rim_edges   sources with lower numbers are the plate's rim: components with one of them are no islands
+    ///     rim_edges   sources with lower numbers are the plate's outer rim: components with one of them are no
+    ///                 islands. The edges of its holes have higher numbers: a ring around a hole may fall out as well
     ///     bars        receives the bars
     ///
     /// Returns whether bars were added: then make the arrangement with them, and call tie() again, or count() after the
