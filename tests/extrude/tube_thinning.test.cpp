@@ -31,6 +31,7 @@ struct thinned_leaf {
             }
         sides.resize(points.size());
         sides[static_cast<std::size_t>(pieces)].doubled = sides[0].doubled = sides.back().doubled = true;
+        for (side_point& s : sides) s.seam = s.doubled;
         starts[1] = static_cast<std::uint32_t>(points.size());
     }
     [[nodiscard]] detail::tube_paths view() const { return {points, starts}; }
@@ -66,6 +67,40 @@ TEST_CASE("points beside a sharp corner make room for a thick tube, within the d
             CHECK(nearest <= 0.25 * radius);
         }
     }
+}
+
+TEST_CASE("a tiny edge between two sharp corners becomes one corner, whose normals are those of its new edges",
+          "[extrude]")
+{
+    // The foot of a v, ten units wide.
+    const std::vector<grid_point> v{{0, 100'000},      {40'000, 0},      {40'500, 0},      {80'500, 100'000},
+                                    {60'000, 100'000}, {40'250, 40'000}, {20'000, 100'000}};
+    std::vector<side_point> sides(v.size());
+    for (std::size_t i = 0; i < v.size(); ++i) {
+        sides[i].before = rounded(wall_normal(v[(i + v.size() - 1) % v.size()], v[i]));
+        sides[i].after = rounded(wall_normal(v[i], v[(i + 1) % v.size()]));
+        sides[i].doubled = true;
+    }
+    sides[0].seam = true;
+    const std::uint32_t starts[] = {0, static_cast<std::uint32_t>(v.size())};
+    detail::tube_thinning thinning;
+    REQUIRE_FALSE(thinning.find({v, starts}, sides, 4000.0, 1000.0));
+    REQUIRE(thinning.kept().size() == v.size() - 1);
+    std::vector<grid_point> points;
+    std::vector<side_point> kept;
+    for (const std::uint32_t i : thinning.kept()) {
+        points.push_back(v[i]);
+        kept.push_back(sides[i]);
+    }
+    thinning.light(points, kept, 0.97);
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        const auto dot_of = [](vec2 a, point b) { return double{a.x} * b.x + double{a.y} * b.y; };
+        CHECK(dot_of(kept[i].after, wall_normal(points[i], points[(i + 1) % points.size()])) > 0.99);
+        CHECK(dot_of(kept[i].before, wall_normal(points[(i + points.size() - 1) % points.size()], points[i])) > 0.99);
+    }
+    detail::tube_clearance clearance;
+    REQUIRE_FALSE(clearance.find({points, thinning.starts()}, 4000.0));
+    CHECK(clearance.radii()[0] == 4000.0);  // NOLINT
 }
 
 TEST_CASE("no point is left out without need, or if no deviation is allowed", "[extrude]")

@@ -79,8 +79,8 @@ struct tubed {
     float crease_degrees = 15.0f;  ///< the crease angle of the outline, 0 to 180: see curve_normals
     texture_mapping texture = texture_mapping::em;
 
-    /// How far a tube may leave the outline beside sharp corners, in radii: points of curves that are too close to a
-    /// corner for its mitre are left out. 0: never.
+    /// How far a tube may leave the outline beside sharp corners, in radii: points that are too close to a corner for its
+    /// mitre are left out. 0: never.
     float corner_cut = 0.25f;
 
     using plan_data = tubed_data;
@@ -185,6 +185,7 @@ private:
         std::uint32_t count = 0;
         for (const std::uint32_t i : data.thinning.kept()) all[count++] = all[i];
         all.truncate(count);
+        data.thinning.light(data.points.view(), all.view(), crease_cosine(crease_degrees));
         return data.of<std::uint32_t>().append(data.thinning.starts()) ? error{} : error{error::out_of_memory};
     }
 

@@ -220,6 +220,7 @@ private:
         }
         points_.truncate(count);
         sides_.truncate(count);
+        thinning_.light(points_.view(), sides_.view(), crease);
         const detail::tube_paths paths{points_.view(), thinning_.starts(), open_.view()};
         if (error e = clearance_.find(paths, cells)) return e;
         starts_.clear();

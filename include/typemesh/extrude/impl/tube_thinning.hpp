@@ -24,7 +24,7 @@ namespace typemesh::inline TYPEMESH_ABI::detail {
 ///      /   . \         farther than `deviation` from any point that was left out between its ends.
 ///     /     . b
 ///
-/// Doubled points and the ends of open paths stay, and at least three points of a closed path.
+/// Seams and the ends of open paths stay, and at least three points of a closed path.
 ///
 /// Cost   O(n) for each round, at most 16 rounds
 class tube_thinning {
@@ -38,6 +38,7 @@ public:
     [[nodiscard]] error find(const tube_paths& paths, array_view<const side_point> sides, double radius,
                              double deviation) noexcept
     {
+        paths_ = paths;
         points_ = paths.points.data();
         sides_ = sides.data();
         radius_ = radius;
@@ -62,8 +63,45 @@ public:
     /// Where the paths begin in kept().
     [[nodiscard]] array_view<const std::uint32_t> starts() const noexcept { return starts_.view(); }
 
+    /// Lights the edges that are new: their ends get the edge's own normal where the curve's is no longer near it.
+    ///
+    ///     points, sides   of the points that stay
+    ///     crease          the cosine of the crease angle
+    void light(array_view<const grid_point> points, array_view<side_point> sides, double crease) const noexcept
+    {
+        constexpr double near_by = 0.9;  // 26 degrees
+        for (std::size_t k = 0; k + 1 < starts_.size(); ++k) {
+            const std::uint32_t end = starts_[k + 1];
+            for (std::uint32_t i = starts_[k]; i < end; ++i) {
+                const std::uint32_t next = i + 1 < end ? i + 1 : starts_[k];
+                if ((i + 1 == end && paths_.is_open(k)) || !is_new(k, kept_[i], kept_[next])) continue;
+                const point n = wall_normal(points[i], points[next]);
+                const auto strays = [&n](vec2 v) noexcept {
+                    return as_double(v.x) * n.x + as_double(v.y) * n.y < near_by;
+                };
+                if (strays(sides[i].after)) set(sides[i], sides[i].before, rounded(n), crease);
+                if (strays(sides[next].before)) set(sides[next], rounded(n), sides[next].after, crease);
+            }
+        }
+    }
+
 private:
     static constexpr std::uint32_t none = 0xFFFF'FFFFu;
+
+    /// Whether points were left out between two that stay.
+    [[nodiscard]] bool is_new(std::size_t path, std::uint32_t a, std::uint32_t b) const noexcept
+    {
+        return b != (a + 1 < paths_.starts[path + 1] ? a + 1 : paths_.starts[path]);
+    }
+
+    static void set(side_point& s, vec2 before, vec2 after, double crease) noexcept
+    {
+        const point a{as_double(before.x), as_double(before.y)}, b{as_double(after.x), as_double(after.y)};
+        if (!s.doubled && dot(a, b) >= crease) before = after = rounded(unit(a + b));
+        s.doubled = s.doubled || !(before == after);
+        s.before = before;
+        s.after = after;
+    }
 
     void thin(std::uint32_t first, std::uint32_t end, bool open) noexcept
     {
@@ -94,7 +132,7 @@ private:
     [[nodiscard]] bool may_go(std::uint32_t p) const noexcept
     {
         const std::uint32_t a = before_[p], b = after_[p];
-        if (sides_[p].doubled || a == none || b == none || points_[a] == points_[b]) return false;
+        if (sides_[p].seam || a == none || b == none || points_[a] == points_[b]) return false;
         const std::uint32_t around[] = {before_[a], a, p, b, after_[b]};
         const double now = least_radius(around, 5);
         if (!(now < radius_)) return false;
@@ -142,6 +180,7 @@ private:
     }
 
     buffer<std::uint32_t> before_, after_, kept_, starts_;
+    tube_paths paths_;
     const grid_point* points_ = nullptr;
     const side_point* sides_ = nullptr;
     double radius_ = 0.0, deviation_ = 0.0;
