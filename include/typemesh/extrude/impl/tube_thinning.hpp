@@ -20,8 +20,8 @@ namespace typemesh::inline TYPEMESH_ABI::detail {
 ///
 ///         a            The edge from the corner a to p is too short: at most length / tan(turn / 2) fits. Without p the
 ///        /.\           next edge is longer, so a thicker tube fits. A point is left out if this raises the smallest
-///       / . p          radius for the edges around it, as long as that is below `radius`; and if the new edge is not
-///      /   . \         farther than `deviation` from any point that was left out between its ends.
+///       / . p          radius for the edges around it, as long as that is below the path's; and if the new edge is not
+///      /   . \         farther than `cut` radii from any point that was left out between its ends.
 ///     /     . b
 ///
 /// Seams and the ends of open paths stay, and at least three points of a closed path.
@@ -34,15 +34,13 @@ public:
     {
     }
 
-    /// Fails with error::out_of_memory.
-    [[nodiscard]] error find(const tube_paths& paths, array_view<const side_point> sides, double radius,
-                             double deviation) noexcept
+    /// `radii` are the paths', in cells. Fails with error::out_of_memory.
+    [[nodiscard]] error find(const tube_paths& paths, array_view<const side_point> sides,
+                             array_view<const double> radii, double cut) noexcept
     {
         paths_ = paths;
         points_ = paths.points.data();
         sides_ = sides.data();
-        radius_ = radius;
-        deviation_ = deviation;
         const std::size_t n = paths.points.size();
         before_.clear();
         after_.clear();
@@ -52,6 +50,8 @@ public:
         if (!kept_.reserve(n) || !starts_.reserve(paths.count() + 1)) return error::out_of_memory;
         for (std::size_t k = 0; k < paths.count(); ++k) {
             starts_.push_back_unchecked(static_cast<std::uint32_t>(kept_.size()));
+            radius_ = radii[k];
+            deviation_ = cut * radii[k];
             thin(paths.starts[k], paths.starts[k + 1], paths.is_open(k));
         }
         starts_.push_back_unchecked(static_cast<std::uint32_t>(kept_.size()));
