@@ -25,7 +25,7 @@
 namespace typemesh::inline TYPEMESH_ABI {
 
 /// The plan data of tubed: for each point of a path its normals, its mitre and the mitre's outer corner; where the paths
-/// begin, and their radii.
+/// begin; and their radii.
 class tubed_data : public plan_arrays<side_point, detail::tube_joint, detail::tube_path, grid_point, std::uint32_t> {
 public:
     detail::tube_fitting fitting;  ///< the memory of plan(), which is not stored with the glyph
@@ -33,31 +33,29 @@ public:
     explicit tubed_data(memory source = heap()) noexcept : plan_arrays{source}, fitting{source} {}
 };
 
-/// An extruder of neon letters: round tubes along the outline, with the outline in their middle.
+/// An extruder of neon letters: round tubes along the outline, which lies in their middle.
 ///
-///         .-------------.          Each loop becomes a closed tube, whose section is a regular polygon. At each point
-///        /  .---------.  \         of the loop the tube is cut by the plane that bisects the corner, and goes on from
-///       |  /           \  |        there. So a tube's volume is exactly the area of its section times the length of the
-///       |  |           |  |        loop. The tubes' middle lies at z = 0.
+///         .-------------.          Each loop becomes a closed tube. Its section is a regular polygon. At each point of
+///        /  .---------.  \         the loop, the tube is cut by the plane that bisects the corner, and goes on from
+///       |  /           \  |        there. So its volume is exactly the area of the section times the length of the
+///       |  |           |  |        path. The middle of the tubes lies at z = 0.
 ///
 ///     text_mesher mesher{font, tubed{.radius = 0.02f}};
 ///     text_mesher mesher{font, tubed{.radius = 0.02f}, embolden{.by = -0.03f}};     along an inset of the outline
 ///
-/// A tube never intersects itself or another tube of its glyph. If the radius is too large for a loop, this loop gets
-/// the largest radius that is not, less 1/64; solid_plan::narrowed says so. Two rules give the largest radius, both from
-/// the points of the loop:
+/// A tube intersects neither itself nor another tube of its solid. If the radius is too large for a loop, the loop gets
+/// the largest radius that fits, less 1/64, and solid_plan::narrowed is set. Two rules limit the radius:
 ///
-///     corners     at each end of an edge, radius * tan(turn / 2) fits into the edge; and the sum or the difference of
-///                 both, depending on whether the outline turns the same way
-///     clearance   the strips of edges, on both sides, as wide as the radius, do not meet other strips
+///     corners      at each end of an edge, radius * tan(turn / 2) fits into the edge. If the path turns to the same
+///                  side at both ends, the sum of both fits, too
+///     clearance    seen from above, the tubes do not meet
 ///
-/// So a tube turns around the smallest curves of an outline without folding. Rounded corners allow only a radius
-/// smaller than their own: for thick tubes choose a font without them, or a coarse tolerance. If the radius is less than
-/// four cells of the grid, the loop has no tube. Letters whose tubes would meet are kept
-/// apart too if they are merged (text_options::merge).
+/// Sharp corners beside short edges would make most tubes thin. So points next to them are left out: see corner_cut. A
+/// tube cannot follow curves that are narrower than its radius: for thick tubes, choose a font without rounded corners.
+/// If less than four cells of the grid are left of the radius, the loop has no tube.
 ///
-/// Loops that touch are not kept apart from each other, which solid_plan::touching reports: text_options::corners parts
-/// or joins them.
+/// Letters whose tubes would meet are kept apart, too, if they are merged (text_options::merge). Loops that touch are
+/// not kept apart from each other, and solid_plan::touching is set: text_options::corners separates or joins them.
 ///
 /// Normals follow a round tube along the font's own curves; corners sharper than the crease angle are hard. In
 /// texture_mapping::em, u is the distance along the loop, and v the distance around the tube, from its outer side
@@ -74,8 +72,8 @@ struct tubed {
     float crease_degrees = 15.0f;  ///< the crease angle of the outline, 0 to 180: see curve_normals
     texture_mapping texture = texture_mapping::em;
 
-    /// How far a tube may leave the outline beside sharp corners, in radii, 0 to 1: points that are too close to a corner for its
-    /// mitre are left out. 0: never.
+    /// How far the path of a tube may leave the outline beside sharp corners, in radii, 0 to 1; points that are too
+    /// close to a corner are left out. 0: all points stay.
     float corner_cut = 0.5f;
 
     using plan_data = tubed_data;

@@ -31,7 +31,7 @@ public:
     {
     }
 
-    /// Fits tubes. Removes from `sides`, one for each point, those of the points that are left out.
+    /// Fits tubes. `sides` has an element for each point; elements of points that are left out are removed.
     ///
     ///     radius   in cells
     ///     cut      tubed::corner_cut

@@ -18,7 +18,7 @@ namespace typemesh::inline TYPEMESH_ABI::detail {
 
 /// Leaves out points of paths beside sharp corners, where short edges have no room for the mitre of a thick tube.
 ///
-///         a            The edge from the corner a to p is too short: at most length / tan(turn / 2) fits. Without p the
+///         a            The edge from the corner a to p is too short: only length / tan(turn / 2) fits. Without p the
 ///        /.\           next edge is longer, so a thicker tube fits. A point is left out if this raises the smallest
 ///       / . p          radius for the edges around it, as long as that is below the path's; and if the new edge is not
 ///      /   . \         farther than `cut` radii from any point that was left out between its ends.
@@ -149,7 +149,7 @@ private:
         return both > 0.0 ? cross(in, out) / both : 0x1p60;
     }
 
-    /// The largest radius for the edges between consecutive points, of which the outer ones may be none.
+    /// The largest radius for the edges between consecutive points; the outer points may be none.
     [[nodiscard]] double least_radius(const std::uint32_t* at, int count) const noexcept
     {
         double least = 0x1p60;
