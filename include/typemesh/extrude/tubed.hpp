@@ -24,8 +24,8 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// The plan data of tubed: for each point of a path its normals, its mitre and the mitre's outer corner; where the paths
-/// begin; and their radii.
+/// The plan data of tubed: for each point of a path its normals, its mitre and the mitre's outer corner; and for each
+/// path its start and its radius.
 class tubed_data : public plan_arrays<side_point, detail::tube_joint, detail::tube_path, grid_point, std::uint32_t> {
 public:
     detail::tube_fitting fitting;  ///< the memory of plan(), which is not stored with the glyph
