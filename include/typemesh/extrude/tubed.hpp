@@ -60,7 +60,7 @@ public:
 /// Normals follow a round tube along the font's own curves; corners sharper than the crease angle are hard. In
 /// texture_mapping::em, u is the distance along the loop, and v the distance around the tube, from its outer side
 /// towards the reader, both in em. In cylindrical, both run from 0 to 1; in box they are planar. All tubes belong to
-/// part::side.
+/// part::side; if glyphs are merged, their tubes belong to shared_glyph.
 ///
 /// Fails  error::bad_option: radius is not positive and finite, or 2^28 cells or more ("radius"); sides are not 3 to
 ///        128 ("sides"); crease_degrees is not 0 to 180; corner_cut is not 0 to 1
