@@ -155,6 +155,10 @@ montage "$scratch"/way[1-6].png -tile 3x2 -geometry 640x440+2+2 meshing.png
 "$program" "سلام" --font $arabic --inflate 1 --turn 20 --picture "$scratch/balloon2.png"
 "$program" "永和" --font $japanese --inflate 1 --turn 15 --picture "$scratch/balloon3.png"
 montage "$scratch"/balloon[1-3].png -tile 3x1 -geometry 560x400+2+2 -background '#eef0f3' inflated.png
+# A neon sign.
+"$program" "OPEN\n24 hours" --font /usr/share/fonts/truetype/dejavu/DejaVuSans-Bold.ttf --tube 0.025,24 --align centre --style 0..4:colour=#ff2d8a,size=1.4 \
+    --style 5..13:colour=#1d8ff2 --turn -14 --picture "$scratch/neon.png"
+convert "$scratch/neon.png" -resize x400 neon.png
 "$program" "Rainbow text" --font /usr/share/fonts/truetype/dejavu/DejaVuSans-Bold.ttf --bend arc:120 --bevel 0.02 --picture "$scratch/arc.png"
 "$program" "perspective" --font /usr/share/fonts/truetype/dejavu/DejaVuSans.ttf --bend perspective:0.4 --picture "$scratch/perspective.png"
 montage "$scratch"/{arc,perspective}.png -tile 2x1 -geometry 700x420+2+2 -background '#eef0f3' warped.png
@@ -216,5 +220,5 @@ for motion in wave ring score; do
     convert -delay 6 -loop 0 "$scratch/$motion"/*.ppm +dither -colors 96 -layers optimize $motion.gif
 done
 
-pngquant --quality 90-100 --speed 1 --force --ext .png beside.png paragraph.png normals.png bevels.png bevelled_scripts.png bent.png carved.png inflated.png markup.png meshing.png path.png warped.png bold_and_hollow.png refined.png styles.png textures.png
+pngquant --quality 90-100 --speed 1 --force --ext .png beside.png paragraph.png normals.png bevels.png bevelled_scripts.png bent.png carved.png inflated.png markup.png meshing.png neon.png path.png warped.png bold_and_hollow.png refined.png styles.png textures.png
 pngquant --quality 60-92 --speed 1 --force --ext .png plates.png tapered.png

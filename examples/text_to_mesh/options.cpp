@@ -344,9 +344,8 @@ void add_mesh_options(CLI::App& app, options& out, raw_values& raw)
                  "in .glb, give vertices the numbers of their letter, word and line, and the letter's pivot");
     app.add_flag("--per-letter", out.per_letter,
                  "in .glb, make each letter a node, named by its text, that turns about the letter's pivot");
-    app.add_flag(
-        "--manifold", out.manifold,
-        "in .glb, mark one closed solid (EXT_mesh_manifold), for programs that compute with it; implies --merge");
+    app.add_flag("--manifold", out.manifold,
+                 "in .glb, mark the mesh as a closed solid, with EXT_mesh_manifold; implies --merge");
     app.add_flag("--strict", out.strict, "treat every warning as an error, and write nothing");
 }
 
@@ -464,7 +463,7 @@ void add_inflate_options(CLI::App& app, options& out, raw_values& raw)
                              "inflate front and back (balloon, default), or the front on walls of --depth (dome)",
                              {{"balloon", inflated_form::balloon}, {"dome", inflated_form::dome}});
     app.add_option("--tube", raw.tube,
-                   "make neon letters, of tubes along the outline: their radius, and 16 or more sides")
+                   "make neon letters, of tubes along the outline: their radius and, 16 if left out, their sides")
         ->type_name("EM[,SIDES]");
 }
 

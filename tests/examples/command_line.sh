@@ -1173,6 +1173,34 @@ expect 2 "^text_to_mesh: --bevel does not work with --taper\.$" x --font $sans -
 expect 2 "^text_to_mesh: --normals does not work with --taper, which takes all normals from the curves\.$" x --font $sans --output x.obj --taper 5 --normals cap
 expect 2 "^text_to_mesh: --taper needs a solid, but --depth 0 makes a flat mesh: give a larger --depth\.$" x --font $sans --output x.obj --taper 5 --depth 0
 expect 1 "^text_to_mesh: --taper is too wide for this font: give a smaller number\.$" x --font $sans --output x.obj --taper 89 --depth 1000
+# Tubes along the outline: neon letters.
+expect 0 "" "Rag" --font $sans --output tube.obj --stats --tube 0.01,6 --anchor halfway --origin 0,0,0 && cp out tube.stats
+that "a tube of 6 sides has 12 triangles for each point: $(triangles tube.stats)" [ $(($(triangles tube.stats) % 12)) = 0 ]
+that "a tube reaches its radius to both sides: $(depth_of tube.obj)" [ "$(depth_of tube.obj)" = "-0.0087 0.0087" ]
+expect 0 "" "Rag" --font $sans --output tube.stl --tube 0.01
+expect 0 "the edges of 3 of 3 glyphs have moved less than --bevel, --outline, --embolden or --tube request" "Rag" --font $sans --output tube.glb --tube 0.2
+expect 0 "" "o" --font $sans --output inset.glb --tube 0.01 --embolden -0.02
+for wrong in 0 2 0.02,2 0.02,129 0.02,7.5 0.02, x; do
+    expect 2 "^text_to_mesh: --tube must be a radius from 0\.001 to 1, and with a comma 3 to 128 sides, such as 0\.02,24; not $wrong\.$" x --font $sans --output x.glb --tube $wrong
+done
+for option in "--bevel 0.01" "--carve 60" "--outline 0.01" "--inflate 1" "--refine delaunay" "--segments 2"; do
+    # shellcheck disable=SC2086  # an option and its value
+    expect 2 "^text_to_mesh: ${option% *} does not work with --tube\.$" x --font $sans --output x.glb --tube 0.01 $option
+done
+expect 2 "^text_to_mesh: --depth does not work with --tube: its radius is the depth\.$" x --font $sans --output x.glb --tube 0.01 --depth 0.1
+expect 2 "^text_to_mesh: --normals does not work with --tube, whose normals are round\.$" x --font $sans --output x.glb --tube 0.01 --normals cap
+expect 2 "^text_to_mesh: --bend does not work with --tube, unless it bends in the plane\.$" x --font $sans --output x.glb --tube 0.01 --bend cylinder:2
+
+# A GLB that says how its mesh is a manifold.
+for form in "--depth 0.2" "--bevel 0.02" "--tube 0.01"; do
+    # shellcheck disable=SC2086  # an option and its value
+    expect 0 "" "Rag" --font $sans --output solid.glb --manifold $form
+    that "a manifold names its extension: $form" grep -q EXT_mesh_manifold solid.glb
+done
+expect 2 "^text_to_mesh: --manifold needs --output FILE\.glb\.$" x --font $sans --output x.obj --manifold
+expect 2 "^text_to_mesh: --manifold needs one mesh: leave out --lod, --instances, --per-letter and --morph\.$" x --font $sans --output x.glb --manifold --instances
+expect 2 "^text_to_mesh: --manifold needs a solid, but --depth 0 makes a flat mesh: give a larger --depth\.$" x --font $sans --output x.glb --manifold --depth 0
+expect 1 "^text_to_mesh: x\.glb cannot be written with --manifold: the mesh is not closed, or solids touch in it\.$" "Rag" --font $sans --output x.glb --manifold --carve 60 --carve-as groove
 
 for option in "--outline-place outer" --outline-letter; do
     # shellcheck disable=SC2086  # an option and its value

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "support/catch.hpp"
 
+#include "text_to_mesh/sewn.hpp"
 #include "text_to_mesh/write_glb.hpp"
 
 #include "extruded_ring.hpp"
@@ -11,6 +12,10 @@
 
 #include <algorithm>
 #include <cstring>
+#include <iterator>
+#include <string>
+#include <utility>
+#include <vector>
 
 using namespace text_to_mesh;
 
@@ -245,4 +250,66 @@ TEST_CASE("the node of a letter has its numbers, that of a bar none", "[write_gl
     CHECK(facts.Get("word").GetNumberAsInt() == 3);
     CHECK(facts.Get("line").GetNumberAsInt() == 1);
     CHECK_FALSE(file.nodes.at(2).extras.Has("letter"));
+}
+
+TEST_CASE("a GLB that is a manifold says which indices become others", "[write_glb]")
+{
+    const std::uint32_t steps = GENERATE(24u, 4096u);
+    scratch_folder folder;
+    model ring = extruded_ring(steps);
+    ring.as_manifold = true;
+    REQUIRE(written_alone(write_glb, ring, folder.file("ring.glb")) == "");
+    const tinygltf::Model file = reread(folder.file("ring.glb"));
+    CHECK(file.extensionsUsed == std::vector<std::string>{"EXT_mesh_manifold"});
+    CHECK(indices_of(file) == ring.indices);
+    const tinygltf::Value& extension = file.meshes[0].extensions.at("EXT_mesh_manifold");
+    const auto accessor = [&](const tinygltf::Value& number) {
+        return file.accessors.at(static_cast<std::size_t>(number.GetNumberAsInt()));
+    };
+    const tinygltf::Value& primitive = extension.Get("manifoldPrimitive");
+    CHECK(primitive.Get("attributes").Get("POSITION").GetNumberAsInt() ==
+          file.meshes[0].primitives[0].attributes.at("POSITION"));
+    const tinygltf::Accessor whole = accessor(primitive.Get("indices")),
+                             places = accessor(extension.Get("mergeIndices")),
+                             vertices = accessor(extension.Get("mergeValues"));
+    CHECK(whole.count == ring.indices.size());
+    REQUIRE(whole.sparse.isSparse);
+    CHECK(whole.bufferView ==
+          file.accessors.at(static_cast<std::size_t>(file.meshes[0].primitives[0].indices)).bufferView);
+    CHECK(static_cast<std::size_t>(whole.sparse.count) == places.count);
+    CHECK(places.count == vertices.count);
+    CHECK(places.count > 0);
+    CHECK(whole.sparse.indices.bufferView == places.bufferView);
+    CHECK(static_cast<std::size_t>(whole.sparse.values.byteOffset) == vertices.byteOffset);
+    // As any reader applies it, it is a 2-manifold, and nothing has moved.
+    const auto merged = manifold_of(ring);
+    REQUIRE(merged);
+    const unsigned char* const bytes =
+        file.buffers[0].data.data() + file.bufferViews.at(static_cast<std::size_t>(places.bufferView)).byteOffset;
+    std::vector<std::uint32_t> indices = ring.indices;
+    for (std::size_t i = 0; i < places.count; ++i) {
+        std::uint32_t place = 0, vertex = 0;
+        for (int k = 3; k >= 0; --k) place = place << 8 | bytes[4 * i + static_cast<std::size_t>(k)];
+        const std::size_t size = steps == 24 ? 2 : 4;
+        for (std::size_t k = size; k-- > 0;) vertex = vertex << 8 | bytes[vertices.byteOffset + size * i + k];
+        REQUIRE(place == merged->places[i]);
+        REQUIRE(vertex == merged->vertices[i]);
+        const auto &from = ring.vertices[indices[place]].position, &to = ring.vertices[vertex].position;
+        REQUIRE(std::equal(std::begin(from), std::end(from), std::begin(to)));
+        indices[place] = vertex;
+    }
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> edges, reversed;
+    for (std::size_t i = 0; i < indices.size(); ++i) {
+        const std::uint32_t a = indices[i], b = indices[i % 3 == 2 ? i - 2 : i + 1];
+        edges.emplace_back(a, b);
+        reversed.emplace_back(b, a);
+    }
+    std::sort(edges.begin(), edges.end());
+    std::sort(reversed.begin(), reversed.end());
+    CHECK(std::adjacent_find(edges.begin(), edges.end()) == edges.end());
+    CHECK(edges == reversed);
+
+    ring.indices.resize(ring.indices.size() - 3);
+    ring.parts.back().index_count -= 3;
+    CHECK(written_alone(write_glb, ring, folder.file("open.glb")).find("--manifold") != std::string::npos);
 }

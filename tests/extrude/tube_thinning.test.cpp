@@ -31,10 +31,13 @@ struct thinned_leaf {
             }
         sides.resize(points.size());
         sides[static_cast<std::size_t>(pieces)].doubled = sides[0].doubled = sides.back().doubled = true;
+        for (side_point& s : sides) s.seam = s.doubled;
         starts[1] = static_cast<std::uint32_t>(points.size());
     }
     [[nodiscard]] detail::tube_paths view() const { return {points, starts}; }
 };
+
+std::vector<double> at(double radius) { return {radius}; }
 
 }  // namespace
 
@@ -46,7 +49,7 @@ TEST_CASE("points beside a sharp corner make room for a thick tube, within the d
         REQUIRE_FALSE(clearance.find(leaf.view(), radius));
         const double plain = clearance.radii()[0];
         detail::tube_thinning thinning;
-        REQUIRE_FALSE(thinning.find(leaf.view(), leaf.sides, radius, 0.25 * radius));
+        REQUIRE_FALSE(thinning.find(leaf.view(), leaf.sides, at(radius), 0.25));
         std::vector<grid_point> kept;
         for (const std::uint32_t i : thinning.kept()) kept.push_back(leaf.points[i]);
         REQUIRE_FALSE(clearance.find({kept, thinning.starts()}, radius));
@@ -68,13 +71,47 @@ TEST_CASE("points beside a sharp corner make room for a thick tube, within the d
     }
 }
 
+TEST_CASE("a tiny edge between two sharp corners becomes one corner, whose normals are those of its new edges",
+          "[extrude]")
+{
+    // The foot of a v, ten units wide.
+    const std::vector<grid_point> v{{0, 100'000},      {40'000, 0},      {40'500, 0},      {80'500, 100'000},
+                                    {60'000, 100'000}, {40'250, 40'000}, {20'000, 100'000}};
+    std::vector<side_point> sides(v.size());
+    for (std::size_t i = 0; i < v.size(); ++i) {
+        sides[i].before = rounded(wall_normal(v[(i + v.size() - 1) % v.size()], v[i]));
+        sides[i].after = rounded(wall_normal(v[i], v[(i + 1) % v.size()]));
+        sides[i].doubled = true;
+    }
+    sides[0].seam = true;
+    const std::uint32_t starts[] = {0, static_cast<std::uint32_t>(v.size())};
+    detail::tube_thinning thinning;
+    REQUIRE_FALSE(thinning.find({v, starts}, sides, at(4000.0), 0.25));
+    REQUIRE(thinning.kept().size() == v.size() - 1);
+    std::vector<grid_point> points;
+    std::vector<side_point> kept;
+    for (const std::uint32_t i : thinning.kept()) {
+        points.push_back(v[i]);
+        kept.push_back(sides[i]);
+    }
+    thinning.light(points, kept, 0.97);
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        const auto dot_of = [](vec2 a, point b) { return double{a.x} * b.x + double{a.y} * b.y; };
+        CHECK(dot_of(kept[i].after, wall_normal(points[i], points[(i + 1) % points.size()])) > 0.99);
+        CHECK(dot_of(kept[i].before, wall_normal(points[(i + points.size() - 1) % points.size()], points[i])) > 0.99);
+    }
+    detail::tube_clearance clearance;
+    REQUIRE_FALSE(clearance.find({points, thinning.starts()}, 4000.0));
+    CHECK(clearance.radii()[0] == 4000.0);  // NOLINT
+}
+
 TEST_CASE("no point is left out without need, or if no deviation is allowed", "[extrude]")
 {
     const thinned_leaf leaf{40};
     detail::tube_thinning thinning;
-    REQUIRE_FALSE(thinning.find(leaf.view(), leaf.sides, 3000.0, 0.0));
+    REQUIRE_FALSE(thinning.find(leaf.view(), leaf.sides, at(3000.0), 0.0));
     CHECK(thinning.kept().size() == leaf.points.size());
-    REQUIRE_FALSE(thinning.find(leaf.view(), leaf.sides, 20.0, 5.0));
+    REQUIRE_FALSE(thinning.find(leaf.view(), leaf.sides, at(20.0), 0.25));
     CHECK(thinning.kept().size() == leaf.points.size());
     // A circle of chords allows no thicker tube with fewer of them.
     std::vector<grid_point> circle;
@@ -83,7 +120,7 @@ TEST_CASE("no point is left out without need, or if no deviation is allowed", "[
                           static_cast<std::int32_t>(1e5 * std::sin(i * 0.09817477))});
     const std::vector<side_point> smooth(64);
     const std::uint32_t starts[] = {0, 64};
-    REQUIRE_FALSE(thinning.find({circle, starts}, smooth, 2e5, 5e4));
+    REQUIRE_FALSE(thinning.find({circle, starts}, smooth, at(2e5), 0.25));
     CHECK(thinning.kept().size() > 32);
 }
 
@@ -92,13 +129,13 @@ TEST_CASE("thinning allocates nothing the second time, and says when memory runs
     const thinned_leaf leaf{40};
     test::counting_memory counted;
     detail::tube_thinning thinning{counted.source()};
-    REQUIRE_FALSE(thinning.find(leaf.view(), leaf.sides, 3000.0, 750.0));
+    REQUIRE_FALSE(thinning.find(leaf.view(), leaf.sides, at(3000.0), 0.25));
     const std::size_t warm = counted.requests;
-    REQUIRE_FALSE(thinning.find(leaf.view(), leaf.sides, 3000.0, 750.0));
+    REQUIRE_FALSE(thinning.find(leaf.view(), leaf.sides, at(3000.0), 0.25));
     CHECK(counted.requests == warm);
     for (std::size_t n = 1; n <= warm; ++n) {
         test::counting_memory failing{.fail_at = n};
         detail::tube_thinning poor{failing.source()};
-        CHECK(poor.find(leaf.view(), leaf.sides, 3000.0, 750.0) == error::out_of_memory);
+        CHECK(poor.find(leaf.view(), leaf.sides, at(3000.0), 0.25) == error::out_of_memory);
     }
 }

@@ -13,8 +13,8 @@
 #include <typemesh/extrude/extruder.hpp>
 #include <typemesh/extrude/impl/axes.hpp>
 #include <typemesh/extrude/impl/tube_clearance.hpp>
+#include <typemesh/extrude/impl/tube_fitting.hpp>
 #include <typemesh/extrude/impl/tube_surface.hpp>
-#include <typemesh/extrude/impl/tube_thinning.hpp>
 #include <typemesh/extrude/impl/upright_walls.hpp>
 #include <typemesh/extrude/plan_arrays.hpp>
 
@@ -24,53 +24,46 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// The plan data of tubed: for each point of a path its normals, its mitre and the mitre's outer corner; where the paths
-/// begin, and their radii.
+/// The plan data of tubed: for each point of a path its normals, its mitre and the mitre's outer corner; and for each
+/// path its start and its radius.
 class tubed_data : public plan_arrays<side_point, detail::tube_joint, detail::tube_path, grid_point, std::uint32_t> {
 public:
-    detail::tube_clearance clearance;  ///< the memory of plan(), which is not stored with the glyph
-    detail::tube_thinning thinning;    ///< likewise
-    buffer<grid_point> points;         ///< likewise
+    detail::tube_fitting fitting;  ///< the memory of plan(), which is not stored with the glyph
 
-    explicit tubed_data(memory source = heap()) noexcept
-        : plan_arrays{source}, clearance{source}, thinning{source}, points{source}
-    {
-    }
+    explicit tubed_data(memory source = heap()) noexcept : plan_arrays{source}, fitting{source} {}
 };
 
-/// An extruder of neon letters: round tubes along the outline, with the outline in their middle.
+/// An extruder of neon letters: round tubes along the outline, which lies in their middle.
 ///
-///         .-------------.          Each loop becomes a closed tube, whose section is a regular polygon. At each point
-///        /  .---------.  \         of the loop the tube is cut by the plane that bisects the corner, and goes on from
-///       |  /           \  |        there. So a tube's volume is exactly the area of its section times the length of the
-///       |  |           |  |        loop. The tubes' middle lies at z = 0.
+///         .-------------.          Each loop becomes a closed tube. Its section is a regular polygon. At each point of
+///        /  .---------.  \         the loop, the tube is cut by the plane that bisects the corner, and goes on from
+///       |  /           \  |        there. So its volume is exactly the area of the section times the length of the
+///       |  |           |  |        path. The middle of the tubes lies at z = 0.
 ///
 ///     text_mesher mesher{font, tubed{.radius = 0.02f}};
 ///     text_mesher mesher{font, tubed{.radius = 0.02f}, embolden{.by = -0.03f}};     along an inset of the outline
 ///
-/// A tube never intersects itself or another tube of its glyph. If the radius is too large for a loop, this loop gets
-/// the largest radius that is not, less 1/64; solid_plan::narrowed says so. Two rules give the largest radius, both from
-/// the points of the loop:
+/// A tube intersects neither itself nor another tube of its solid. If the radius is too large for a loop, the loop gets
+/// the largest radius that fits, less 1/64, and solid_plan::narrowed is set. Two rules limit the radius:
 ///
-///     corners     at each end of an edge, radius * tan(turn / 2) fits into the edge; and the sum or the difference of
-///                 both, depending on whether the outline turns the same way
-///     clearance   the strips of edges, on both sides, as wide as the radius, do not meet other strips
+///     corners      at each end of an edge, radius * tan(turn / 2) fits into the edge. If the path turns to the same
+///                  side at both ends, the sum of both fits, too
+///     clearance    seen from above, the tubes do not meet
 ///
-/// So a tube turns around the smallest curves of an outline without folding. Rounded corners allow only a radius
-/// smaller than their own: for thick tubes choose a font without them, or a coarse tolerance. If the radius is less than
-/// four cells of the grid, the loop has no tube. Letters whose tubes would meet are kept
-/// apart too if they are merged (text_options::merge).
+/// Sharp corners beside short edges would make most tubes thin. So points next to them are left out: see corner_cut. A
+/// tube cannot follow curves that are narrower than its radius: for thick tubes, choose a font without rounded corners.
+/// If less than four cells of the grid are left of the radius, the loop has no tube.
 ///
-/// Loops that touch are not kept apart from each other, which solid_plan::touching reports: text_options::corners parts
-/// or joins them.
+/// Letters whose tubes would meet are kept apart, too, if they are merged (text_options::merge). Loops that touch are
+/// not kept apart from each other, and solid_plan::touching is set: text_options::corners separates or joins them.
 ///
 /// Normals follow a round tube along the font's own curves; corners sharper than the crease angle are hard. In
 /// texture_mapping::em, u is the distance along the loop, and v the distance around the tube, from its outer side
 /// towards the reader, both in em. In cylindrical, both run from 0 to 1; in box they are planar. All tubes belong to
-/// part::side.
+/// part::side; if glyphs are merged, their tubes belong to shared_glyph.
 ///
 /// Fails  error::bad_option: radius is not positive and finite, or 2^28 cells or more ("radius"); sides are not 3 to
-///        128 ("sides"); crease_degrees is not 0 to 180; corner_cut is not 0 to 0.5
+///        128 ("sides"); crease_degrees is not 0 to 180; corner_cut is not 0 to 1
 ///        error::outline_beyond_grid: a tube reaches beyond 2^28 cells; error::too_large, error::out_of_memory
 /// Cost   O(n log n) for n points of the outline, and O(n * sides) to write; O(n^2) for the plan at worst
 struct tubed {
@@ -79,9 +72,9 @@ struct tubed {
     float crease_degrees = 15.0f;  ///< the crease angle of the outline, 0 to 180: see curve_normals
     texture_mapping texture = texture_mapping::em;
 
-    /// How far a tube may leave the outline beside sharp corners, in radii: points of curves that are too close to a
-    /// corner for its mitre are left out. 0: never.
-    float corner_cut = 0.25f;
+    /// How far the path of a tube may leave the outline beside sharp corners, in radii, 0 to 1; points that are too
+    /// close to a corner are left out. 0: all points stay.
+    float corner_cut = 0.5f;
 
     using plan_data = tubed_data;
 
@@ -98,7 +91,7 @@ struct tubed {
         if (!is_finite(as_double(radius)) || !(radius > 0.0f)) return error::bad("radius");
         if (sides < detail::tube_section::least || sides > detail::tube_section::most) return error::bad("sides");
         if (!is_crease_angle(crease_degrees)) return error::bad("crease_degrees");
-        if (!(corner_cut >= 0.0f && corner_cut <= 0.5f)) return error::bad("corner_cut");
+        if (!(corner_cut >= 0.0f && corner_cut <= 1.0f)) return error::bad("corner_cut");
         solid_plan made;
         if (filled.points().empty()) return made;
         const double em = filled.grid().cells * filled.grid().units_per_em;
@@ -106,7 +99,10 @@ struct tubed {
         if (!(as_double(radius) * em < grid::reach)) return error::bad("radius");
         const auto doubled = plan_sides(filled, curve_normals{crease_degrees}, texture, data.of<side_point>());
         if (!doubled) return doubled.error();
-        if (error e = find_paths(filled, em, data)) return e;
+        if (error e = data.fitting.fit({filled.points(), filled.starts()}, data.of<side_point>(),
+                                       as_double(radius) * em, as_double(corner_cut), crease_cosine(crease_degrees)))
+            return e;
+        if (!data.of<std::uint32_t>().append(data.fitting.starts())) return error::out_of_memory;
         if (error e = add_joints(em, data, made)) return e;
         return counted(data, made);
     }
@@ -166,47 +162,27 @@ private:
         return all;
     }
 
-    /// The points of the paths, and the radii of their tubes. Points are left out unless paths would then meet.
-    [[nodiscard]] error find_paths(const region& filled, double em, plan_data& data) const noexcept
-    {
-        const detail::tube_paths drawn{filled.points(), filled.starts()};
-        const double cells = as_double(radius) * em;
-        for (double deviation = cells * as_double(corner_cut);; deviation = 0.0) {
-            if (error e = data.thinning.find(drawn, data.of<side_point>().view(), cells, deviation)) return e;
-            data.points.clear();
-            for (const std::uint32_t i : data.thinning.kept())
-                if (!data.points.push_back(drawn.points[i])) return error::out_of_memory;
-            if (error e = data.clearance.find({data.points.view(), data.thinning.starts()}, cells)) return e;
-            bool meets = false;
-            for (std::size_t k = 0; k < drawn.count(); ++k) meets = meets || data.clearance.meets(k);
-            if (!meets || !(deviation > 0.0)) break;
-        }
-        buffer<side_point>& all = data.of<side_point>();
-        std::uint32_t count = 0;
-        for (const std::uint32_t i : data.thinning.kept()) all[count++] = all[i];
-        all.truncate(count);
-        return data.of<std::uint32_t>().append(data.thinning.starts()) ? error{} : error{error::out_of_memory};
-    }
-
     /// The radii and the mitres, as they are written.
     [[nodiscard]] error add_joints(double em, plan_data& data, solid_plan& made) const noexcept
     {
         const grid cells{.cells = 1.0};
+        const detail::tube_clearance& clear = data.fitting.clearance();
+        const auto points = data.fitting.points();
         const auto all = data.of<side_point>().view();
         const auto starts = data.of<std::uint32_t>().view();
         for (std::size_t k = 0; k + 1 < starts.size(); ++k) {
-            const float own = detail::tube_radius(data.clearance.radii()[k], em, radius);
+            const float own = detail::tube_radius(clear.radii()[k], em, radius);
             made.narrowed = made.narrowed || own < radius;
-            made.touching = made.touching || data.clearance.meets(k);
+            made.touching = made.touching || clear.meets(k);
             detail::tube_path path{own};
             for (std::uint32_t i = starts[k]; i < starts[k + 1]; ++i) {
                 path.doubled += all[i].doubled ? 1u : 0u;
-                const vec2 lean = rounded((as_double(own) * em) * data.clearance.leans()[i]);
-                const point p = placement::exact(data.points[i]), by{as_double(lean.x), as_double(lean.y)};
+                const vec2 lean = rounded((as_double(own) * em) * clear.leans()[i]);
+                const point p = placement::exact(points[i]), by{as_double(lean.x), as_double(lean.y)};
                 const point outer = p + by;
                 if (!(std::fabs(outer.x) <= grid::reach && std::fabs(outer.y) <= grid::reach))
                     return error::outline_beyond_grid;
-                if (!data.of<detail::tube_joint>().push_back({data.points[i], lean}) ||
+                if (!data.of<detail::tube_joint>().push_back({points[i], lean}) ||
                     !data.of<grid_point>().push_back(cells.snap(outer)))
                     return error::out_of_memory;
                 if (!(own > 0.0f)) continue;

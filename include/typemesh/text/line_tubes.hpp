@@ -12,8 +12,8 @@
 #include <typemesh/discretise/quality.hpp>
 #include <typemesh/extrude/impl/axes.hpp>
 #include <typemesh/extrude/impl/tube_clearance.hpp>
+#include <typemesh/extrude/impl/tube_fitting.hpp>
 #include <typemesh/extrude/impl/tube_surface.hpp>
-#include <typemesh/extrude/impl/tube_thinning.hpp>
 #include <typemesh/extrude/impl/wall_normal.hpp>
 #include <typemesh/extrude/placement.hpp>
 #include <typemesh/extrude/side_point.hpp>
@@ -35,14 +35,14 @@ struct tube_style {
     tube_end end = tube_end::round;  ///< the ends of open lines
     float crease_degrees = 15.0f;    ///< corners sharper than this are hard, 0 to 180
     texture_mapping texture = texture_mapping::em;
-    float corner_cut = 0.25f;  ///< how far tubes may leave curves beside sharp corners, in radii, 0 to 0.5: see tubed
+    float corner_cut = 0.5f;  ///< how far tubes may leave curves beside sharp corners, in radii, 0 to 1: see tubed
 
     /// The error for options out of range, or none.
     [[nodiscard]] error refused() const noexcept
     {
         if (!is_finite(as_double(radius)) || !(radius > 0.0f)) return error::bad("radius");
         if (sides < detail::tube_section::least || sides > detail::tube_section::most) return error::bad("sides");
-        if (!(corner_cut >= 0.0f && corner_cut <= 0.5f)) return error::bad("corner_cut");
+        if (!(corner_cut >= 0.0f && corner_cut <= 1.0f)) return error::bad("corner_cut");
         return is_crease_angle(crease_degrees) ? error{} : error::bad("crease_degrees");
     }
 };
@@ -83,8 +83,7 @@ public:
           sides_{source},
           joints_{source},
           paths_{source},
-          clearance_{source},
-          thinning_{source}
+          fitting_{source}
     {
     }
 
@@ -210,21 +209,10 @@ private:
         if (!starts_.push_back(0)) return error::out_of_memory;
         for (std::size_t k = 0; k < lines_.starts.size(); ++k)
             if (!add_line(k, *fitting, crease)) return error::out_of_memory;
-        const double cells = as_double(style.radius) * em_;
         const detail::tube_paths drawn{points_.view(), starts_.view(), open_.view()};
-        if (error e = thinning_.find(drawn, sides_.view(), cells, cells * as_double(style.corner_cut))) return e;
-        std::uint32_t count = 0;
-        for (const std::uint32_t i : thinning_.kept()) {
-            points_[count] = points_[i];
-            sides_[count++] = sides_[i];
-        }
-        points_.truncate(count);
-        sides_.truncate(count);
-        const detail::tube_paths paths{points_.view(), thinning_.starts(), open_.view()};
-        if (error e = clearance_.find(paths, cells)) return e;
-        starts_.clear();
-        if (!starts_.append(thinning_.starts())) return error::out_of_memory;
-        return add_tubes(paths);
+        if (error e = fitting_.fit(drawn, sides_, as_double(style.radius) * em_, as_double(style.corner_cut), crease))
+            return e;
+        return add_tubes({fitting_.points(), fitting_.starts(), open_.view()});
     }
 
     /// The points of a line on the grid, and their normals. Points that fall together become one.
@@ -300,22 +288,25 @@ private:
 
     [[nodiscard]] error add_tubes(const detail::tube_paths& paths) noexcept
     {
+        const detail::tube_clearance& clear = fitting_.clearance();
         report_.smallest_radius = style_.radius;
         for (std::size_t k = 0; k < paths.count(); ++k) {
-            detail::tube_path path{detail::tube_radius(clearance_.radii()[k], em_, style_.radius)};
+            detail::tube_path path{detail::tube_radius(clear.radii()[k], em_, style_.radius)};
             path.open = paths.is_open(k) ? 1 : 0;
             report_.narrowed += path.radius < style_.radius;
             report_.lost += !(path.radius > 0.0f);
-            report_.meeting += clearance_.meets(k);
+            report_.meeting += clear.meets(k);
             if (path.radius > 0.0f && path.radius < report_.smallest_radius) report_.smallest_radius = path.radius;
             for (std::uint32_t i = paths.starts[k]; i < paths.starts[k + 1]; ++i) {
                 path.doubled += sides_[i].doubled ? 1u : 0u;
-                const vec2 lean = rounded((as_double(path.radius) * em_) * clearance_.leans()[i]);
-                if (!joints_.push_back({points_[i], lean})) return error::out_of_memory;
+                const vec2 lean = rounded((as_double(path.radius) * em_) * clear.leans()[i]);
+                if (!joints_.push_back({paths.points[i], lean})) return error::out_of_memory;
                 box_.add(placement::exact(paths.points[i]));
             }
             if (!paths_.push_back(path)) return error::out_of_memory;
         }
+        starts_.clear();
+        if (!starts_.append(paths.starts)) return error::out_of_memory;
         const detail::tube_surface all = surface();
         for (std::size_t k = 0; k < paths.count(); ++k)
             size_ = size_ + mesh_size{all.vertex_count(k), all.triangle_count(k)};
@@ -331,8 +322,7 @@ private:
     buffer<side_point> sides_;
     buffer<detail::tube_joint> joints_;
     buffer<detail::tube_path> paths_;
-    detail::tube_clearance clearance_;
-    detail::tube_thinning thinning_;
+    detail::tube_fitting fitting_;
     tube_style style_;
     mesh_size size_;
     tube_report report_;

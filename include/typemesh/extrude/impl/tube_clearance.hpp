@@ -38,8 +38,8 @@ struct tube_paths {
 
 /// Finds how thick the tube along each of several paths may be.
 ///
-///         right side                The strip of an edge lies between the mitres at its ends. Seen from above, the tube
-///     ---------------.              is the union of its strips. So tubes do not intersect as long as no strip is turned
+///         right side                The strip of an edge lies between the mitres at its ends. Seen from above, a tube
+///     ---------------.              is the union of its strips. So tubes do not meet as long as no strip is turned
 ///       edge        / mitre         inside out, and no corner of a strip enters another strip:
 ///     -------.     /
 ///     left    \                     edge     radius * (lean at the end - lean at the start) along the edge stays below

@@ -18,13 +18,13 @@ namespace typemesh::inline TYPEMESH_ABI::detail {
 
 /// Leaves out points of paths beside sharp corners, where short edges have no room for the mitre of a thick tube.
 ///
-///         a            The edge from the corner a to p is too short: at most length / tan(turn / 2) fits. Without p the
+///         a            The edge from the corner a to p is too short: only length / tan(turn / 2) fits. Without p the
 ///        /.\           next edge is longer, so a thicker tube fits. A point is left out if this raises the smallest
-///       / . p          radius for the edges around it, as long as that is below `radius`; and if the new edge is not
-///      /   . \         farther than `deviation` from any point that was left out between its ends.
+///       / . p          radius for the edges around it, as long as that is below the path's; and if the new edge is not
+///      /   . \         farther than `cut` radii from any point that was left out between its ends.
 ///     /     . b
 ///
-/// Doubled points and the ends of open paths stay, and at least three points of a closed path.
+/// Seams and the ends of open paths stay, and at least three points of a closed path.
 ///
 /// Cost   O(n) for each round, at most 16 rounds
 class tube_thinning {
@@ -34,14 +34,13 @@ public:
     {
     }
 
-    /// Fails with error::out_of_memory.
-    [[nodiscard]] error find(const tube_paths& paths, array_view<const side_point> sides, double radius,
-                             double deviation) noexcept
+    /// `radii` are the paths', in cells. Fails with error::out_of_memory.
+    [[nodiscard]] error find(const tube_paths& paths, array_view<const side_point> sides,
+                             array_view<const double> radii, double cut) noexcept
     {
+        paths_ = paths;
         points_ = paths.points.data();
         sides_ = sides.data();
-        radius_ = radius;
-        deviation_ = deviation;
         const std::size_t n = paths.points.size();
         before_.clear();
         after_.clear();
@@ -51,6 +50,8 @@ public:
         if (!kept_.reserve(n) || !starts_.reserve(paths.count() + 1)) return error::out_of_memory;
         for (std::size_t k = 0; k < paths.count(); ++k) {
             starts_.push_back_unchecked(static_cast<std::uint32_t>(kept_.size()));
+            radius_ = radii[k];
+            deviation_ = cut * radii[k];
             thin(paths.starts[k], paths.starts[k + 1], paths.is_open(k));
         }
         starts_.push_back_unchecked(static_cast<std::uint32_t>(kept_.size()));
@@ -62,8 +63,45 @@ public:
     /// Where the paths begin in kept().
     [[nodiscard]] array_view<const std::uint32_t> starts() const noexcept { return starts_.view(); }
 
+    /// Lights the edges that are new: their ends get the edge's own normal where the curve's is no longer near it.
+    ///
+    ///     points, sides   of the points that stay
+    ///     crease          the cosine of the crease angle
+    void light(array_view<const grid_point> points, array_view<side_point> sides, double crease) const noexcept
+    {
+        constexpr double near_by = 0.9;  // 26 degrees
+        for (std::size_t k = 0; k + 1 < starts_.size(); ++k) {
+            const std::uint32_t end = starts_[k + 1];
+            for (std::uint32_t i = starts_[k]; i < end; ++i) {
+                const std::uint32_t next = i + 1 < end ? i + 1 : starts_[k];
+                if ((i + 1 == end && paths_.is_open(k)) || !is_new(k, kept_[i], kept_[next])) continue;
+                const point n = wall_normal(points[i], points[next]);
+                const auto strays = [&n](vec2 v) noexcept {
+                    return as_double(v.x) * n.x + as_double(v.y) * n.y < near_by;
+                };
+                if (strays(sides[i].after)) set(sides[i], sides[i].before, rounded(n), crease);
+                if (strays(sides[next].before)) set(sides[next], rounded(n), sides[next].after, crease);
+            }
+        }
+    }
+
 private:
     static constexpr std::uint32_t none = 0xFFFF'FFFFu;
+
+    /// Whether points were left out between two that stay.
+    [[nodiscard]] bool is_new(std::size_t path, std::uint32_t a, std::uint32_t b) const noexcept
+    {
+        return b != (a + 1 < paths_.starts[path + 1] ? a + 1 : paths_.starts[path]);
+    }
+
+    static void set(side_point& s, vec2 before, vec2 after, double crease) noexcept
+    {
+        const point a{as_double(before.x), as_double(before.y)}, b{as_double(after.x), as_double(after.y)};
+        if (!s.doubled && dot(a, b) >= crease) before = after = rounded(unit(a + b));
+        s.doubled = s.doubled || !(before == after);
+        s.before = before;
+        s.after = after;
+    }
 
     void thin(std::uint32_t first, std::uint32_t end, bool open) noexcept
     {
@@ -94,7 +132,7 @@ private:
     [[nodiscard]] bool may_go(std::uint32_t p) const noexcept
     {
         const std::uint32_t a = before_[p], b = after_[p];
-        if (sides_[p].doubled || a == none || b == none || points_[a] == points_[b]) return false;
+        if (sides_[p].seam || a == none || b == none || points_[a] == points_[b]) return false;
         const std::uint32_t around[] = {before_[a], a, p, b, after_[b]};
         const double now = least_radius(around, 5);
         if (!(now < radius_)) return false;
@@ -111,7 +149,7 @@ private:
         return both > 0.0 ? cross(in, out) / both : 0x1p60;
     }
 
-    /// The largest radius for the edges between consecutive points, of which the outer ones may be none.
+    /// The largest radius for the edges between consecutive points; the outer points may be none.
     [[nodiscard]] double least_radius(const std::uint32_t* at, int count) const noexcept
     {
         double least = 0x1p60;
@@ -142,6 +180,7 @@ private:
     }
 
     buffer<std::uint32_t> before_, after_, kept_, starts_;
+    tube_paths paths_;
     const grid_point* points_ = nullptr;
     const side_point* sides_ = nullptr;
     double radius_ = 0.0, deviation_ = 0.0;
