@@ -196,6 +196,8 @@ TEST_CASE("tubes refuse options out of range", "[extrude]")
     CHECK(option({.sides = 2}) == "sides");
     CHECK(option({.sides = 129}) == "sides");
     CHECK(option({.crease_degrees = 181.0f}) == "crease_degrees");
+    CHECK(option({.corner_cut = 1.5f}) == "corner_cut");
+    CHECK(option({.corner_cut = std::nanf("")}) == "corner_cut");
     CHECK_FALSE(refused_options(tubed{}));
     check_different_keys(
         tubed{}, {{.radius = 0.03f}, {.sides = 17}, {.crease_degrees = 16.0f}, {.texture = texture_mapping::box}});
