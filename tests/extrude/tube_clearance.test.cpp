@@ -32,7 +32,7 @@ struct quad_strip {
     std::uint32_t path, joints[2];
 };
 
-std::vector<quad_strip> strips_of(const strip_paths& all, const std::vector<double>& radii)
+std::vector<quad_strip> quad_strips_of(const strip_paths& all, const std::vector<double>& radii)
 {
     std::vector<quad_strip> made;
     for (std::uint32_t k = 0; k + 1 < all.starts.size(); ++k) {
@@ -61,7 +61,7 @@ bool is_turned(const quad_strip& s)
 }
 
 /// Whether two convex quadrilaterals overlap: no side of either separates them.
-bool overlap(const quad_strip& a, const quad_strip& b)
+bool strips_overlap(const quad_strip& a, const quad_strip& b)
 {
     const quad_strip* const both[2] = {&a, &b};
     for (int k = 0; k < 2; ++k)
@@ -77,13 +77,13 @@ bool overlap(const quad_strip& a, const quad_strip& b)
 /// Whether any strip is turned inside out or overlaps one that is no neighbour of it.
 bool has_conflict(const strip_paths& all, const std::vector<double>& radii)
 {
-    const auto made = strips_of(all, radii);
+    const auto made = quad_strips_of(all, radii);
     for (const quad_strip& s : made) {
         if (is_turned(s)) return true;
         for (const quad_strip& t : made) {
             const bool neighbours =
                 s.joints[0] == t.joints[0] || s.joints[0] == t.joints[1] || s.joints[1] == t.joints[0];
-            if (!neighbours && overlap(s, t)) return true;
+            if (!neighbours && strips_overlap(s, t)) return true;
         }
     }
     return false;
@@ -122,7 +122,7 @@ TEST_CASE("tubes as thick as allowed do not meet, and a little thicker they do",
         // The rule for tips besides: radius * tan(turn / 2) fits into both edges of a corner.
         const std::vector<double> more{radii[0] * 1.001 / detail::tube_clearance::kept};
         bool tip = false;
-        for (const quad_strip& s : strips_of(all, more)) {
+        for (const quad_strip& s : quad_strips_of(all, more)) {
             const point p{double(all.points[s.joints[0]].x), double(all.points[s.joints[0]].y)},
                 q{double(all.points[s.joints[1]].x), double(all.points[s.joints[1]].y)};
             const double length = typemesh::length(q - p);

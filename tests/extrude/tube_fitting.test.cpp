@@ -30,7 +30,7 @@ struct fitted_shape {
     }
 };
 
-double distance_to(grid_point p, const detail::tube_fitting& f)
+double distance_to_paths(grid_point p, const detail::tube_fitting& f)
 {
     double nearest = 1e18;
     for (std::size_t k = 0; k + 1 < f.starts().size(); ++k)
@@ -57,7 +57,7 @@ TEST_CASE("a tube's path leaves the outline by no more than its radius allows, h
                 double thickest = 0.0;
                 for (const double r : f.fitting.clearance().radii()) thickest = std::fmax(thickest, r);
                 for (const grid_point& p : s.loops.points)
-                    CHECK(distance_to(p, f.fitting) <= 1.5 * cut * thickest + 1e-6);
+                    CHECK(distance_to_paths(p, f.fitting) <= 1.5 * cut * thickest + 1e-6);
             }
 }
 

@@ -37,7 +37,7 @@ struct thinned_leaf {
     [[nodiscard]] detail::tube_paths view() const { return {points, starts}; }
 };
 
-std::vector<double> at(double radius) { return {radius}; }
+std::vector<double> one_radius(double radius) { return {radius}; }
 
 }  // namespace
 
@@ -49,7 +49,7 @@ TEST_CASE("points beside a sharp corner make room for a thick tube, within the d
         REQUIRE_FALSE(clearance.find(leaf.view(), radius));
         const double plain = clearance.radii()[0];
         detail::tube_thinning thinning;
-        REQUIRE_FALSE(thinning.find(leaf.view(), leaf.sides, at(radius), 0.25));
+        REQUIRE_FALSE(thinning.find(leaf.view(), leaf.sides, one_radius(radius), 0.25));
         std::vector<grid_point> kept;
         for (const std::uint32_t i : thinning.kept()) kept.push_back(leaf.points[i]);
         REQUIRE_FALSE(clearance.find({kept, thinning.starts()}, radius));
@@ -86,7 +86,7 @@ TEST_CASE("a tiny edge between two sharp corners becomes one corner, whose norma
     sides[0].seam = true;
     const std::uint32_t starts[] = {0, static_cast<std::uint32_t>(v.size())};
     detail::tube_thinning thinning;
-    REQUIRE_FALSE(thinning.find({v, starts}, sides, at(4000.0), 0.25));
+    REQUIRE_FALSE(thinning.find({v, starts}, sides, one_radius(4000.0), 0.25));
     REQUIRE(thinning.kept().size() == v.size() - 1);
     std::vector<grid_point> points;
     std::vector<side_point> kept;
@@ -109,9 +109,9 @@ TEST_CASE("no point is left out without need, or if no deviation is allowed", "[
 {
     const thinned_leaf leaf{40};
     detail::tube_thinning thinning;
-    REQUIRE_FALSE(thinning.find(leaf.view(), leaf.sides, at(3000.0), 0.0));
+    REQUIRE_FALSE(thinning.find(leaf.view(), leaf.sides, one_radius(3000.0), 0.0));
     CHECK(thinning.kept().size() == leaf.points.size());
-    REQUIRE_FALSE(thinning.find(leaf.view(), leaf.sides, at(20.0), 0.25));
+    REQUIRE_FALSE(thinning.find(leaf.view(), leaf.sides, one_radius(20.0), 0.25));
     CHECK(thinning.kept().size() == leaf.points.size());
     // A circle of chords allows no thicker tube with fewer of them.
     std::vector<grid_point> circle;
@@ -120,7 +120,7 @@ TEST_CASE("no point is left out without need, or if no deviation is allowed", "[
                           static_cast<std::int32_t>(1e5 * std::sin(i * 0.09817477))});
     const std::vector<side_point> smooth(64);
     const std::uint32_t starts[] = {0, 64};
-    REQUIRE_FALSE(thinning.find({circle, starts}, smooth, at(2e5), 0.25));
+    REQUIRE_FALSE(thinning.find({circle, starts}, smooth, one_radius(2e5), 0.25));
     CHECK(thinning.kept().size() > 32);
 }
 
@@ -129,13 +129,13 @@ TEST_CASE("thinning allocates nothing the second time, and says when memory runs
     const thinned_leaf leaf{40};
     test::counting_memory counted;
     detail::tube_thinning thinning{counted.source()};
-    REQUIRE_FALSE(thinning.find(leaf.view(), leaf.sides, at(3000.0), 0.25));
+    REQUIRE_FALSE(thinning.find(leaf.view(), leaf.sides, one_radius(3000.0), 0.25));
     const std::size_t warm = counted.requests;
-    REQUIRE_FALSE(thinning.find(leaf.view(), leaf.sides, at(3000.0), 0.25));
+    REQUIRE_FALSE(thinning.find(leaf.view(), leaf.sides, one_radius(3000.0), 0.25));
     CHECK(counted.requests == warm);
     for (std::size_t n = 1; n <= warm; ++n) {
         test::counting_memory failing{.fail_at = n};
         detail::tube_thinning poor{failing.source()};
-        CHECK(poor.find(leaf.view(), leaf.sides, at(3000.0), 0.25) == error::out_of_memory);
+        CHECK(poor.find(leaf.view(), leaf.sides, one_radius(3000.0), 0.25) == error::out_of_memory);
     }
 }

@@ -91,7 +91,8 @@ struct tubed {
         if (!is_finite(as_double(radius)) || !(radius > 0.0f)) return error::bad("radius");
         if (sides < detail::tube_section::least || sides > detail::tube_section::most) return error::bad("sides");
         if (!is_crease_angle(crease_degrees)) return error::bad("crease_degrees");
-        if (!(corner_cut >= 0.0f && corner_cut <= 1.0f)) return error::bad("corner_cut");
+        if (!is_finite(as_double(corner_cut)) || !(corner_cut >= 0.0f && corner_cut <= 1.0f))
+            return error::bad("corner_cut");
         solid_plan made;
         if (filled.points().empty()) return made;
         const double em = filled.grid().cells * filled.grid().units_per_em;

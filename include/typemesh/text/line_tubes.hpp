@@ -42,7 +42,8 @@ struct tube_style {
     {
         if (!is_finite(as_double(radius)) || !(radius > 0.0f)) return error::bad("radius");
         if (sides < detail::tube_section::least || sides > detail::tube_section::most) return error::bad("sides");
-        if (!(corner_cut >= 0.0f && corner_cut <= 1.0f)) return error::bad("corner_cut");
+        if (!is_finite(as_double(corner_cut)) || !(corner_cut >= 0.0f && corner_cut <= 1.0f))
+            return error::bad("corner_cut");
         return is_crease_angle(crease_degrees) ? error{} : error::bad("crease_degrees");
     }
 };
