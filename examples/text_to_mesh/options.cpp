@@ -102,6 +102,7 @@ std::string version()
 struct raw_values {
     plate_words plate;
     std::string not_with_plates;  // an option that is given and does not work with a plate
+    std::string not_with_inlays;  // likewise, with an inlay
     std::string not_with_taper;   // likewise, with --taper
     std::vector<std::string> variations, features, show;
     std::string uv, fill, fit, lod, morph, tube, colour_layers, profile = "chamfer", refine, bend, path, family, format,
@@ -720,6 +721,8 @@ std::string settle_plate(options& out, const raw_values& raw)
         if (r.colour) return "--style: colours do not work with " + option + ", whose letters have one colour";
     if (out.show_contours || out.show_points || out.show_control)
         return "--show contours, points and control do not work with " + option;
+    if (out.plate.how.style == typemesh::plate_style::inlay && !raw.not_with_inlays.empty())
+        return raw.not_with_inlays + " does not work with --inlay";
     if (out.plate.how.style == typemesh::plate_style::inlay && !out.output.empty() && !holds_colours(out.kind))
         return "--inlay needs a file that keeps its two solids apart: .3mf, .glb or .obj";
     return {};
@@ -1147,6 +1150,8 @@ std::optional<int> parse(int argc, char** argv, options& out)
     for (const char* name : not_with_plates)
         if (const CLI::Option* option = app.get_option_no_throw(name); option != nullptr && option->count() > 0)
             raw.not_with_plates = name;
+    if (const CLI::Option* option = app.get_option_no_throw("--manifold"); option != nullptr && option->count() > 0)
+        raw.not_with_inlays = "--manifold";  // two solids that touch
     for (const char* option : {"--bevel", "--carve", "--inflate", "--refine"})
         if (app.count(option) > 0) raw.not_with_taper = option;
     for (const char* option : {"--carve-as", "--carve-depth"})

@@ -149,7 +149,7 @@ await change(() => page.keyboard.type("!"));
 check((await value("text")).endsWith("!") || (await value("text")).includes("!"), "what is typed comes into the text");
 
 // Every option, and each of its values. Short texts cannot be bent to the ends of the sliders.
-await open("#text=Aé here&bevel.width=0.02");
+await open("#text=Aé here&bevel.width=0.02", { width: 420, height: 320 });  // little to draw
 const hidden = await page.$$eval("#groups details", all => all.filter(e => !e.open).length);
 check(hidden >= 2, "what few people need is folded");
 await page.$$eval("#groups details", all => all.forEach(e => { e.open = true; }));
@@ -236,7 +236,7 @@ for (const [width, height] of [[360, 700], [390, 844], [740, 360]]) {
 }
 
 // Presets: each is one click, and its link opens as it was made.
-await open();
+await open("", { width: 500, height: 400 });
 const names = await page.$$eval("#presets a", all => all.map(e => e.className));
 check(names.length >= 8, `there are ${names.length} presets`);
 const programs = [];  // of what is on the screen, to be compiled
@@ -252,7 +252,7 @@ for (const name of names) {
     check(await message() === "" && await value("open-edges") === "0", `${name}: ${await message()} ${await value("open-edges")}`);
     check(await page.$eval(`#presets .${name}`, e => e.getAttribute("aria-current")) === "true", `${name} is marked as what is shown`);
     programs.push({ name, ...await program() });
-    await open(hash_of_link);
+    await open(hash_of_link, { width: 500, height: 400 });
     await unhurried();
     check(await hash() === made, `the link of ${name} opens as it was made`);
 }

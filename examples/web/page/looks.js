@@ -131,8 +131,7 @@ uniform vec3 inner, outer;
 uniform vec2 size;
 vec3 backdrop() {
     vec2 p = (gl_FragCoord.xy / size - vec2(0.5, 0.52)) * vec2(1.0, 0.9);
-    float noise = fract(sin(dot(gl_FragCoord.xy, vec2(12.9898, 78.233))) * 43758.5453) / 255.0;
-    return mix(inner, outer, smoothstep(0.05, 0.72, length(p))) + noise;
+    return mix(inner, outer, smoothstep(0.05, 0.72, length(p)));
 }`;
         this.back = new THREE.Mesh(new THREE.PlaneGeometry(2, 2), new THREE.ShaderMaterial({
             uniforms: this.uniforms, depthTest: false, depthWrite: false, toneMapped: false,

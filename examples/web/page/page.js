@@ -6,7 +6,7 @@ import { Controls } from "./controls.js";
 import { Fonts } from "./fonts.js";
 import { History } from "./history.js";
 import { lessMotion } from "./motion.js";
-import { linkOf, presets } from "./presets.js";
+import { isSame, linkOf, presets } from "./presets.js";
 import { programs } from "./programs.js";
 import { materials, Stage, views } from "./stage.js";
 
@@ -265,7 +265,7 @@ function remember() {  // browsers refuse more than some changes of the address 
     history.keep({ set: kept(false).toString(), text: at("text").value, font: fonts.used?.name });
     at("undo").disabled = !history.canUndo;
     for (const one of at("presets").children) {
-        if (one.hash === "#" + link()) one.setAttribute("aria-current", "true");
+        if (isSame(one.hash.slice(1), link())) one.setAttribute("aria-current", "true");
         else one.removeAttribute("aria-current");
     }
     remembering = setTimeout(() => globalThis.history.replaceState(null, "", link() ? "#" + link() : location.pathname), 250);

@@ -11,10 +11,14 @@ export const presets = [
     { name: "arabic", label: "خط", title: "An Arabic line: letters join into one solid, with ridges like a reed pen's", set: { text: "سلام", font: "Amiri (Arabic)", "page.finish": "gold", "page.world": "dark", "bevel.width": 0.06, "bevel.profile": "chamfer", depth: 0.2, embolden: 0.02 } },
     { name: "column", label: "縦書き", title: "Japanese columns, from right to left", set: { text: column, font: "Sawarabi Mincho (Japanese)", direction: "ttb", "page.finish": "lacquer", "page.world": "light", "bevel.width": 0.014, depth: 0.14 } },
     { name: "flag", label: "Flag", title: "A flag that waves: tags give it cloth and colour, the bend gives it folds", set: { text: "[mark=#1b3a8c][colour=#ffffff]\u00a0AHOY!\u00a0[/][/]", "page.motion": "flag", "bend.wave": 0.12, depth: 0.1, "bevel.width": 0.012 } },
-    { name: "breathe", label: "Breathe", title: "A weight that breathes: one mesh along the font's axis, its triangles proven to hold", set: { text: "breathe", "page.motion": "breathe", "page.finish": "satin", "page.colour": "#2ec4b6", depth: 0.24 } },
+    { name: "breathe", label: "Breathe", title: "A weight that breathes: one mesh along the font's axis, its triangles proven to hold", set: { text: "breathe", "page.motion": "breathe", "page.colour": "#2ec4b6", depth: 0.24 } },
     { name: "score", label: "1,984", title: "A score that rolls like a mileage counter", set: { text: "1984", "page.motion": "score", "page.finish": "lacquer", "page.world": "dark", "page.weight": 900, "page.colour": "#ffb000", depth: 0.12, "bevel.width": 0.02 } },
     { name: "tags", label: "[tags]", title: "Tags in the text: weight, colour, size, small text above", set: { text: "[b]Tags[/b] say [colour=#d1235b]colour[/colour],\n[size=1.6]size[/size], [mark=#ffd23f]marks[/mark]\nand [ruby=small text]ruby[/ruby] x[sup]2[/sup]", "page.colour": "#30343c", "page.weight": 650 } },
     { name: "ribbon", label: "Twist", title: "A bevelled ribbon of text, twisted once", set: { text: "twist & shout", "bend.twist": 360, "page.finish": "gold", "page.world": "dark", "page.colour": "#ff9db0", depth: 0.2, "bevel.width": 0.02 } },
 ];
+
+/** Whether two links set the same, in whatever order. */
+const sorted = link => [...new URLSearchParams(link)].map(String).sort().join("&");
+export const isSame = (one, other) => sorted(one) === sorted(other);
 
 export const linkOf = preset => "#" + new URLSearchParams(preset.set);

@@ -38,8 +38,8 @@ function solidOf(state) {
     const bevels = () => braced({
         depth: float(depth), width: float(o.bevel.width), bevel_depth: float(o.bevel.depth ?? o.bevel.width),
         sides: o.bevel.sides && tm(`bevel_sides::${o.bevel.sides}`),
-        profile: profile === "chamfer" ? undefined : tm(`${profile}_profile()`),
-        mode: o.bevel.mode && tm(`bevel_mode::${o.bevel.mode}`), outward: o.bevel.outward ? "true" : undefined }, "        ");
+        mode: o.bevel.mode && tm(`bevel_mode::${o.bevel.mode}`), outward: o.bevel.outward ? "true" : undefined,
+        profile: profile === "chamfer" ? undefined : tm(`${profile}_profile()`) }, "        ");
     const normals = o.normals && !bevelled ? `<typemesh::${o.normals}_normals>` : "<>";
     let type = bevelled ? tm("bevelled") : depth > 0 ? tm("extruded" + normals) : tm("flat");
     let code = type + (bevelled ? bevels() : depth > 0 ? braced({ depth: float(depth) }) : "{}");
