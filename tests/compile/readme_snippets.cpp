@@ -167,14 +167,14 @@ auto neon  = typemesh::stroked_outlines{tick, {.width = 0.1, .cap = typemesh::st
 auto wired = typemesh::text_mesher{*font, typemesh::stroked{{.width = 0.03, .join = typemesh::stroke_join::round}}};
     use(neon);
     use(wired);
-auto neon = typemesh::text_mesher{*font, typemesh::tubed{.radius = 0.02f}};
+auto open_sign = typemesh::text_mesher{*font, typemesh::tubed{.radius = 0.02f}};
 auto inset = typemesh::text_mesher{*font, typemesh::tubed{.radius = 0.01f}, typemesh::embolden{.by = -0.03f}};
 auto wire = typemesh::line_tubes{};
 wire.begin(24.0);                                       // units per em
 auto drawn = typemesh::draw_svg_path("M4 12 L9 17 L20 6", 1e-3, wire);
 auto tubes = wire.plan({.radius = 0.04f, .end = typemesh::tube_end::round});
 if (drawn && tubes) (void)wire.write(typemesh::into(vertices, indices), wire.placed(2.0));  // an em is 2 units long
-    use(neon, inset);
+    use(open_sign, inset);
 auto balloon = typemesh::text_mesher{*font, typemesh::inflated{}};
 auto pillow = typemesh::text_mesher{*font, typemesh::inflated{.limit = 0.05f}};
 auto dome = typemesh::text_mesher{*font, typemesh::inflated{.height = 0.5f, .form = typemesh::inflated_form::dome, .depth = 0.1f}};
