@@ -57,6 +57,7 @@ async function open(hash = "", { width = 1000, height = 640, dark = false, still
         { name: "prefers-reduced-motion", value: still ? "reduce" : "no-preference" }]);
     await page.goto("about:blank");
     await page.goto(home + hash, { waitUntil: "domcontentloaded", timeout: 120000 });
+    if (!still) await page.addStyleTag({ content: "#presets { visibility: hidden; }" });  // one of them breathes
     await settled(0);
 }
 /** Does something that changes the mesh, and waits until it has been made and measured. */

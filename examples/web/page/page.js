@@ -405,6 +405,7 @@ try {
     for (const [name, url] of Object.entries(bundled)) offer({ name, file: url.split("/").pop(), load: () => fetched(name, url) });
     await choose(recall());
     stage?.drawNow();
+    stage?.draw();  // a frame that was waiting, for a mesh that turns, is gone with the last line
     document.documentElement.dataset.ready = performance.now().toFixed(0);  // ms since the page was requested
 } catch (e) {
     loading("");

@@ -48,8 +48,7 @@ function solidOf(state) {
         code = `typemesh::bent<${bend.type}, ${type}>{\n        .solid = ${code},\n        .how = ${bend.how}}`;
         headers.push("typemesh/extrude/bent.hpp", `typemesh/bend/${bend.kind === "cylinder" ? "on_cylinder" : bend.kind}.hpp`, ...bend.kind === "wave" ? ["typemesh/bend/displaced.hpp"] : []);
     } else if (has(o.outline?.width)) {
-        const none = "typemesh::extruded<>{.front = false, .back = false, .side = false}";
-        code = `typemesh::outlined<${type}>{\n        .width = ${float(o.outline.width)}, .place = typemesh::outline_place::inner,\n        .ring = ${code},\n        .letter = ${none}}`;
+        code = `typemesh::outlined<${type}>{\n        .width = ${float(o.outline.width)}, .place = typemesh::outline_place::inner,\n        .ring = ${code}}`;
         headers.push("typemesh/extrude/outlined.hpp");
     }
     return { code, headers };
