@@ -30,11 +30,11 @@ struct bevelled_ring {
 
     bevelled_ring()
     {
-        const std::vector<test::polyline> loops{test::square(0, 0, 100'000),
-                                                test::reversed(test::square(40'000, 40'000, 20'000))};
-        caps.loops() = test::contours_of(loops);
+        const std::vector<test::polyline> square_ring{test::square(0, 0, 100'000),
+                                                      test::reversed(test::square(40'000, 40'000, 20'000))};
+        caps.loops() = test::contours_of(square_ring);
         caps.loops().grid = {100.0, 1000.0};
-        for (const test::polyline& l : loops)
+        for (const test::polyline& l : square_ring)
             for (std::size_t i = 0; i < l.size(); ++i)
                 curves.push_back(curve::from(placement::exact(l[i]), placement::exact(l[(i + 1) % l.size()])));
         caps.loops().curves = curves;
