@@ -5,7 +5,7 @@
 //     vertices       of the mesh
 //     ns_a_vertex    of a frame
 //
-//     morph_bench                    fonts are looked for under $TYPEMESH_FONT_DIR (default /usr/share/fonts)
+//     bench_morph                    fonts are looked for under $TYPEMESH_FONT_DIR (default /usr/share/fonts)
 
 #include <typemesh/adapt/harfbuzz_axis.hpp>
 #include <typemesh/discretise/quality.hpp>

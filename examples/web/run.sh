@@ -119,7 +119,7 @@ if [ -n "$target" ]; then
     cat <<END
 The page is in $target, for any host. What stands beside a file as .br or .gz is the same file compressed: let the host send it with
 "Content-Encoding: br" or "gzip" to browsers that accept that; hosts that compress by themselves need neither. The names of chunk-*.js
-change with their content, so they may be cached for a year; the other files may be cached as long as the page may be old.
+change with their content, so they may be cached for a year; the other files may be cached for as long as visitors may see an old page.
 Bytes, and as sent, of what comes before the first letter:
 END
     for file in "$target"/{index.html,page.css,page.js,chunk-*.js,typemesh.wasm,fonts.json} "$target/$first"; do

@@ -362,8 +362,8 @@ private:
     layered_solid::slab slabs_[2][2];
     float bottom_[2] = {};
     std::uint32_t used_[2] = {};
-    std::uint32_t outer_rim_ = 0, rim_ = 0, parted_ = 0;  // sources with lower numbers are the plate's outer loops;
-                                                          // are the plate's, or its holes'
+    std::uint32_t outer_rim_ = 0, rim_ = 0, parted_ = 0;  // sources below outer_rim_ are the plate's outer loops,
+                                                          // those below rim_ are all its loops
     std::size_t count_ = 0;
     bool mirrored_ = false;
 };

@@ -34,8 +34,8 @@ struct plate_options {
     bool fill_counters = false;  ///< whether a plate that follows an outline has no holes
     float ring_hole = 0.0f;      ///< the radius of a keyring's hole at the left end of the plate; 0: no hole
     float ring_width = 0.06f;    ///< the width of the ring around this hole; the ring overlaps the plate by this width
-    float bridge_width = 0.0f;   ///< the width of the bridges of a stencil (plate_style::cut), at most the plate's
-                                 ///< longer side is used; 0: no bridges
+    float bridge_width = 0.0f;   ///< the width of the bridges of a stencil (plate_style::cut), never wider than
+                                 ///< the plate's longer side; 0: none
     std::uint32_t bridges = 2;   ///< the number of bridges per island, 1 to 8
     touching corners = touching::part;  ///< part: corners that touch are separated, so that the mesh is strictly
                                         ///< 2-manifold; keep: they stay as drawn. join is as part, except within a

@@ -125,7 +125,7 @@ public:
         return report_;
     }
 
-    /// The exact numbers of vertices and triangles that write() will emit.
+    /// The exact numbers of vertices and triangles that write() makes.
     [[nodiscard]] mesh_size size() const noexcept { return size_; }
 
     /// The position of the drawing in the output: an em is `size` units long, the origin is at 0.
