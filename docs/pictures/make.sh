@@ -214,9 +214,11 @@ g++ -std=c++20 -O2 -I../../include curved.cpp -o "$scratch/curved" $(pkg-config 
 # Letters that move, drawn by a program of their own.
 g++ -std=c++20 -O2 -I../../include -I../../examples/text_to_mesh -I../../examples moving.cpp "$typemesh_root"/examples/text_to_mesh/picture/*.cpp \
     -o "$scratch/moving" $(pkg-config --cflags --libs harfbuzz)
-for motion in wave ring score; do
+for motion in wave ring score breathe; do
     mkdir "$scratch/$motion"
-    "$scratch/moving" $motion $serif-Bold.ttf "$scratch/$motion"
+    font=$serif-Bold.ttf
+    [ $motion != breathe ] || font=/usr/share/fonts/truetype/inter-vf/Inter.var.ttf
+    "$scratch/moving" $motion "$font" "$scratch/$motion"
     convert -delay 6 -loop 0 "$scratch/$motion"/*.ppm +dither -colors 96 -layers optimize $motion.gif
 done
 

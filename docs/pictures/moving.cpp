@@ -2,13 +2,14 @@
 //
 // Draws letters that move, frame by frame, with the rasteriser of text_to_mesh: see make.sh.
 //
-//     moving wave|ring|score FONT FOLDER      FOLDER/00.ppm, 01.ppm, ...
+//     moving wave|ring|score|breathe FONT FOLDER      FOLDER/00.ppm, 01.ppm, ...
 
 #include "model.hpp"
 #include "picture/picture.hpp"
 
-#include <typemesh/adapt/harfbuzz.hpp>
+#include <typemesh/adapt/harfbuzz_axis.hpp>
 #include <typemesh/extrude/bevelled.hpp>
+#include <typemesh/morph/axis_morph.hpp>
 #include <typemesh/typemesh.hpp>
 
 #include <algorithm>
@@ -18,6 +19,7 @@
 #include <cstdio>
 #include <string>
 #include <string_view>
+#include <vector>
 
 using namespace typemesh;
 
@@ -74,16 +76,14 @@ struct wheels {
     }
 };
 
-/// The frame of a plan whose letters move, in a view that holds a box.
-template <class Motion>
-bool draw_frame(const plan_type& plan, const Motion& motion, const bounds3& box, float yaw, float pitch,
-                const std::string& file)
+std::string file_of(const std::string& folder, int frame)
 {
-    text_to_mesh::model mesh;
-    constexpr const char* names[] = {"front", "back", "side", "front_bevel", "back_bevel"};
-    if (!plan.write(into(mesh.vertices, mesh.indices), motion)) return false;
-    for (const part p : plan.parts())
-        mesh.parts.push_back({names[static_cast<std::size_t>(p)], plan.range(p).first_index, plan.range(p).index_count});
+    return folder + "/" + (frame < 10 ? "0" : "") + std::to_string(frame) + ".ppm";
+}
+
+/// A mesh, in a view that holds a box.
+bool draw_mesh(text_to_mesh::model& mesh, const bounds3& box, float yaw, float pitch, const std::string& file)
+{
     for (unsigned corner = 0; corner < 8; ++corner) {  // triangles without area hold the view
         const auto number = static_cast<std::uint32_t>(mesh.vertices.size());
         mesh.vertices.push_back({{(corner & 1) != 0 ? box.high.x : box.low.x, (corner & 2) != 0 ? box.high.y : box.low.y,
@@ -107,6 +107,19 @@ bool draw_frame(const plan_type& plan, const Motion& motion, const bounds3& box,
     return std::fclose(out) == 0;
 }
 
+/// The frame of a plan whose letters move, in a view that holds a box.
+template <class Motion>
+bool draw_frame(const plan_type& plan, const Motion& motion, const bounds3& box, float yaw, float pitch,
+                const std::string& file)
+{
+    text_to_mesh::model mesh;
+    constexpr const char* names[] = {"front", "back", "side", "front_bevel", "back_bevel"};
+    if (!plan.write(into(mesh.vertices, mesh.indices), motion)) return false;
+    for (const part p : plan.parts())
+        mesh.parts.push_back({names[static_cast<std::size_t>(p)], plan.range(p).first_index, plan.range(p).index_count});
+    return draw_mesh(mesh, box, yaw, pitch, file);
+}
+
 /// All frames: motion_at(0) to motion_at(1), the latter not drawn.
 template <class At>
 bool draw_frames(const plan_type& plan, int frames, float yaw, float pitch, const std::string& folder, const At& motion_at)
@@ -118,10 +131,40 @@ bool draw_frames(const plan_type& plan, int frames, float yaw, float pitch, cons
         box.add(one.high);
     }
     for (int i = 0; i < frames; ++i) {
-        const std::string number = std::to_string(i);
-        const std::string file = folder + "/" + (i < 10 ? "0" : "") + number + ".ppm";
+        const std::string file = file_of(folder, i);
         if (!draw_frame(plan, motion_at(static_cast<double>(i) / frames), box, yaw, pitch, file)) return false;
     }
+    return true;
+}
+
+/// A word whose weight grows and falls, with the same triangles throughout.
+bool draw_breath(harfbuzz_font& font, int frames, const std::string& folder)
+{
+    auto weight = harfbuzz_axis::open(font, "wght");
+    if (!weight) return false;
+    axis_morph morph{*weight};
+    auto plan = morph.plan("breathe", {.tolerance = 1.0 / 400.0, .depth = 0.16f});
+    if (!plan) return false;
+    std::vector<text_to_mesh::model> meshes(static_cast<std::size_t>(frames));
+    bounds3 box;
+    for (int i = 0; i < frames; ++i) {
+        text_to_mesh::model& mesh = meshes[static_cast<std::size_t>(i)];
+        const double breath = 0.5 - 0.5 * std::cos(whole_turn * i / frames);
+        const double at = weight->coordinate(weight->low() + breath * (weight->high() - weight->low()));
+        const auto make = [](const surface_point<attribute::position | attribute::normal>& v) noexcept {
+            return text_to_mesh::model_vertex{{v.position.x, v.position.y, v.position.z}, {v.normal.x, v.normal.y, v.normal.z}, {}};
+        };
+        if (!plan->write_at(at, into(mesh.vertices, mesh.indices, make))) return false;
+        mesh.parts.push_back({"front", 0, static_cast<std::uint32_t>(mesh.indices.size())});
+        float low = 1e9f, high = -1e9f;
+        for (const auto& v : mesh.vertices) low = (std::min)(low, v.position[0]), high = (std::max)(high, v.position[0]);
+        for (auto& v : mesh.vertices) {
+            v.position[0] -= 0.5f * (low + high);
+            box.add({v.position[0], v.position[1], v.position[2]});
+        }
+    }
+    for (int i = 0; i < frames; ++i)
+        if (!draw_mesh(meshes[static_cast<std::size_t>(i)], box, -18.0f, 8.0f, file_of(folder, i))) return false;
     return true;
 }
 
@@ -129,11 +172,12 @@ bool draw_frames(const plan_type& plan, int frames, float yaw, float pitch, cons
 
 int main(int argc, char** argv)
 {
-    if (argc != 4) return std::puts("usage: moving wave|ring|score FONT FOLDER"), 2;
+    if (argc != 4) return std::puts("usage: moving wave|ring|score|breathe FONT FOLDER"), 2;
     const std::string_view what = argv[1];
     const std::string folder = argv[3];
     auto font = harfbuzz_font::open(argv[2]);
     if (!font) return std::puts(font.error().message()), 1;
+    if (what == "breathe") return draw_breath(*font, 30, folder) ? 0 : 1;
     text_mesher mesher{*font, bevelled{.width = 0.02f, .profile = round_profile()}};
     const std::string_view text = what == "wave"   ? "letters that wave"
                                   : what == "ring" ? "round and round and round and "
