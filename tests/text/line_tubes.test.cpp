@@ -13,6 +13,7 @@
 #include <typemesh/vertex/growing_sink.hpp>
 #include <typemesh/vertex/vertex_lambda.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 #include <vector>
@@ -165,6 +166,47 @@ TEST_CASE("tubes along lines: bad drawings and options", "[text]")
     REQUIRE(nothing);
     CHECK(nothing->lines == 0);
     CHECK(tubes.size() == mesh_size{});
+}
+
+TEST_CASE("tubes along lines are written in sizes that floats can express, or not at all", "[text]")
+{
+    line_tubes tubes;
+    tubes.begin(100.0);
+    REQUIRE(draw_svg_path("M0 0 L50 0 L50 40", 1e-3, tubes));
+    REQUIRE(tubes.plan({}));
+    const auto option = [&](const placement& at) {
+        tube_mesh made;
+        const auto done = tubes.write(into(made.vertices, made.indices), at);
+        CHECK(made.vertices.empty() == !done);
+        for (const tube_vertex& v : made.vertices) CHECK(std::isfinite(v.position.x + v.position.y + v.position.z));
+        return std::string{done ? "" : done.error().option};
+    };
+    for (const double size : {-1.0, 0.0, std::nan(""), double(INFINITY), 1e39, 1e-31, 0x1.1p30})
+        CHECK(option(tubes.placed(size)) == "size");
+    for (const double size : {1e-30, 1.0, 0x1p30}) CHECK(option(tubes.placed(size)) == "");
+    placement at = tubes.placed();
+    at.pen = {1e60, 0.0};
+    CHECK(option(at) == "size");
+    at = tubes.placed();
+    at.unit_per_depth = 1e-40;
+    CHECK(option(at) == "radius");
+    at.unit_per_depth = std::nan("");
+    CHECK(option(at) == "size");
+}
+
+TEST_CASE("the box texture reaches from edge to edge of the tubes", "[text]")
+{
+    const auto range = [](const tube_style& style) {
+        vec2 low{9.0f, 9.0f}, high{-9.0f, -9.0f};
+        for (const tube_vertex& v : tubes_along("M0 0 L50 0 L50 10", style).vertices) {
+            low = {(std::min)(low.x, v.uv.x), (std::min)(low.y, v.uv.y)};
+            high = {(std::max)(high.x, v.uv.x), (std::max)(high.y, v.uv.y)};
+        }
+        for (const float v : {low.x, low.y}) CHECK(double(v) == Catch::Approx(0.0).margin(1e-5));
+        for (const float v : {high.x, high.y}) CHECK(double(v) == Catch::Approx(1.0).margin(1e-5));
+    };
+    range({.radius = 0.04f, .texture = texture_mapping::box});
+    range({.radius = 0.04f, .end = tube_end::flat, .texture = texture_mapping::box});
 }
 
 TEST_CASE("tubes along lines allocate nothing after warm-up, and say when memory runs out", "[text]")

@@ -289,7 +289,8 @@ private:
         const point apart = delta(s.a, c.at), right = outward(s.along);
         const double off = dot(apart, right), on = dot(apart, s.along);
         const double to_right = dot(c.lean, right), forwards = dot(c.lean, s.along);
-        const double slack = 0x1p-20 * (1.0 + s.length);
+        // For rounding; less than a cell, or a point of the path just beyond the strip would count as in it.
+        const double slack = s.length < 0x1p18 ? 0x1p-20 * (1.0 + s.length) : 0.25;
         const double corner_grows = grow.corner[1] - grow.corner[0], strip_grows = grow.strip[1] - grow.strip[0];
         double first = 1.0;
         bool met = false;
