@@ -135,6 +135,40 @@ TEST_CASE("lines near each other get thinner tubes, lines that cross are counted
     CHECK(back.vertices.empty());
 }
 
+TEST_CASE("lines that do not meet as drawn do not meet as tubes", "[text]")
+{
+    // Beside the corner in L0 0, points are left out; the chord would cross the short line.
+    const std::string close = "M60 14 L0 0 Q12 -10 40 -6 L120 -6 M10 -4.7 L10 1 ";
+    const tube_style style{.radius = 0.1f, .sides = 4};
+    const auto drawn = [&](float cut, const std::string& path) {
+        tube_style how = style;
+        how.corner_cut = cut;
+        return tubes_along(path.c_str(), how).report;
+    };
+    CHECK(drawn(0.0f, close).meeting == drawn(0.5f, close).meeting);
+    // The same beside lines that do meet, also if the cut ends such a meeting.
+    const std::string crossing = close + "M200 0 L250 50 M200 50 L250 0";
+    CHECK(drawn(0.5f, crossing).meeting == drawn(0.0f, crossing).meeting);
+}
+
+TEST_CASE("a line is kept apart from every line that it does not meet", "[text]")
+{
+    const std::string x = "M0 0 L50 50 M0 50 L50 0 ";
+    const tube_mesh alone = tubes_along(x.c_str(), {.radius = 0.05f, .sides = 8});
+    CHECK(alone.report.narrowed == 0);
+    const tube_mesh two = tubes_along((x + "M52 0 L102 50 M52 50 L102 0").c_str(), {.radius = 0.05f, .sides = 8});
+    CHECK(two.report.meeting == 4);
+    CHECK(two.report.narrowed == 4);
+    CHECK(double{two.report.smallest_radius} <= 0.01);
+    float left = 0.0f, right = 2.0f;  // the gap between both
+    for (const tube_vertex& v : two.vertices) {
+        if (v.position.x < 0.51f) left = (std::max)(left, v.position.x);
+        if (v.position.x > 0.51f) right = (std::min)(right, v.position.x);
+    }
+    CHECK(right - left > 1e-5f);
+    CHECK(left < 0.51f);
+}
+
 TEST_CASE("tubes along lines: bad drawings and options", "[text]")
 {
     line_tubes tubes;

@@ -192,7 +192,8 @@ private:
     [[nodiscard]] error refused(const placement& at) const noexcept
     {
         const double em = at.unit_per_cell * em_;
-        if (!is_finite(em) || !(em >= 0x1p-100 && em <= 0x1p30) || !is_finite(at.unit_per_depth)) return error::bad("size");
+        if (!is_finite(em) || !(em >= 0x1p-100 && em <= 0x1p30) || !is_finite(at.unit_per_depth))
+            return error::bad("size");
         if (box_.empty()) return {};
         if (!(as_double(report_.smallest_radius) * at.unit_per_depth >= 0x1p-126)) return error::bad("radius");
         for (const double x : {box_.low.x, box_.high.x})
