@@ -73,10 +73,10 @@ TEST_CASE("without a cut all points stay, and with one no tube of these letters 
     }
 }
 
-TEST_CASE("thinning swaps no meeting of two paths for another", "[extrude]")
+TEST_CASE("thinning makes no paths meet, and goes on elsewhere", "[extrude]")
 {
     // A curve beside a corner; a line that ends just above the curve, and one that crosses it from below. A chord would
-    // cross the first line instead of the second.
+    // cross the first line, too.
     constexpr double unit_cells = 512.0;
     std::vector<grid_point> points;
     const auto add = [&](double x, double y) {
@@ -93,8 +93,8 @@ TEST_CASE("thinning swaps no meeting of two paths for another", "[extrude]")
     add(10.0, -4.7);
     add(10.0, 1.0);
     starts.push_back(static_cast<std::uint32_t>(points.size()));
-    add(9.5, -12.0);
-    add(9.5, -4.95);
+    add(14.0, -12.0);
+    add(14.0, -5.9);
     starts.push_back(static_cast<std::uint32_t>(points.size()));
     // Far away, a path that can be thinned.
     for (std::size_t i = 0; i < starts[1]; ++i) points.push_back({points[i].x + 1'000'000, points[i].y});

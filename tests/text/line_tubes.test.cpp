@@ -169,6 +169,29 @@ TEST_CASE("a line is kept apart from every line that it does not meet", "[text]"
     CHECK(left < 0.51f);
 }
 
+TEST_CASE("a tube that floats cannot express so far from the origin is lost, any other one has no flat triangle",
+          "[text]")
+{
+    std::size_t lost = 0;
+    for (const unsigned sides : {3u, 8u, 30u})
+        for (const int em : {1, 50, 100, 200, 400, 800, 1600, 3000}) {
+            const std::string x = std::to_string(em * 100 + 7);
+            const std::string path = "M" + x + " 3 q30 10 40 50 l3 -20";
+            const tube_mesh made = tubes_along(path.c_str(), {.radius = 1e-3f, .sides = sides});
+            lost += made.report.lost;
+            for (std::size_t t = 0; t < made.indices.size(); t += 3) {
+                inspect::place p[3];
+                for (std::size_t k = 0; k < 3; ++k)
+                    p[k] = inspect::to_place(made.vertices[made.indices[t + k]].position);
+                const inspect::place face = cross(p[1] - p[0], p[2] - p[0]);
+                CHECK(dot(face, face) > 0.0);
+            }
+        }
+    CHECK(lost > 3);
+    CHECK(lost < 20);
+    CHECK(tubes_along("M5000 0 l50 0", {.radius = 0.02f}).report.narrowed == 0);
+}
+
 TEST_CASE("tubes along lines: bad drawings and options", "[text]")
 {
     line_tubes tubes;

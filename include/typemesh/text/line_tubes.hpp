@@ -17,6 +17,7 @@
 #include <typemesh/extrude/impl/wall_normal.hpp>
 #include <typemesh/extrude/placement.hpp>
 #include <typemesh/extrude/side_point.hpp>
+#include <typemesh/text/cells_told_apart.hpp>
 #include <typemesh/text/impl/line_points.hpp>
 #include <typemesh/vertex/frame.hpp>
 #include <typemesh/vertex/mesh_sink.hpp>
@@ -67,13 +68,19 @@ struct tube_report {
 ///
 /// It is an outline_sink. A line is closed if close() ends it; all others are open, and get an end at both sides. Each
 /// line is one closed solid: a ring or a rod. See tubed, whose rules for corners, radii, normals and texture
-/// coordinates are the same, for the outlines of letters; the box of texture_mapping::box is that of all tubes. An open line needs room for its round end, also where the end
-/// is flat.
+/// coordinates are the same, for the outlines of letters. The box of texture_mapping::box is that of all tubes. An open
+/// line needs room for its round end, also where the end is flat.
 ///
-/// Lines that cross or touch, as many in single-line fonts do, are counted (tube_report::meeting) and not kept apart
-/// from each other; their solids overlap. A line that returns on itself at a point has no tube (tube_report::lost).
+/// A tube is lost, too, where 32-bit floats do not tell the corners of its sections apart: with 16 sides, beyond
+/// 2^22 / 7 radii from the origin. In frames that are not parallel to the axes this is guaranteed up to an eighth of
+/// that only.
 ///
-/// Memory is kept for the next lines.
+/// Lines that cross or touch, as many in single-line fonts do, are counted (tube_report::meeting). Two lines that meet
+/// are not kept apart from each other, and a line that meets itself not from itself: their solids overlap. All other
+/// pairs of lines are kept apart, so a line that ends just short of another one has a thin tube. A line that returns on
+/// itself at a point has no tube (tube_report::lost).
+///
+/// Memory is kept for the next lines; it is O(n) for n points, and 8 bytes for each pair of lines that meet.
 class line_tubes {
 public:
     explicit line_tubes(memory source = heap()) noexcept
@@ -222,8 +229,10 @@ private:
         style_ = style;
         box around;
         for (const detail::line_point& p : lines_.points) around.add(p.at);
-        const auto fitting = grid::fitting(units_per_em_, around);
+        auto fitting = grid::fitting(units_per_em_, around);
         if (!fitting) return fitting.error();
+        // Floats tell all points apart, like those of letters.
+        fitting->coarsen(cells_told_apart(typemesh::reach_of(around, units_per_em_), true));
         em_ = fitting->cells * fitting->units_per_em;
         if (!(as_double(style.radius) * em_ < grid::reach)) return error::bad("radius");
         const double crease = crease_cosine(style.crease_degrees);
@@ -313,6 +322,8 @@ private:
         report_.smallest_radius = style_.radius;
         for (std::size_t k = 0; k < paths.count(); ++k) {
             detail::tube_path path{detail::tube_radius(clear.radii()[k], em_, style_.radius)};
+            if (as_double(path.radius) * detail::tube_section::least_step(style_.sides) * 0x1p22 < reach_of(paths, k))
+                path.radius = 0.0f;
             path.open = paths.is_open(k) ? 1 : 0;
             report_.narrowed += path.radius < style_.radius;
             report_.lost += !(path.radius > 0.0f);
@@ -333,6 +344,15 @@ private:
             size_ = size_ + mesh_size{all.vertex_count(k), all.triangle_count(k)};
         if (report_.lost == report_.lines) report_.smallest_radius = 0.0f;
         return size_.vertices > 0x3FFF'FFFFu || size_.triangles > 0x3FFF'FFFFu ? error{error::too_large} : error{};
+    }
+
+    /// The greatest coordinate of a path, in em.
+    [[nodiscard]] double reach_of(const detail::tube_paths& paths, std::size_t k) const noexcept
+    {
+        box own;
+        for (std::uint32_t i = paths.starts[k]; i < paths.starts[k + 1]; ++i)
+            own.add(placement::exact(paths.points[i]));
+        return typemesh::reach_of(own, em_);
     }
 
     /// Enlarges the box by the corners of a mitre, and by the half ball at an end.

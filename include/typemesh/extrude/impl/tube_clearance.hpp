@@ -52,7 +52,7 @@ struct tube_paths {
 /// one radius beyond the end. Two paths that meet are not kept apart from each other, but from all others; a path that
 /// meets itself is not kept apart from itself.
 ///
-/// Cost   O(n log n) and O(1) for each corner near a strip, or O(log m) if m pairs of paths meet; O(n^2 log n) at worst.
+/// Cost   O(n log n), and O(log m) for each corner near a strip, if m pairs of paths meet; O(n^2 log n) at worst.
 ///        Memory O(n + m)
 class tube_clearance {
 public:
