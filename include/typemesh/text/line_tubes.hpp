@@ -68,7 +68,7 @@ struct tube_report {
 ///
 /// It is an outline_sink. A line is closed if close() ends it; all others are open, and get an end at both sides. Each
 /// line is one closed solid: a ring or a rod. See tubed, whose rules for corners, radii, normals and texture
-/// coordinates are the same, for the outlines of letters. The box of texture_mapping::box is that of all tubes. An open
+/// coordinates are the same, for the outlines of letters. texture_mapping::box spans all tubes. An open
 /// line needs room for its round end, also where the end is flat.
 ///
 /// A tube is lost, too, where 32-bit floats do not tell the corners of its sections apart: with 16 sides, beyond
@@ -231,7 +231,7 @@ private:
         for (const detail::line_point& p : lines_.points) around.add(p.at);
         auto fitting = grid::fitting(units_per_em_, around);
         if (!fitting) return fitting.error();
-        // Floats tell all points apart, like those of letters.
+        // Floats tell all points apart, as in letters.
         fitting->coarsen(cells_told_apart(typemesh::reach_of(around, units_per_em_), true));
         em_ = fitting->cells * fitting->units_per_em;
         if (!(as_double(style.radius) * em_ < grid::reach)) return error::bad("radius");
