@@ -177,6 +177,16 @@ TEST_CASE("paths that meet are told apart from paths that are near", "[extrude]"
     CHECK(clearance.radii()[0] < 1.0);
 }
 
+TEST_CASE("a point just beyond a long edge does not stop its tube", "[extrude]")
+{
+    for (const std::int32_t length : {1000, 1 << 20, 1 << 24, 200'000'000})
+        for (const std::int32_t step : {1, 2, 10}) {
+            strip_paths all;
+            all.add({{-length, 0}, {0, 0}, {step, 0}, {length, 0}, {length, length}, {-length, length}});
+            CHECK(found_radii(all, 100.0)[0] == 100.0);  // NOLINT
+        }
+}
+
 TEST_CASE("the search for clearances allocates nothing the second time, and says when memory runs out", "[extrude]")
 {
     std::mt19937 random{3};

@@ -10,6 +10,7 @@
 #include <typemesh/extrude/impl/upright_walls.hpp>
 
 #include <cmath>
+#include <utility>
 #include <vector>
 
 using namespace typemesh;
@@ -70,6 +71,48 @@ TEST_CASE("without a cut all points stay, and with one no tube of these letters 
         for (std::size_t k = 0; k < whole.fitting.clearance().radii().size(); ++k)
             CHECK(cut.fitting.clearance().radii()[k] >= 0.75 * whole.fitting.clearance().radii()[k]);
     }
+}
+
+TEST_CASE("thinning makes no paths meet, and goes on elsewhere", "[extrude]")
+{
+    // A curve beside a corner; a line that ends just above the curve, and one that crosses it from below. A chord would
+    // cross the first line, too.
+    constexpr double unit_cells = 512.0;
+    std::vector<grid_point> points;
+    const auto add = [&](double x, double y) {
+        points.push_back({static_cast<std::int32_t>(x * unit_cells), static_cast<std::int32_t>(y * unit_cells)});
+    };
+    add(60.0, 14.0);
+    add(0.0, 0.0);
+    for (int i = 1; i <= 60; ++i) {
+        const double t = i / 60.0;
+        add(24.0 * t * (1.0 - t) + 40.0 * t * t, -20.0 * t * (1.0 - t) - 6.0 * t * t);
+    }
+    add(120.0, -6.0);
+    std::vector<std::uint32_t> starts{0, static_cast<std::uint32_t>(points.size())};
+    add(10.0, -4.7);
+    add(10.0, 1.0);
+    starts.push_back(static_cast<std::uint32_t>(points.size()));
+    add(14.0, -12.0);
+    add(14.0, -5.9);
+    starts.push_back(static_cast<std::uint32_t>(points.size()));
+    // Far away, a path that can be thinned.
+    for (std::size_t i = 0; i < starts[1]; ++i) points.push_back({points[i].x + 1'000'000, points[i].y});
+    starts.push_back(static_cast<std::uint32_t>(points.size()));
+    const std::vector<std::uint8_t> open(4, 1);
+    const auto fit = [&](double cut) {
+        buffer<side_point> sides;
+        for (std::size_t i = 0; i < points.size(); ++i) REQUIRE(sides.push_back({}));
+        detail::tube_fitting f;
+        REQUIRE_FALSE(f.fit({points, starts, open}, sides, 10.0 * unit_cells, cut, fitting_crease));
+        std::vector<bool> meets;
+        for (std::size_t k = 0; k < 4; ++k) meets.push_back(f.clearance().meets(k));
+        return std::pair{meets, f.starts()[4] - f.starts()[3]};
+    };
+    const auto drawn = fit(0.0), cut = fit(0.5);
+    CHECK(drawn.first == std::vector<bool>{true, false, true, false});
+    CHECK(cut.first == drawn.first);
+    CHECK(cut.second < drawn.second);
 }
 
 TEST_CASE("tubes are fitted without allocations the second time, and say when memory runs out", "[extrude]")

@@ -5,6 +5,7 @@
 #include "support/catch.hpp"
 #include "support/counting_memory.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <vector>
@@ -122,6 +123,34 @@ TEST_CASE("no point is left out without need, or if no deviation is allowed", "[
     const std::uint32_t starts[] = {0, 64};
     REQUIRE_FALSE(thinning.find({circle, starts}, smooth, one_radius(2e5), 0.25));
     CHECK(thinning.kept().size() > 32);
+}
+
+TEST_CASE("an edge replaces at most 64 points, and the ends of open paths get their edges' normals", "[extrude]")
+{
+    // A corner beside many points in a line, and a curve at the end.
+    std::vector<grid_point> points{{100'000, 10'000}, {0, 0}};
+    for (int i = 1; i <= 2000; ++i) points.push_back({50 * i, 0});
+    points.push_back({100'040, 20});
+    std::vector<side_point> sides(points.size());
+    sides.back().before = sides.back().after = rounded(unit({20.0, -40.0}));
+    const std::uint32_t starts[] = {0, static_cast<std::uint32_t>(points.size())};
+    const std::uint8_t open[] = {1};
+    detail::tube_thinning thinning;
+    REQUIRE_FALSE(thinning.find({points, starts, open}, sides, one_radius(20'000.0), 0.5));
+    std::uint32_t gap = 0;
+    std::vector<grid_point> kept;
+    std::vector<side_point> lit;
+    for (std::size_t i = 0; i < thinning.kept().size(); ++i) {
+        const std::uint32_t k = thinning.kept()[i];
+        if (i != 0) gap = (std::max)(gap, k - thinning.kept()[i - 1] - 1);
+        kept.push_back(points[k]);
+        lit.push_back(sides[k]);
+    }
+    CHECK(gap == 64);
+    REQUIRE(kept[kept.size() - 2] != points[points.size() - 2]);
+    thinning.light(kept, lit, 0.97);
+    const vec2 wanted = rounded(wall_normal(kept[kept.size() - 2], kept.back()));
+    CHECK((lit.back().before == wanted && lit.back().after == wanted));
 }
 
 TEST_CASE("thinning allocates nothing the second time, and says when memory runs out", "[extrude]")

@@ -4,6 +4,7 @@
 
 #include "mesh.hpp"
 #include "support/catch.hpp"
+#include "support/counting_memory.hpp"
 
 #include <typemesh/inspect/euler_count.hpp>
 #include <typemesh/inspect/manifoldness.hpp>
@@ -201,4 +202,27 @@ TEST_CASE("tubes refuse options out of range", "[extrude]")
     CHECK_FALSE(refused_options(tubed{}));
     check_different_keys(
         tubed{}, {{.radius = 0.03f}, {.sides = 17}, {.crease_degrees = 16.0f}, {.texture = texture_mapping::box}});
+}
+
+TEST_CASE("tubes are planned without allocations the second time, and say when memory runs out", "[extrude]")
+{
+    const shapes::shape s = shapes::letter_d(6);
+    const region r = s.made();
+    const tubed how{.radius = 0.05f, .sides = 6};
+    no_caps nothing;
+    test::counting_memory counted;
+    tubed_data data{counted.source()};
+    REQUIRE(plan_solid(how, r, data, nothing));
+    const std::size_t warm = counted.requests;
+    data.clear();
+    REQUIRE(plan_solid(how, r, data, nothing));
+    CHECK(counted.requests == warm);
+    for (std::size_t n = 1; n <= warm; ++n) {
+        test::counting_memory failing{.fail_at = n};
+        tubed_data poor{failing.source()};
+        CHECK(plan_solid(how, r, poor, nothing).error() == error::out_of_memory);
+        failing.fail_at = 0;
+        poor.clear();
+        CHECK(plan_solid(how, r, poor, nothing));
+    }
 }

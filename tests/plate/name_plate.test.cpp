@@ -372,6 +372,8 @@ TEST_CASE("options outside their ranges and texts without letters are refused in
     CHECK(refusal({.radius = -1.0f}) == "radius");
     CHECK(refusal({.thickness = 0.0f}) == "thickness");
     CHECK(refusal({.depth = -0.1f}) == "depth");
+    for (const plate_style style : {plate_style::standing, plate_style::engraved, plate_style::inlay})
+        CHECK(refusal({.style = style, .thickness = 1000.0f, .depth = 1e-5f}) == "depth");
     CHECK(refusal({.ring_hole = std::numeric_limits<float>::infinity()}) == "ring_hole");
     CHECK(refusal({.ring_width = 0.0f}) == "ring_width");
     CHECK(refusal({.bridge_width = 1e9f}) == "bridge_width");

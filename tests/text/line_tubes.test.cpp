@@ -13,6 +13,7 @@
 #include <typemesh/vertex/growing_sink.hpp>
 #include <typemesh/vertex/vertex_lambda.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 #include <vector>
@@ -134,6 +135,63 @@ TEST_CASE("lines near each other get thinner tubes, lines that cross are counted
     CHECK(back.vertices.empty());
 }
 
+TEST_CASE("lines that do not meet as drawn do not meet as tubes", "[text]")
+{
+    // Beside the corner in L0 0, points are left out; the chord would cross the short line.
+    const std::string close = "M60 14 L0 0 Q12 -10 40 -6 L120 -6 M10 -4.7 L10 1 ";
+    const tube_style style{.radius = 0.1f, .sides = 4};
+    const auto drawn = [&](float cut, const std::string& path) {
+        tube_style how = style;
+        how.corner_cut = cut;
+        return tubes_along(path.c_str(), how).report;
+    };
+    CHECK(drawn(0.0f, close).meeting == drawn(0.5f, close).meeting);
+    // The same beside lines that do meet, also if the cut ends such a meeting.
+    const std::string crossing = close + "M200 0 L250 50 M200 50 L250 0";
+    CHECK(drawn(0.5f, crossing).meeting == drawn(0.0f, crossing).meeting);
+}
+
+TEST_CASE("a line is kept apart from every line that it does not meet", "[text]")
+{
+    const std::string x = "M0 0 L50 50 M0 50 L50 0 ";
+    const tube_mesh alone = tubes_along(x.c_str(), {.radius = 0.05f, .sides = 8});
+    CHECK(alone.report.narrowed == 0);
+    const tube_mesh two = tubes_along((x + "M52 0 L102 50 M52 50 L102 0").c_str(), {.radius = 0.05f, .sides = 8});
+    CHECK(two.report.meeting == 4);
+    CHECK(two.report.narrowed == 4);
+    CHECK(double{two.report.smallest_radius} <= 0.01);
+    float left = 0.0f, right = 2.0f;  // the gap between both
+    for (const tube_vertex& v : two.vertices) {
+        if (v.position.x < 0.51f) left = (std::max)(left, v.position.x);
+        if (v.position.x > 0.51f) right = (std::min)(right, v.position.x);
+    }
+    CHECK(right - left > 1e-5f);
+    CHECK(left < 0.51f);
+}
+
+TEST_CASE("a tube that floats cannot express so far from the origin is lost, any other one has no flat triangle",
+          "[text]")
+{
+    std::size_t lost = 0;
+    for (const unsigned sides : {3u, 8u, 30u})
+        for (const int em : {1, 50, 100, 200, 400, 800, 1600, 3000}) {
+            const std::string x = std::to_string(em * 100 + 7);
+            const std::string path = "M" + x + " 3 q30 10 40 50 l3 -20";
+            const tube_mesh made = tubes_along(path.c_str(), {.radius = 1e-3f, .sides = sides});
+            lost += made.report.lost;
+            for (std::size_t t = 0; t < made.indices.size(); t += 3) {
+                inspect::place p[3];
+                for (std::size_t k = 0; k < 3; ++k)
+                    p[k] = inspect::to_place(made.vertices[made.indices[t + k]].position);
+                const inspect::place face = cross(p[1] - p[0], p[2] - p[0]);
+                CHECK(dot(face, face) > 0.0);
+            }
+        }
+    CHECK(lost > 3);
+    CHECK(lost < 20);
+    CHECK(tubes_along("M5000 0 l50 0", {.radius = 0.02f}).report.narrowed == 0);
+}
+
 TEST_CASE("tubes along lines: bad drawings and options", "[text]")
 {
     line_tubes tubes;
@@ -165,6 +223,47 @@ TEST_CASE("tubes along lines: bad drawings and options", "[text]")
     REQUIRE(nothing);
     CHECK(nothing->lines == 0);
     CHECK(tubes.size() == mesh_size{});
+}
+
+TEST_CASE("tubes along lines are written in sizes that floats can express, or not at all", "[text]")
+{
+    line_tubes tubes;
+    tubes.begin(100.0);
+    REQUIRE(draw_svg_path("M0 0 L50 0 L50 40", 1e-3, tubes));
+    REQUIRE(tubes.plan({}));
+    const auto option = [&](const placement& at) {
+        tube_mesh made;
+        const auto done = tubes.write(into(made.vertices, made.indices), at);
+        CHECK(made.vertices.empty() == !done);
+        for (const tube_vertex& v : made.vertices) CHECK(std::isfinite(v.position.x + v.position.y + v.position.z));
+        return std::string{done ? "" : done.error().option};
+    };
+    for (const double size : {-1.0, 0.0, std::nan(""), double(INFINITY), 1e39, 1e-31, 0x1.1p30})
+        CHECK(option(tubes.placed(size)) == "size");
+    for (const double size : {1e-30, 1.0, 0x1p30}) CHECK(option(tubes.placed(size)) == "");
+    placement at = tubes.placed();
+    at.pen = {1e60, 0.0};
+    CHECK(option(at) == "size");
+    at = tubes.placed();
+    at.unit_per_depth = 1e-40;
+    CHECK(option(at) == "radius");
+    at.unit_per_depth = std::nan("");
+    CHECK(option(at) == "size");
+}
+
+TEST_CASE("the box texture reaches from edge to edge of the tubes", "[text]")
+{
+    const auto range = [](const tube_style& style) {
+        vec2 low{9.0f, 9.0f}, high{-9.0f, -9.0f};
+        for (const tube_vertex& v : tubes_along("M0 0 L50 0 L50 10", style).vertices) {
+            low = {(std::min)(low.x, v.uv.x), (std::min)(low.y, v.uv.y)};
+            high = {(std::max)(high.x, v.uv.x), (std::max)(high.y, v.uv.y)};
+        }
+        for (const float v : {low.x, low.y}) CHECK(double(v) == Catch::Approx(0.0).margin(1e-5));
+        for (const float v : {high.x, high.y}) CHECK(double(v) == Catch::Approx(1.0).margin(1e-5));
+    };
+    range({.radius = 0.04f, .texture = texture_mapping::box});
+    range({.radius = 0.04f, .end = tube_end::flat, .texture = texture_mapping::box});
 }
 
 TEST_CASE("tubes along lines allocate nothing after warm-up, and say when memory runs out", "[text]")

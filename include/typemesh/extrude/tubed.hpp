@@ -54,10 +54,12 @@ public:
 /// tube cannot follow curves that are narrower than its radius: for thick tubes, choose a font without rounded corners.
 /// If less than four cells of the grid are left of the radius, the loop has no tube.
 ///
-/// Letters whose tubes would meet are kept apart, too, if they are merged (text_options::merge). Loops that touch are
-/// not kept apart from each other, and solid_plan::touching is set: text_options::corners separates or joins them.
+/// Letters whose tubes would meet are kept apart, too, if they are merged (text_options::merge). Two loops that touch
+/// are not kept apart from each other, nor is a loop that touches itself from itself, and solid_plan::touching is set:
+/// text_options::corners separates or joins them.
 ///
-/// Normals follow a round tube along the font's own curves; corners sharper than the crease angle are hard. In
+/// Normals follow a round tube along the font's own curves, where points were left out to within 26 degrees of the
+/// path's; corners sharper than the crease angle are hard. In
 /// texture_mapping::em, u is the distance along the loop, and v the distance around the tube, from its outer side
 /// towards the reader, both in em. In cylindrical, both run from 0 to 1; in box they are planar. All tubes belong to
 /// part::side; if glyphs are merged, their tubes belong to shared_glyph.
@@ -65,7 +67,7 @@ public:
 /// Fails  error::bad_option: radius is not positive and finite, or 2^28 cells or more ("radius"); sides are not 3 to
 ///        128 ("sides"); crease_degrees is not 0 to 180; corner_cut is not 0 to 1
 ///        error::outline_beyond_grid: a tube reaches beyond 2^28 cells; error::too_large, error::out_of_memory
-/// Cost   O(n log n) for n points of the outline, and O(n * sides) to write; O(n^2) for the plan at worst
+/// Cost   O(n log n) for n points of the outline, and O(n * sides) to write; O(n^2 log n) for the plan at worst
 struct tubed {
     float radius = 0.02f;          ///< always in em
     std::uint32_t sides = 16;      ///< of the section, 3 to 128

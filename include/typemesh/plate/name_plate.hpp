@@ -212,7 +212,7 @@ private:
         if (error e = arrange(how)) return e;
         if (how.bridge_width > 0.0f && how.style == plate_style::cut)
             if (error e = tie_islands(how)) return e;
-        slabs_of(how);
+        if (error e = slabs_of(how)) return e;
         if (how.corners != touching::keep)
             if (error e = part_corners(how)) return e;
         return plan_solids(cut);
@@ -268,14 +268,16 @@ private:
         return {};
     }
 
-    /// The slabs of its solids.
-    void slabs_of(const plate_options& how) noexcept
+    /// The slabs of its solids. Fails with error::bad_option ("depth") if floats do not tell their heights apart.
+    [[nodiscard]] error slabs_of(const plate_options& how) noexcept
     {
         const auto height = [this](float em) noexcept {
             return static_cast<float>(as_double(em) * plane_.unit_per_em);
         };
-        const float face = height(how.thickness), floor = height(how.thickness - how.depth);
-        const bool through = !(floor > 0.0f);
+        const float face = height(how.thickness), floor = height(how.thickness - how.depth),
+                    upper = height(how.thickness + how.depth);
+        const bool through = !(floor > 0.0f), stands = how.style == plate_style::standing;
+        if (how.style != plate_style::cut && !(stands ? upper > face : floor < face)) return error::bad("depth");
         bottom_[0] = bottom_[1] = 0.0f;
         used_[0] = used_[1] = 0;
         const auto add = [this](std::size_t k, cell_set filled, float top) noexcept {
@@ -284,7 +286,7 @@ private:
         switch (how.style) {
         case plate_style::standing:
             add(0, body() | text(), face);
-            add(0, text(), height(how.thickness + how.depth));
+            add(0, text(), upper);
             break;
         case plate_style::engraved:
         case plate_style::inlay:
@@ -296,6 +298,7 @@ private:
             break;
         case plate_style::cut: add(0, body() & ~text(), face); break;
         }
+        return {};
     }
 
     /// Finds the points where the cells of a slab touch, once for each slab.

@@ -17,6 +17,7 @@
 #include <typemesh/extrude/impl/wall_normal.hpp>
 #include <typemesh/extrude/placement.hpp>
 #include <typemesh/extrude/side_point.hpp>
+#include <typemesh/text/cells_told_apart.hpp>
 #include <typemesh/text/impl/line_points.hpp>
 #include <typemesh/vertex/frame.hpp>
 #include <typemesh/vertex/mesh_sink.hpp>
@@ -67,13 +68,19 @@ struct tube_report {
 ///
 /// It is an outline_sink. A line is closed if close() ends it; all others are open, and get an end at both sides. Each
 /// line is one closed solid: a ring or a rod. See tubed, whose rules for corners, radii, normals and texture
-/// coordinates are the same, for the outlines of letters. An open line needs room for its round end, also where the end
-/// is flat.
+/// coordinates are the same, for the outlines of letters. texture_mapping::box spans all tubes. An open
+/// line needs room for its round end, also where the end is flat.
 ///
-/// Lines that cross or touch, as many in single-line fonts do, are counted (tube_report::meeting) and not kept apart
-/// from each other; their solids overlap. A line that returns on itself at a point has no tube (tube_report::lost).
+/// A tube is lost, too, where 32-bit floats do not tell the corners of its sections apart: with 16 sides, beyond
+/// 2^22 / 7 radii from the origin. In frames that are not parallel to the axes this is guaranteed up to an eighth of
+/// that only.
 ///
-/// Memory is kept for the next lines.
+/// Lines that cross or touch, as many in single-line fonts do, are counted (tube_report::meeting). Two lines that meet
+/// are not kept apart from each other, and a line that meets itself not from itself: their solids overlap. All other
+/// pairs of lines are kept apart, so a line that ends just short of another one has a thin tube. A line that returns on
+/// itself at a point has no tube (tube_report::lost).
+///
+/// Memory is kept for the next lines; it is O(n) for n points, and 8 bytes for each pair of lines that meet.
 class line_tubes {
 public:
     explicit line_tubes(memory source = heap()) noexcept
@@ -145,12 +152,15 @@ public:
     /// Writes the tubes, line by line. Attributes of glyphs and letters keep their defaults; all vertices belong to
     /// part::side.
     ///
-    /// Fails  error::too_large, and as the sink does
+    /// Fails  error::bad_option: an em of `at` is not 2^-100 to 2^30 output units long, or not every position fits into
+    ///        a float ("size"); the smallest radius does not ("radius"); error::too_large. The sink is then untouched.
+    ///        Besides as the sink does
     template <class Sink>
         requires mesh_sink<std::remove_reference_t<Sink>>
     result<void> write(Sink&& sink, const placement& at) const noexcept
     {
         if (!size_.fits_32_bits()) return error::too_large;
+        if (error e = refused(at)) return e;
         if (error e = sink.begin(size_)) return e;
         constexpr attribute wants = std::remove_reference_t<Sink>::wants;
         const auto vertex = [&sink](surface_point<wants> v) noexcept {
@@ -185,6 +195,23 @@ private:
         em_ = 1.0;
     }
 
+    /// The error for a placement whose output would not fit into 32-bit floats, or none; as refuse_extremes().
+    [[nodiscard]] error refused(const placement& at) const noexcept
+    {
+        const double em = at.unit_per_cell * em_;
+        if (!is_finite(em) || !(em >= 0x1p-100 && em <= 0x1p30) || !is_finite(at.unit_per_depth))
+            return error::bad("size");
+        if (box_.empty()) return {};
+        if (!(as_double(report_.smallest_radius) * at.unit_per_depth >= 0x1p-126)) return error::bad("radius");
+        for (const double x : {box_.low.x, box_.high.x})
+            for (const double y : {box_.low.y, box_.high.y}) {
+                const vec3 corner = at.position({x, y, as_double(style_.radius)});
+                for (const float v : {corner.x, corner.y, corner.z})
+                    if (!is_finite(as_double(v))) return error::bad("size");
+            }
+        return {};
+    }
+
     [[nodiscard]] detail::tube_surface surface() const noexcept
     {
         detail::tube_surface all{starts_.view(), sides_.view(), joints_.view(), paths_.view()};
@@ -202,8 +229,10 @@ private:
         style_ = style;
         box around;
         for (const detail::line_point& p : lines_.points) around.add(p.at);
-        const auto fitting = grid::fitting(units_per_em_, around);
+        auto fitting = grid::fitting(units_per_em_, around);
         if (!fitting) return fitting.error();
+        // Floats tell all points apart, as in letters.
+        fitting->coarsen(cells_told_apart(typemesh::reach_of(around, units_per_em_), true));
         em_ = fitting->cells * fitting->units_per_em;
         if (!(as_double(style.radius) * em_ < grid::reach)) return error::bad("radius");
         const double crease = crease_cosine(style.crease_degrees);
@@ -293,6 +322,8 @@ private:
         report_.smallest_radius = style_.radius;
         for (std::size_t k = 0; k < paths.count(); ++k) {
             detail::tube_path path{detail::tube_radius(clear.radii()[k], em_, style_.radius)};
+            if (as_double(path.radius) * detail::tube_section::least_step(style_.sides) * 0x1p22 < reach_of(paths, k))
+                path.radius = 0.0f;
             path.open = paths.is_open(k) ? 1 : 0;
             report_.narrowed += path.radius < style_.radius;
             report_.lost += !(path.radius > 0.0f);
@@ -302,7 +333,7 @@ private:
                 path.doubled += sides_[i].doubled ? 1u : 0u;
                 const vec2 lean = rounded((as_double(path.radius) * em_) * clear.leans()[i]);
                 if (!joints_.push_back({paths.points[i], lean})) return error::out_of_memory;
-                box_.add(placement::exact(paths.points[i]));
+                if (path.radius > 0.0f) add_to_box(paths, k, i, lean);
             }
             if (!paths_.push_back(path)) return error::out_of_memory;
         }
@@ -313,6 +344,28 @@ private:
             size_ = size_ + mesh_size{all.vertex_count(k), all.triangle_count(k)};
         if (report_.lost == report_.lines) report_.smallest_radius = 0.0f;
         return size_.vertices > 0x3FFF'FFFFu || size_.triangles > 0x3FFF'FFFFu ? error{error::too_large} : error{};
+    }
+
+    /// The greatest coordinate of a path, in em.
+    [[nodiscard]] double reach_of(const detail::tube_paths& paths, std::size_t k) const noexcept
+    {
+        box own;
+        for (std::uint32_t i = paths.starts[k]; i < paths.starts[k + 1]; ++i)
+            own.add(placement::exact(paths.points[i]));
+        return typemesh::reach_of(own, em_);
+    }
+
+    /// Enlarges the box by the corners of a mitre, and by the half ball at an end.
+    void add_to_box(const detail::tube_paths& paths, std::size_t k, std::uint32_t i, vec2 lean) noexcept
+    {
+        const point p = placement::exact(paths.points[i]), right{as_double(lean.x), as_double(lean.y)};
+        box_.add(p + right);
+        box_.add(p - right);
+        const bool is_start = i == paths.starts[k], is_end = i + 1 == paths.starts[k + 1];
+        if (style_.end != tube_end::round || !paths.is_open(k) || !(is_start || is_end)) return;
+        const double r = length(right);
+        const point away = (is_start ? 1.0 : -1.0) * point{right.y, -right.x};
+        box_.add(p + point{away.x < 0.0 ? -r : r, away.y < 0.0 ? -r : r});
     }
 
     detail::line_points lines_;

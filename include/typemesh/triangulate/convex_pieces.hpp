@@ -27,8 +27,9 @@ namespace typemesh::inline TYPEMESH_ABI {
 /// A piece is a convex polygon over the triangles' own points, counter-clockwise. Angles of 180 degrees are allowed.
 /// Diagonals are removed one by one, the longest first, as long as the two angles that they divide stay at most 180
 /// degrees. Convexity is decided exactly. The areas of the pieces add up to the triangles' area, exactly, and the
-/// corners of all pieces, less two for each, are as many as the triangles. If no point lies inside the region, there
-/// are at most four times as many pieces as necessary.
+/// corners of all pieces, less two for each, are as many as the triangles. If no point lies inside the region and
+/// it has at most one hole, there are at most four times as many pieces as necessary; with h holes, at most
+/// 4 * (h - 1) + 1 pieces more than that.
 ///
 /// Memory is kept for the next call.
 ///

@@ -8,6 +8,7 @@
 #include <typemesh/core/orientation.hpp>
 #include <typemesh/core/point.hpp>
 #include <typemesh/extrude/impl/box_tree.hpp>
+#include <typemesh/extrude/impl/path_pairs.hpp>
 #include <typemesh/extrude/impl/wall_normal.hpp>
 
 #include <cmath>
@@ -48,16 +49,24 @@ struct tube_paths {
 ///                                            other strip; both are linear, so the radius where they meet is a quotient
 ///
 /// These are the events of the straight skeleton, on both sides of the paths at once. At an open end the strip reaches
-/// one radius beyond the end. Paths that meet others or themselves are not kept apart from each other.
+/// one radius beyond the end. Two paths that meet are not kept apart from each other, but from all others; a path that
+/// meets itself is not kept apart from itself.
 ///
-/// Cost   O(n log n) and O(1) for each corner near a strip; O(n^2) at worst
+/// Cost   O(n log n), and O(log m) for each corner near a strip, if m pairs of paths meet; O(n^2 log n) at worst.
+///        Memory O(n + m)
 class tube_clearance {
 public:
     /// What a radius is multiplied with if it is at its limit, so that the tubes keep a gap that floats can express.
     static constexpr double kept = 63.0 / 64.0;
 
     explicit tube_clearance(memory source = heap()) noexcept
-        : leans_{source}, radii_{source}, meets_{source}, strips_{source}, corners_{source}, tree_{source}
+        : leans_{source},
+          radii_{source},
+          meets_{source},
+          pairs_{source},
+          strips_{source},
+          corners_{source},
+          tree_{source}
     {
     }
 
@@ -70,7 +79,7 @@ public:
         strips_.clear();
         corners_.clear();
         if (!trace(paths, radius) || !plant()) return error::out_of_memory;
-        find_meetings();
+        if (!find_meetings()) return error::out_of_memory;
         return keep_apart(true) && plant() && keep_apart(false) ? error{} : error{error::out_of_memory};
     }
 
@@ -80,6 +89,8 @@ public:
     [[nodiscard]] array_view<const double> radii() const noexcept { return radii_.view(); }
     /// Whether a path crosses or touches another one, or itself.
     [[nodiscard]] bool meets(std::size_t path) const noexcept { return meets_[path] != 0; }
+    /// The pairs of paths that cross or touch.
+    [[nodiscard]] const path_pairs& meetings() const noexcept { return pairs_; }
 
 private:
     /// The strip of an edge; or, with one side, the end of an open path, whose edge lies across the path.
@@ -226,8 +237,10 @@ private:
                side(orientation(t.a, t.b, s.a)) * side(orientation(t.a, t.b, s.b)) <= 0;
     }
 
-    void find_meetings() noexcept
+    [[nodiscard]] bool find_meetings() noexcept
     {
+        pairs_.clear();
+        bool enough = true;
         for (const strip& s : strips_) {
             if (s.one_side) continue;
             grid_box around;
@@ -237,8 +250,11 @@ private:
                 const strip& t = strips_[i];
                 if (t.one_side || have_a_joint_in_common(s, t) || !meet(s, t)) return;
                 meets_[s.path] = meets_[t.path] = 1;
+                enough = enough && pairs_.add(s.path, t.path);
             });
         }
+        pairs_.close();
+        return enough;
     }
 
     /// The radii of a corner's path and a strip's path while they grow: linear, from the first to the last.
@@ -260,7 +276,7 @@ private:
             tree_.each_meeting(way, [&](std::size_t i) noexcept {
                 const strip& s = strips_[i];
                 if (s.joint[0] == c.joint || s.joint[1] == c.joint) return;
-                if (meets_[s.path] != 0 && meets_[c.path] != 0) return;
+                if (meets_[s.path] != 0 && meets_[c.path] != 0 && pairs_.has(s.path, c.path)) return;
                 const double of_corner = radii_[c.path], of_strip = radii_[s.path];
                 const double least = of_corner < of_strip ? of_corner : of_strip;
                 if (both) {
@@ -289,7 +305,8 @@ private:
         const point apart = delta(s.a, c.at), right = outward(s.along);
         const double off = dot(apart, right), on = dot(apart, s.along);
         const double to_right = dot(c.lean, right), forwards = dot(c.lean, s.along);
-        const double slack = 0x1p-20 * (1.0 + s.length);
+        // For rounding; less than a cell, or a point of the path just beyond the strip would count as in it.
+        const double slack = s.length < 0x1p18 ? 0x1p-20 * (1.0 + s.length) : 0.25;
         const double corner_grows = grow.corner[1] - grow.corner[0], strip_grows = grow.strip[1] - grow.strip[0];
         double first = 1.0;
         bool met = false;
@@ -315,6 +332,7 @@ private:
     buffer<point> leans_;
     buffer<double> radii_;
     buffer<std::uint8_t> meets_;
+    path_pairs pairs_;
     buffer<strip> strips_;
     buffer<corner> corners_;
     box_tree tree_;

@@ -60,6 +60,13 @@ public:
     [[nodiscard]] double right(std::uint32_t k) const noexcept { return right_[k]; }
     [[nodiscard]] double up(std::uint32_t k) const noexcept { return up_[k]; }
 
+    /// The smallest distance between two corners of a tube's rings, in radii; of those in round ends, too.
+    [[nodiscard]] static double least_step(std::uint32_t sides) noexcept
+    {
+        const double steps = (sides + 2) / 4;
+        return 2.0 * std::sin(2.0 * right_angle / sides) * sine_of_quarter(1.0 / steps);
+    }
+
     /// The sine of a part of a quarter turn.
     [[nodiscard]] static double sine_of_quarter(double part) noexcept { return steady(std::sin(right_angle * part)); }
 

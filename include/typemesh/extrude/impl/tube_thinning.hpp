@@ -24,9 +24,10 @@ namespace typemesh::inline TYPEMESH_ABI::detail {
 ///      /   . \         farther than `cut` radii from any point that was left out between its ends.
 ///     /     . b
 ///
-/// Seams and the ends of open paths stay, and at least three points of a closed path.
+/// Seams and the ends of open paths stay, and at least three points of a closed path. An edge replaces at most 64
+/// points.
 ///
-/// Cost   O(n) for each round, at most 16 rounds
+/// Cost   O(64 n) for each round, at most 16 rounds
 class tube_thinning {
 public:
     explicit tube_thinning(memory source = heap()) noexcept
@@ -63,19 +64,22 @@ public:
     /// Where the paths begin in kept().
     [[nodiscard]] array_view<const std::uint32_t> starts() const noexcept { return starts_.view(); }
 
-    /// Lights the edges that are new: their ends get the edge's own normal where the curve's is no longer near it.
+    /// Lights the edges that are new: their ends get the edge's own normal where the curve's is more than 26 degrees
+    /// from it, and at the ends of open paths.
     ///
     ///     points, sides   of the points that stay
     ///     crease          the cosine of the crease angle
     void light(array_view<const grid_point> points, array_view<side_point> sides, double crease) const noexcept
     {
-        constexpr double near_by = 0.9;  // 26 degrees
+        constexpr double near_by = 0.9;  // the cosine of 26 degrees
         for (std::size_t k = 0; k + 1 < starts_.size(); ++k) {
             const std::uint32_t end = starts_[k + 1];
             for (std::uint32_t i = starts_[k]; i < end; ++i) {
                 const std::uint32_t next = i + 1 < end ? i + 1 : starts_[k];
                 if ((i + 1 == end && paths_.is_open(k)) || !is_new(k, kept_[i], kept_[next])) continue;
                 const point n = wall_normal(points[i], points[next]);
+                if (paths_.is_open(k) && i == starts_[k]) sides[i].before = sides[i].after = rounded(n);
+                if (paths_.is_open(k) && next + 1 == end) sides[next].before = sides[next].after = rounded(n);
                 const auto strays = [&n](vec2 v) noexcept {
                     return as_double(v.x) * n.x + as_double(v.y) * n.y < near_by;
                 };
@@ -87,6 +91,7 @@ public:
 
 private:
     static constexpr std::uint32_t none = 0xFFFF'FFFFu;
+    static constexpr std::uint32_t max_absorbed = 64;  // points between the ends of a new edge
 
     /// Whether points were left out between two that stay.
     [[nodiscard]] bool is_new(std::size_t path, std::uint32_t a, std::uint32_t b) const noexcept
@@ -166,12 +171,14 @@ private:
         return least;
     }
 
-    /// Whether all points between a and b are close enough to their chord.
+    /// Whether all points between a and b are close enough to their chord, and not too many.
     [[nodiscard]] bool is_close(std::uint32_t a, std::uint32_t b) const noexcept
     {
         const point along = delta(points_[a], points_[b]);
         const double square = dot(along, along);
+        std::uint32_t absorbed = 0;
         for (std::uint32_t i = a + 1 == end_ ? first_ : a + 1; i != b; i = i + 1 == end_ ? first_ : i + 1) {
+            if (++absorbed > max_absorbed) return false;
             const point p = delta(points_[a], points_[i]);
             const double on = dot(p, along), off = cross(along, p);
             if (on < 0.0 || on > square || off * off > deviation_ * deviation_ * square) return false;
