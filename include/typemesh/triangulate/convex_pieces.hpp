@@ -29,7 +29,7 @@ namespace typemesh::inline TYPEMESH_ABI {
 /// degrees. Convexity is decided exactly. The areas of the pieces add up to the triangles' area, exactly, and the
 /// corners of all pieces, less two for each, are as many as the triangles. If no point lies inside the region and
 /// it has at most one hole, there are at most four times as many pieces as necessary; with h holes, at most
-/// 4 * (h - 1) + 1 pieces more than that.
+/// 3 * (h - 1) pieces more than that.
 ///
 /// Memory is kept for the next call.
 ///

@@ -24,7 +24,7 @@ namespace typemesh::inline TYPEMESH_ABI::detail {
 /// farther from what was drawn than `cut` times 1.5 times its tube's radius. If thinning makes two paths meet that do
 /// not meet as drawn, all points of these two stay.
 ///
-/// Cost   a few times tube_thinning and tube_clearance, at most 33 times
+/// Cost   a few times tube_thinning and tube_clearance, at most 19 times
 class tube_fitting {
 public:
     explicit tube_fitting(memory source = heap()) noexcept
