@@ -4,6 +4,7 @@
 #include "../model.hpp"
 
 #include <typemesh/core/box.hpp>
+#include <typemesh/core/max_pieces.hpp>
 #include <typemesh/core/outline.hpp>
 
 #include <cstddef>
@@ -41,6 +42,8 @@ struct svg_drawing {
 struct svg_options {
     double tolerance = 0.1;        ///< of arcs and of strokes, in the drawing's units
     rgb_colour colour{{0, 0, 0}};  ///< of what is drawn in currentColor
+    std::size_t max_curves = typemesh::default_max_pieces;  ///< of all shapes together; more cannot be cut
+    std::size_t max_steps = 500'000'000;                    ///< of work, about a byte that is read each
 };
 
 /// Reads a file of SVG; "-" is standard input. Gives an empty string, or one sentence.

@@ -57,7 +57,7 @@ struct surroundings {
 class reader {
 public:
     reader(const pugi::xml_document& file, const svg_options& how, svg_drawing& out)
-        : file_{file}, how_{how}, out_{out}, pen_{out, how.tolerance}
+        : file_{file}, how_{how}, out_{out}, pen_{out, how.tolerance, how.max_curves}
     {
     }
 
@@ -67,6 +67,7 @@ public:
         const pugi::xml_node root = file_.document_element();
         if (name_of(root) != "svg") return " is not an SVG file: its root is <" + std::string{root.name()} + ">.";
         collect(root);
+        if (!sheet_.finish()) return " has more than 100000 style rules, which is too much.";
         box view = view_of(root);
         const bool measured = view.empty();
         for (const bool first : {true, false}) {
@@ -112,7 +113,17 @@ private:
         out_.clips.clear();
         out_.items.clear();
         out_.view = {};
-        elements_ = 0;
+        elements_ = steps_ = 0;
+        pen_.clear();
+    }
+
+    /// Counts work, which <use> can multiply. False if it is too much.
+    bool spend(std::size_t steps)
+    {
+        steps_ += steps;
+        if (steps_ > how_.max_steps && trouble_.empty())
+            trouble_ = " repeats its elements or its style rules so often that it takes too long to draw.";
+        return trouble_.empty();
     }
 
     void warn(const std::string& what)
@@ -139,14 +150,17 @@ private:
         }
     }
 
-    [[nodiscard]] svg_properties properties_of(const pugi::xml_node& node) const
+    [[nodiscard]] svg_properties properties_of(const pugi::xml_node& node)
     {
         svg_properties all;
         for (const pugi::xml_attribute& a : node.attributes())
             if (is_property(a.name())) all.emplace_back(a.name(), trimmed(a.value()));
         const std::string name{name_of(node)};
-        sheet_.add({name, node.attribute("id").value(), node.attribute("class").value()}, all);
+        const svg_identity identity{name, node.attribute("id").value(), node.attribute("class").value()};
+        if (!spend(sheet_.test_count() * (1 + identity.classes.size() / 16))) return {};
+        sheet_.add(identity, all, [this](std::size_t steps) { return spend(steps); });
         read_declarations(node.attribute("style").value(), all);
+        spend(std::string_view{node.attribute("style").value()}.size());
         return all;
     }
 
@@ -171,6 +185,8 @@ private:
         const svg_properties all = properties_of(node);
         if (value_of(all, "display") == "none") return false;
         in.look.apply(all, diagonal_of(in.port));
+        if (!spend(in.look.fill.reference.size() + in.look.stroke.reference.size() + 8 * in.look.dashes.size()))
+            return false;  // each element in it copies them
         if (const pugi::xml_attribute turned = node.attribute("transform")) {
             if (const auto map = read_transform(turned.value()))
                 in.map = after(in.map, *map);
@@ -191,9 +207,18 @@ private:
         return true;
     }
 
-    /// Draws an element. `in` is a copy: it inherits.
-    void element(const pugi::xml_node& node, surroundings in)
+    /// Counts an element with its attributes, whether it is drawn or not.
+    bool spend(const pugi::xml_node& node)
     {
+        std::size_t steps = 256;
+        for (const pugi::xml_attribute& a : node.attributes()) steps += 16 + std::string_view{a.value()}.size();
+        return spend(steps);
+    }
+
+    /// Draws an element, which inherits from those around it.
+    void element(const pugi::xml_node& node, const surroundings& around)
+    {
+        if (!spend(node)) return;
         const std::string_view name = name_of(node);
         constexpr std::string_view silent[] = {"",        "defs",   "title",          "desc",           "metadata",
                                                "style",   "symbol", "linearGradient", "radialGradient", "clipPath",
@@ -203,15 +228,26 @@ private:
         const bool is_group = name == "g" || name == "a" || name == "switch";
         if (!is_group && name != "svg" && name != "use" && !is_shape(name))
             return warn("<" + std::string{name} + "> is not drawn");
+        surroundings in = around;
         if (name == "svg" && !viewport(node, node, in)) return;
         if (!enter(node, in)) return;
         if (is_shape(name)) return shape(node, in);
         if (name == "use") return use(node, in);
         for (const pugi::xml_node& child : node.children()) {
-            if (child.type() != pugi::node_element) continue;
+            if (!spend(std::size_t{16})) return;
+            if (child.type() != pugi::node_element || (name == "switch" && !is_choice(child))) continue;
             element(child, in);
-            if (name == "switch" && !name_of(child).empty()) return;
+            if (name == "switch") return;
         }
+    }
+
+    /// Whether a <switch> may choose an element.
+    static bool is_choice(const pugi::xml_node& child)
+    {
+        constexpr std::string_view passed_over[] = {"", "foreignObject", "title", "desc", "metadata", "defs", "style"};
+        const auto same = [&](std::string_view name) { return name == name_of(child); };
+        if (std::any_of(std::begin(passed_over), std::end(passed_over), same)) return false;
+        return !child.attribute("requiredExtensions") && !child.attribute("systemLanguage");
     }
 
     /// Enters the viewport of an <svg> or <symbol>, whose place and size `from` may say. False if it has no size.
@@ -274,7 +310,7 @@ private:
         const std::string data = data_of(
             name_of(node), [&node](const char* name) { return std::string_view{node.attribute(name).value()}; },
             in.port);
-        if (data.empty() || !in.look.is_visible) return;
+        if (data.empty() || !in.look.is_visible || !spend(data.size())) return;
         if (clipping_ != nullptr) {
             add(pen_.fill(data, in.map, in.look.clip_rule));
             if (trouble_.empty()) clipping_->shapes.push_back(out_.shapes.size() - 1);
@@ -296,7 +332,10 @@ private:
     }
     bool add(const typemesh::error& e)
     {
-        if (e) trouble_ = ": a shape cannot be drawn: " + std::string{e.message()};
+        if (e == typemesh::error::too_many_points)
+            trouble_ = " draws more than " + std::to_string(how_.max_curves) + " curves, which is too much.";
+        else if (e)
+            trouble_ = ": a shape cannot be drawn: " + std::string{e.message()};
         return !e;
     }
     void paint(const rgb_colour& colour, const surroundings& in)
@@ -337,6 +376,7 @@ private:
             double sum[4] = {}, before[4] = {}, place = 0.0;
             std::size_t count = 0;
             for (const pugi::xml_node& stop : node.children()) {
+                if (!spend(std::size_t{16})) return {};
                 if (name_of(stop) != "stop") continue;
                 double now[4];
                 read_stop(stop, look, now);
@@ -359,7 +399,7 @@ private:
         }
         return {};
     }
-    void read_stop(const pugi::xml_node& stop, const svg_look& look, double (&out)[4]) const
+    void read_stop(const pugi::xml_node& stop, const svg_look& look, double (&out)[4])
     {
         const svg_properties all = properties_of(stop);
         const std::string_view written = value_of(all, "stop-color");
@@ -425,7 +465,7 @@ private:
     std::set<std::string> warned_;
     std::vector<pugi::xml_node> used_;       // the elements of <use> that are being drawn
     svg_drawing::clip* clipping_ = nullptr;  // shapes belong to it
-    std::size_t elements_ = 0;
+    std::size_t elements_ = 0, steps_ = 0;
     std::string trouble_;
 };
 

@@ -116,7 +116,13 @@ typemesh::affine after(const typemesh::affine& outer, const typemesh::affine& in
             outer.yx * inner.xx + outer.yy * inner.yx, outer.yx * inner.xy + outer.yy * inner.yy, shift.y};
 }
 
-double scale_of(const typemesh::affine& map) { return std::sqrt(std::fabs(map.xx * map.yy - map.xy * map.yx)); }
+bool is_flat(const typemesh::affine& map) { return !(std::fabs(map.xx * map.yy - map.xy * map.yx) > 0.0); }
+
+double stretch_of(const typemesh::affine& map)
+{
+    // The larger singular value, from the parts of the map that turn and that mirror.
+    return 0.5 * (std::hypot(map.xx + map.yy, map.yx - map.xy) + std::hypot(map.xx - map.yy, map.yx + map.xy));
+}
 
 std::optional<typemesh::affine> read_transform(std::string_view text)
 {
