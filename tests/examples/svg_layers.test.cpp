@@ -4,6 +4,7 @@
 
 #include "text_to_mesh/svg/svg_layers.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <fstream>
@@ -134,6 +135,12 @@ TEST_CASE("strokes of SVG have their areas", "[examples][svg]")
         "height='20'/>",
         320.0 - 8.0);
     check_area("<g stroke='red' stroke-width='2' transform='scale(2 1)'><path d='M10 50H30'/></g>", 80.0);
+    // Values that are no numbers change nothing.
+    for (const char* huge : {"1e308in", "1e999", "-1e999"})
+        check_area("<path stroke='red' stroke-width='4' d='M10 50H60'/><path stroke='red' stroke-width='" +
+                       std::string{huge} + "' d='M70 50h10'/>",
+                   210.0);
+    check_area("<g stroke='red' stroke-width='4' stroke-dasharray='1e308in 1'><path d='M10 50H60'/></g>", 200.0);
 }
 
 TEST_CASE("groups, uses and viewports of SVG nest", "[examples][svg]")
@@ -158,6 +165,25 @@ TEST_CASE("groups, uses and viewports of SVG nest", "[examples][svg]")
         50.0 * pi);
     check_area("<clipPath id='c'/><rect width='20' height='90' clip-path='url(#c)'/>", 0.0);
     check_area("<g id='g'><use href='#g'/><rect width='10' height='10'/></g>", 100.0);
+    // A switch takes the first child that can be drawn.
+    check_area(
+        "<switch><foreignObject requiredExtensions='x' width='1' height='1'/><title/><g systemLanguage='de'><rect "
+        "width='9' height='9'/></g><g><rect width='10' height='10'/></g><rect width='20' height='20'/></switch>",
+        100.0);
+    // A child of a clip path has a clip of its own, and inherits the rule from where the clip path is written.
+    check_area(
+        "<clipPath id='d'><rect width='10' height='90'/></clipPath><clipPath id='c'><rect width='50' height='10' "
+        "clip-path='url(#d)'/><rect y='50' width='50' height='10'/></clipPath><rect width='90' height='90' "
+        "clip-path='url(#c)'/>",
+        600.0);
+    check_area(
+        "<g clip-rule='evenodd'><clipPath id='c'><path d='M0 0h50v50h-50zM10 10h30v30h-30z'/></clipPath></g><rect "
+        "width='90' height='90' clip-path='url(#c)'/>",
+        1600.0);
+    for (const char* seen : {"overflow='visible'", "style='overflow:visible'"})
+        check_area(
+            "<svg x='10' y='10' width='20' height='20' " + std::string{seen} + "><rect width='30' height='30'/></svg>",
+            900.0);
 }
 
 TEST_CASE("colours of SVG cascade, and what covers others is cut out of them", "[examples][svg]")
@@ -197,7 +223,7 @@ TEST_CASE("what is not drawn as it should be is named once for each kind", "[exa
         << "<svg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 9 9'><style>a > b { fill: red }</style>"
            "<rect width='9' height='9'/><rect width='5' height='5' opacity='.5' filter='url(#f)'/>"
            "<image/><image/><foo/><rect mask='url(#m)' width='1' height='1' transform='turn(3)'/>"
-           "<path d='M0 0h3v3x'/></svg>";
+           "<path d='M0 0h3v3x'/><g style='transform:scale(2);transform-origin:1px 1px'/></svg>";
     svg_drawing drawing;
     REQUIRE(read_svg(path, {}, drawing).empty());
     CHECK(drawing.items.size() == 4);
@@ -207,7 +233,9 @@ TEST_CASE("what is not drawn as it should be is named once for each kind", "[exa
                                              "<foo> is not drawn",
                                              "malformed transforms are left out",
                                              "masks are not drawn",
-                                             "malformed path data are drawn up to the mistake"};
+                                             "malformed path data are drawn up to the mistake",
+                                             "transforms in styles are left out",
+                                             "origins of transforms are left out"};
     CHECK(drawing.warnings == wanted);
     svg_layers layers;
     CHECK(layers.open(path, 1e-3, typemesh::layer_cut::visible, rgb_colour{{0, 0, 0}}).empty());
@@ -283,4 +311,21 @@ TEST_CASE("style sheets of SVG take memory in proportion to the file", "[example
     CHECK(rules.says(" has more than 100000 style rules, which is too much."));
     const drawing_of at_rules{"<style>" + repeated("@a{}", 50'000) + repeated("@a;", 50'000) + "</style>"};
     CHECK(at_rules.trouble.empty());
+}
+
+TEST_CASE("curves of SVG keep the tolerance under transforms that stretch one direction", "[examples][svg]")
+{
+    if (!reads_svg()) return;
+    // A disc of radius 50, which is drawn as an ellipse of 0.5 by 5000 and scaled back.
+    const drawing_of file{
+        "<path transform='translate(50 50) scale(100 .01)' d='M.5 0A.5 5000 0 0 1-.5 0A.5 5000 0 0 1 .5 0z'/>",
+        {.tolerance = 1e-3}};
+    REQUIRE(file.drawing.shapes.size() == 1);
+    double worst = 0.0;
+    for (const typemesh::curve& c : file.drawing.shapes[0].curves)
+        for (int k = 0; k <= 100; ++k) {
+            const typemesh::point p = c.at(k / 100.0);
+            worst = std::max(worst, std::abs(std::hypot(p.x - 500.0, p.y - 500.0) - 500.0));
+        }
+    CHECK(worst < 1e-3);
 }

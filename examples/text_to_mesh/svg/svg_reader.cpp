@@ -200,6 +200,8 @@ private:
         if (is_on("mask")) warn("masks are not drawn");
         if (is_on("filter")) warn("filters are not drawn");
         if (is_on("mix-blend-mode")) warn("colours do not blend");
+        if (is_on("transform")) warn("transforms in styles are left out");
+        if (is_on("transform-origin")) warn("origins of transforms are left out");
         if (is_on("vector-effect")) warn("vector effects are left out");
         if (is_on("marker") || is_on("marker-start") || is_on("marker-mid") || is_on("marker-end"))
             warn("markers are not drawn");
@@ -266,7 +268,8 @@ private:
             port = {at, at + point{length("width", in.port.width(), in.port.width()),
                                    length("height", in.port.height(), in.port.height())}};
             if (!(port.width() > 0.0) || !(port.height() > 0.0)) return false;
-            const std::string_view overflow = node.attribute("overflow").value();
+            const svg_properties all = properties_of(node);
+            const std::string_view overflow = value_of(all, "overflow");
             if (overflow != "visible" && overflow != "auto") clip_to(port, in);
         }
         const auto view = read_view_box(node.attribute("viewBox").value());
@@ -313,7 +316,9 @@ private:
         if (data.empty() || !in.look.is_visible || !spend(data.size())) return;
         if (clipping_ != nullptr) {
             add(pen_.fill(data, in.map, in.look.clip_rule));
-            if (trouble_.empty()) clipping_->shapes.push_back(out_.shapes.size() - 1);
+            const bool is_cut = in.clip != clipping_->inside;
+            if (trouble_.empty())
+                clipping_->shapes.push_back({out_.shapes.size() - 1, is_cut ? in.clip : svg_drawing::no_clip});
         } else {
             if (!in.look.dashes.empty() && node.attribute("pathLength")) warn("pathLength is left out");
             if (in.look.stroke_is_below) stroke(data, in);
@@ -418,13 +423,25 @@ private:
         std::snprintf(data, sizeof data, "M%.17g %.17gH%.17gV%.17gH%.17gZ", port.low.x, port.low.y, port.high.x,
                       port.high.y, port.low.x);
         if (!add(pen_.fill(data, in.map, typemesh::fill_rule::non_zero))) return;
-        in.clip = keep({{out_.shapes.size() - 1}, in.clip});
+        in.clip = keep({{{out_.shapes.size() - 1}}, in.clip});
     }
 
     std::size_t keep(svg_drawing::clip made)
     {
         out_.clips.push_back(std::move(made));
         return out_.clips.size() - 1;
+    }
+
+    /// The clip-rule that a <clipPath> inherits from where it is written.
+    typemesh::fill_rule clip_rule_around(const pugi::xml_node& node)
+    {
+        for (pugi::xml_node around = node.parent(); around && spend(around); around = around.parent()) {
+            const svg_properties all = properties_of(around);
+            const std::string_view rule = value_of(all, "clip-rule");
+            if (rule == "evenodd") return typemesh::fill_rule::even_odd;
+            if (rule == "nonzero") break;
+        }
+        return typemesh::fill_rule::non_zero;
     }
 
     void clip(std::string_view reference, surroundings& in)
@@ -444,8 +461,10 @@ private:
         inner.port = in.port;
         inner.clip = in.clip;
         inner.depth = in.depth;
+        inner.look.clip_rule = clip_rule_around(node);
         svg_drawing::clip made, *const outer = clipping_;
         if (enter(node, inner)) {
+            made.inside = inner.clip;
             clipping_ = &made;
             for (const pugi::xml_node& child : node.children())
                 if (child.type() == pugi::node_element) element(child, inner);
@@ -474,7 +493,7 @@ private:
 std::string read_svg(const std::string& path, const svg_options& how, svg_drawing& out)
 {
     std::string bytes;
-    if (std::string trouble = read_file(path, bytes); !trouble.empty()) return trouble;
+    if (std::string trouble = read_file(path, bytes, ""); !trouble.empty()) return trouble;
     const std::string name = path == "-" ? "standard input" : path;
     if (bytes.starts_with("\x1F\x8B")) return name + " is compressed: unpack it with gunzip first.";
     pugi::xml_document file;
