@@ -565,6 +565,10 @@ private:
         if (plate && plate->name_faults() && o_.strict) return "--strict: nothing is written.";
         if (plate) levels_ = plate->bridges_in_words();
 
+        if (holds_curves(o_.kind) && !o_.stats) {  // no mesh is needed
+            tell_.begin("writing " + o_.output);
+            return write_curves(o_, font_, page_, how, files_, curves_);
+        }
         tell_.begin("making " + std::to_string(plan->size().triangles) + " triangles");
         clock(typemesh::stage::extrude);
         const auto written = plate                ? typemesh::result<void>{}

@@ -826,6 +826,11 @@ std::string refused_manifold(const options& o)
     return {};
 }
 
+bool is_given(const raw_values& raw, std::string_view option)
+{
+    return std::find(raw.given.begin(), raw.given.end(), option) != raw.given.end();
+}
+
 /// Finishes a morph. Gives an empty string, or one sentence of what is wrong.
 std::string settle_morph(options& out, const raw_values& raw)
 {
@@ -841,6 +846,9 @@ std::string settle_morph(options& out, const raw_values& raw)
         out.inflate.height > 0.0f || out.tube.radius > 0.0f || out.refine.refiner != refiner_name::none ||
         !raw.bend.empty() || !raw.path.empty() || out.segments != 1)
         return "--morph makes plain solids: leave out bevels and whatever else changes their form";
+    for (const char* option :
+         {"--stats", "--colour-layers", "--letters", "--per-letter", "--anchor", "--origin", "--touching"})
+        if (is_given(raw, option)) return std::string{option} + " does not work with --morph";
     return {};
 }
 
@@ -879,17 +887,22 @@ std::string refused_stroke(const options& o, const raw_values& raw)
 }
 
 /// Why there can be no file of curves, or an empty string.
-std::string refused_curves(const options& o)
+std::string refused_curves(const options& o, const raw_values& raw)
 {
     if (!holds_curves(o.kind)) return {};
     const std::string file = o.kind == file_kind::svg ? "A .svg file" : "A .dxf file";
     const bool formed = o.bevel.width > 0.0f || o.carve.tool_angle > 0.0f || o.outline.width > 0.0f ||
-                        o.inflate.height > 0.0f || o.refine.refiner != refiner_name::none || o.bend.is_on;
+                        o.inflate.height > 0.0f || o.refine.refiner != refiner_name::none || o.bend.is_on ||
+                        o.tube.radius > 0.0f;
     if (formed) return file + " has the letters' outlines: leave out bevels and whatever else is made of solids";
     if (!o.svg.empty() && (o.embolden != 0.0f || o.bend.warp.index() != 0))
         return file + " has the outlines of --svg: leave out --embolden and --bend";
     if (o.colour_layers == typemesh::layer_cut::stacked) return file + " has no stacked layers";
     if (o.markup) return file + " does not work with --markup";
+    if (!o.picture.empty() || o.stats) return {};  // which show the solids
+    for (const char* option : {"--depth", "--segments", "--normals", "--crease", "--uv"})
+        if (is_given(raw, option))
+            return std::string{option} + " does not work with a" + file.substr(1) + ", which contains outlines";
     return {};
 }
 
@@ -1043,7 +1056,7 @@ std::string settle(options& out, const raw_values& raw)
     if (std::string trouble = settle_place(out, raw); !trouble.empty()) return trouble;
     if (std::string trouble = settle_colour_layers(out, raw); !trouble.empty()) return trouble;
     if (std::string trouble = refused_stroke(out, raw); !trouble.empty()) return trouble;
-    if (std::string trouble = refused_curves(out); !trouble.empty()) return trouble;
+    if (std::string trouble = refused_curves(out, raw); !trouble.empty()) return trouble;
     if (out.picture.empty() && !raw.show.empty()) return "--show needs --picture";
     if (out.picture.empty() && raw.shading_given) return "--shading needs --picture";
     if (out.picture.empty() && out.turn) return "--turn needs --picture";
@@ -1137,6 +1150,12 @@ std::optional<int> parse(int argc, char** argv, options& out)
          {std::pair{"--text-file", &out.text_file}, std::pair{"--batch", &out.batch}, std::pair{"--svg", &out.svg}})
         if (app.count(option) > 0 && value->empty())
             return complain(std::string{option} + " must be a file's name or -");
+    for (const char* option : {"--plate", "--backing", "--engrave", "--stencil", "--keyring", "--tube", "--bend",
+                               "--path", "--lod", "--morph", "--anchor", "--origin", "--output", "--picture"}) {
+        const auto values = app.get_option(option)->results();  // an empty variable of a shell is no missing option
+        if (std::find(values.begin(), values.end(), "") != values.end())
+            return complain(std::string{option} + " must not be empty");
+    }
     raw.of_lines.erase(std::remove_if(raw.of_lines.begin(), raw.of_lines.end(),
                                       [&app](const std::string& option) { return app.count(option) == 0; }),
                        raw.of_lines.end());
@@ -1152,7 +1171,7 @@ std::optional<int> parse(int argc, char** argv, options& out)
             raw.not_with_plates = name;
     if (const CLI::Option* option = app.get_option_no_throw("--manifold"); option != nullptr && option->count() > 0)
         raw.not_with_inlays = "--manifold";  // two solids that touch
-    for (const char* option : {"--bevel", "--carve", "--inflate", "--refine"})
+    for (const char* option : {"--bevel", "--carve", "--inflate", "--refine", "--tube"})
         if (app.count(option) > 0) raw.not_with_taper = option;
     for (const char* option : {"--carve-as", "--carve-depth"})
         if (app.count(option) > 0) raw.of_a_carving = option;

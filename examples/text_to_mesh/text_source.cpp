@@ -44,7 +44,7 @@ bool is_blank(std::string_view line) { return line.find_first_not_of(" \t") == s
 
 }  // namespace
 
-std::string read_file(const std::string& path, std::string& out)
+std::string read_file(const std::string& path, std::string& out, std::string_view advice)
 {
     const bool piped = path == standard_output;  // "-": standard input here
     const std::string name = piped ? "standard input" : path;
@@ -61,7 +61,8 @@ std::string read_file(const std::string& path, std::string& out)
     for (std::size_t count = 1; count != 0 && out.size() <= max_bytes; out.append(some, count))
         count = std::fread(some, 1, sizeof some, file);
     std::string trouble = std::ferror(file) != 0 ? refused() : std::string{};
-    if (out.size() > max_bytes) trouble = name + " contains more than 64 MB, which is too much for one mesh: split it.";
+    if (out.size() > max_bytes)
+        trouble = name + " contains more than 64 MB, which is too much for one mesh" + std::string{advice} + ".";
     if (!piped) std::fclose(file);
     if (!trouble.empty()) return trouble;
     if (out.starts_with("\xEF\xBB\xBF")) out.erase(0, 3);

@@ -18,8 +18,8 @@ struct text_job {
 };
 
 /// Reads a whole file, or standard input for "-", up to 64 MB: without a byte order mark, and "\r\n" becomes "\n".
-/// Gives an empty string, or one sentence.
-[[nodiscard]] std::string read_file(const std::string& path, std::string& out);
+/// Gives an empty string, or one sentence, with this advice if the file is larger.
+[[nodiscard]] std::string read_file(const std::string& path, std::string& out, std::string_view advice = ": split it");
 
 /// The name that a pattern has for a line of a batch.
 ///

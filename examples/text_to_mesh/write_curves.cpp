@@ -137,6 +137,7 @@ result<void> curves_of_text(const options& o, font_set& font, const glyph_run& p
     text_mesher mesher{font, flat_outline{}};
     if (o.layers) mesher.use(o.layers->source());
     use_stages(o, font.units_per_em(), mesher);
+    if (o.path.curve) mesher.use(on_path{o.path.curve.get(), o.path.how});
     const auto plan = mesher.plan(page, how);
     if (!plan) return plan.error();
     for (std::size_t i = 0; i < plan->glyphs().size(); ++i) {

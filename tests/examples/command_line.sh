@@ -524,7 +524,16 @@ for option in "--bevel 0.01" "--carve 60" "--outline 0.02" "--inflate 1" "--refi
     # shellcheck disable=SC2086  # words
     expect 2 "A .svg file has the letters' outlines" "Ego" --font $sans --output no.svg $option
 done
+for option in "--depth 0.2" "--segments 2" "--normals cap" "--crease 30" "--uv box"; do
+    # shellcheck disable=SC2086  # words
+    expect 2 "^text_to_mesh: ${option% *} does not work with a \.dxf file, which contains outlines\.$" "Ego" --font $sans --output no.dxf $option
+done
+expect 2 "A .svg file has the letters' outlines" "Ego" --font $sans --output no.svg --tube 0.02
+expect 0 "" "Ego" --font $sans --output solid.svg --depth 0.2 --picture solid.png  # the picture shows the depth
 expect 2 "A .dxf file does not work with --markup" "Ego" --font $sans --output no.dxf --markup
+# Letters on a circle of 20 mm go around it.
+expect 0 "" "Letters on a ring" --font $sans --output ring.svg --path circle:2
+that "a text on a path stands there in files of curves, too" awk '{ while (match($0, /(width|height)="[0-9.]+mm/)) { side = substr($0, RSTART, RLENGTH); gsub(/[^0-9.]/, "", side); if (side < 20 || side > 70) wrong = 1; ++sides; $0 = substr($0, RSTART + RLENGTH) } } END { exit !(sides == 2 && !wrong) }' ring.svg
 expect 1 "the text is blank" " " --font $sans --output no.svg
 that "no curves are half-written" [ ! -e no.svg ]
 
@@ -576,6 +585,9 @@ if "$program" --svg drawing.svg --output probe.glb >out 2>err; then
     printf '\037\213' >packed.svg
     expect 1 "packed.svg is compressed: unpack it with gunzip" --svg packed.svg --output no.glb
     expect 1 "none.svg cannot be read: No such file" --svg none.svg --output no.glb
+    { printf '<svg viewBox="0 0 9 9"><defs><path id="a" d="'; awk 'BEGIN { for (i = 0; i < 9000; ++i) printf "M0 0h9v9z" }'; printf '"/></defs>'; awk 'BEGIN { for (i = 0; i < 90000; ++i) printf "<use href=\"#a\"/>" }'; echo '</svg>'; } >curves_bomb.svg
+    expect 1 "^text_to_mesh: curves_bomb.svg draws more than 1000000 curves, which is too much\.$" --svg curves_bomb.svg --output no.glb
+    [ -c /dev/zero ] && expect 1 "/dev/zero contains more than 64 MB, which is too much for one mesh\.$" --svg /dev/zero --output no.glb
     expect 2 "--svg does not work with TEXT" x --svg drawing.svg --output no.glb
     expect 2 "--font does not work with --svg" --svg drawing.svg --font $sans --output no.glb
     expect 2 "--stroke does not work with --svg" --svg drawing.svg --stroke 0.1 --output no.glb
@@ -1170,6 +1182,14 @@ expect 0 "" "Rag" --font $sans --output taper.stl --taper 5 --bend cylinder:3
 expect 0 "" "Rag" --font $sans --output taper.stl --taper 3 --outline 0.03
 expect 2 "^text_to_mesh: --taper must be a number from 0 to 89, not 90\.$" x --font $sans --output x.obj --taper 90
 expect 2 "^text_to_mesh: --bevel does not work with --taper\.$" x --font $sans --output x.obj --taper 5 --bevel 0.01
+expect 2 "^text_to_mesh: --tube does not work with --taper\.$" x --font $sans --output x.obj --taper 5 --tube 0.02
+for option in --plate --backing --tube --bend --path --anchor --picture; do  # an empty variable of a shell
+    expect 2 "^text_to_mesh: $option must not be empty\.$" x --font $sans --output x.glb $option ""
+done
+for option in --stats --colour-layers --letters --per-letter "--anchor left" "--origin 0,0,0" "--touching part"; do
+    # shellcheck disable=SC2086  # words
+    expect 2 "^text_to_mesh: ${option% *} does not work with --morph\.$" x --font $inter --output x.glb --morph wght=400..700 $option
+done
 expect 2 "^text_to_mesh: --normals does not work with --taper, which takes all normals from the curves\.$" x --font $sans --output x.obj --taper 5 --normals cap
 expect 2 "^text_to_mesh: --taper needs a solid, but --depth 0 makes a flat mesh: give a larger --depth\.$" x --font $sans --output x.obj --taper 5 --depth 0
 expect 1 "^text_to_mesh: --taper is too wide for this font: give a smaller number\.$" x --font $sans --output x.obj --taper 89 --depth 1000

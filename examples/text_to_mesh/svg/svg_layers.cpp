@@ -105,7 +105,10 @@ private:
         if (clips_[number] != none) return clips_[number];
         const svg_drawing::clip& c = from_.clips[number];
         std::vector<std::uint32_t> shapes;
-        for (const std::size_t shape : c.shapes) shapes.push_back(add({.id = static_cast<glyph_id>(shape)}));
+        for (const auto& [shape, within] : c.shapes) {
+            const std::uint32_t whole = add({.id = static_cast<glyph_id>(shape)});
+            shapes.push_back(within == svg_drawing::no_clip ? whole : both(whole, clip(within)));
+        }
         std::uint32_t all = 0;
         if (shapes.empty())
             all = add({.is = layer_shape::kind::without, .a = 0, .b = 0});

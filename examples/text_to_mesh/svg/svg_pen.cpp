@@ -14,46 +14,94 @@ namespace {
 
 using namespace typemesh;
 
-/// Maps what is drawn.
+/// Maps what is drawn, as long as it may be drawn.
 struct mapped_pen {
     outline_recorder& to;
     affine map;
+    svg_allowance& left;
 
-    void move(point p) noexcept { to.move(map(p)); }
-    void line(point p) noexcept { to.line(map(p)); }
-    void quadratic(point c, point p) noexcept { to.quadratic(map(c), map(p)); }
-    void cubic(point a, point b, point p) noexcept { to.cubic(map(a), map(b), map(p)); }
+    void move(point p) noexcept
+    {
+        if (left.take()) to.move(map(p));
+    }
+    void line(point p) noexcept
+    {
+        if (left.take()) to.line(map(p));
+    }
+    void quadratic(point c, point p) noexcept
+    {
+        if (left.take()) to.quadratic(map(c), map(p));
+    }
+    void cubic(point a, point b, point p) noexcept
+    {
+        if (left.take()) to.cubic(map(a), map(b), map(p));
+    }
     void close() noexcept { to.close(); }
+};
+
+/// Passes on nothing after the allowance has been used up.
+template <outline_sink Sink>
+struct ending_sink {
+    Sink& to;
+    const svg_allowance& left;
+
+    void move(point p) noexcept
+    {
+        if (!left.is_over) to.move(p);
+    }
+    void line(point p) noexcept
+    {
+        if (!left.is_over) to.line(p);
+    }
+    void quadratic(point c, point p) noexcept
+    {
+        if (!left.is_over) to.quadratic(c, p);
+    }
+    void cubic(point a, point b, point p) noexcept
+    {
+        if (!left.is_over) to.cubic(a, b, p);
+    }
+    void close() noexcept
+    {
+        if (!left.is_over) to.close();
+    }
 };
 
 /// Path data as a source of one glyph, as far as they can be read.
 struct data_source {
     std::string_view data;
     double tolerance;
+    const svg_allowance& left;
 
     [[nodiscard]] double units_per_em() const noexcept { return 1.0; }
     [[nodiscard]] fill_rule fill() const noexcept { return fill_rule::non_zero; }
     template <outline_sink Sink>
     error outline(glyph_id, Sink& sink) const noexcept
     {
-        (void)draw_svg_path(data, tolerance, sink);
+        ending_sink<Sink> to{sink, left};
+        (void)draw_svg_path(data, tolerance, to);
         return {};
     }
 };
 
 }  // namespace
 
+error svg_pen::keep(outline& made, fill_rule rule)
+{
+    if (left_.is_over) return {error::too_many_points, max_pieces_};
+    made.rule = rule;
+    out_.shapes.push_back(std::move(made));
+    return {};
+}
+
 error svg_pen::fill(std::string_view data, const affine& map, fill_rule rule)
 {
     outline made;
     outline_recorder recorder{made};
-    mapped_pen pen{recorder, map};
-    const double scale = scale_of(map);
-    if (scale > 0.0 && !draw_svg_path(data, tolerance_ / scale, pen)) has_mistake_ = true;
+    mapped_pen pen{recorder, map, left_};
+    if (!is_flat(map) && !draw_svg_path(data, tolerance_ / stretch_of(map), pen)) has_mistake_ = true;
     if (error e = recorder.finish()) return e;
-    made.rule = rule;
-    out_.shapes.push_back(std::move(made));
-    return {};
+    return keep(made, rule);
 }
 
 error svg_pen::stroke(std::string_view data, const affine& map, const svg_look& look)
@@ -64,28 +112,26 @@ error svg_pen::stroke(std::string_view data, const affine& map, const svg_look& 
                        .mitre_limit = look.mitre_limit,
                        .dashes = look.dashes,
                        .dash_offset = look.dash_offset};
-    const double scale = scale_of(map);
     outline made;
-    if (scale > 0.0) {
-        data_source source{data, 0.5 * tolerance_ / scale};
-        const auto draw = [&]() -> error {
-            outline_recorder recorder{made};
-            mapped_pen pen{recorder, map};
-            stroked_outlines lines{source, style, 0.5 * tolerance_ / scale};
-            if (error e = lines.outline(0, pen)) return e;
-            return recorder.finish();
-        };
-        error e = draw();
-        if (e == error::bad_option && std::string_view{e.option} == "dashes") {
-            has_too_many_dashes_ = true;
-            style.dashes = {};
-            e = draw();
-        }
-        if (e) return e;
+    if (is_flat(map)) return keep(made, fill_rule::non_zero);
+    const double tolerance = 0.5 * tolerance_ / stretch_of(map);
+    data_source source{data, tolerance, left_};
+    const auto draw = [&]() -> error {
+        outline_recorder recorder{made};
+        mapped_pen pen{recorder, map, left_};
+        stroked_outlines lines{source, style, tolerance};
+        if (error e = lines.outline(0, pen)) return e;
+        return recorder.finish();
+    };
+    const svg_allowance before = left_;
+    error e = draw();
+    if (e == error::bad_option && std::string_view{e.option} == "dashes") {
+        has_too_many_dashes_ = true;
+        style.dashes = {};
+        left_ = before;
+        e = draw();
     }
-    made.rule = fill_rule::non_zero;
-    out_.shapes.push_back(std::move(made));
-    return {};
+    return e ? e : keep(made, fill_rule::non_zero);
 }
 
 }  // namespace text_to_mesh

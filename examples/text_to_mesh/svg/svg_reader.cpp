@@ -57,7 +57,7 @@ struct surroundings {
 class reader {
 public:
     reader(const pugi::xml_document& file, const svg_options& how, svg_drawing& out)
-        : file_{file}, how_{how}, out_{out}, pen_{out, how.tolerance}
+        : file_{file}, how_{how}, out_{out}, pen_{out, how.tolerance, how.max_curves}
     {
     }
 
@@ -67,6 +67,7 @@ public:
         const pugi::xml_node root = file_.document_element();
         if (name_of(root) != "svg") return " is not an SVG file: its root is <" + std::string{root.name()} + ">.";
         collect(root);
+        if (!sheet_.finish()) return " has more than 100000 style rules, which is too much.";
         box view = view_of(root);
         const bool measured = view.empty();
         for (const bool first : {true, false}) {
@@ -112,7 +113,17 @@ private:
         out_.clips.clear();
         out_.items.clear();
         out_.view = {};
-        elements_ = 0;
+        elements_ = steps_ = 0;
+        pen_.clear();
+    }
+
+    /// Counts work, which <use> can multiply. False if it is too much.
+    bool spend(std::size_t steps)
+    {
+        steps_ += steps;
+        if (steps_ > how_.max_steps && trouble_.empty())
+            trouble_ = " repeats its elements or its style rules so often that it takes too long to draw.";
+        return trouble_.empty();
     }
 
     void warn(const std::string& what)
@@ -139,14 +150,17 @@ private:
         }
     }
 
-    [[nodiscard]] svg_properties properties_of(const pugi::xml_node& node) const
+    [[nodiscard]] svg_properties properties_of(const pugi::xml_node& node)
     {
         svg_properties all;
         for (const pugi::xml_attribute& a : node.attributes())
             if (is_property(a.name())) all.emplace_back(a.name(), trimmed(a.value()));
         const std::string name{name_of(node)};
-        sheet_.add({name, node.attribute("id").value(), node.attribute("class").value()}, all);
+        const svg_identity identity{name, node.attribute("id").value(), node.attribute("class").value()};
+        if (!spend(4 * sheet_.test_count() * (1 + identity.classes.size() / 16))) return {};
+        sheet_.add(identity, all, [this](std::size_t steps) { return spend(steps); });
         read_declarations(node.attribute("style").value(), all);
+        spend(std::string_view{node.attribute("style").value()}.size());
         return all;
     }
 
@@ -171,6 +185,8 @@ private:
         const svg_properties all = properties_of(node);
         if (value_of(all, "display") == "none") return false;
         in.look.apply(all, diagonal_of(in.port));
+        if (!spend(in.look.fill.reference.size() + in.look.stroke.reference.size() + 8 * in.look.dashes.size()))
+            return false;  // each element in it copies them
         if (const pugi::xml_attribute turned = node.attribute("transform")) {
             if (const auto map = read_transform(turned.value()))
                 in.map = after(in.map, *map);
@@ -184,6 +200,8 @@ private:
         if (is_on("mask")) warn("masks are not drawn");
         if (is_on("filter")) warn("filters are not drawn");
         if (is_on("mix-blend-mode")) warn("colours do not blend");
+        if (is_on("transform")) warn("transforms in styles are left out");
+        if (is_on("transform-origin")) warn("origins of transforms are left out");
         if (is_on("vector-effect")) warn("vector effects are left out");
         if (is_on("marker") || is_on("marker-start") || is_on("marker-mid") || is_on("marker-end"))
             warn("markers are not drawn");
@@ -191,9 +209,18 @@ private:
         return true;
     }
 
-    /// Draws an element. `in` is a copy: it inherits.
-    void element(const pugi::xml_node& node, surroundings in)
+    /// Counts an element with its attributes, whether it is drawn or not.
+    bool spend(const pugi::xml_node& node)
     {
+        std::size_t steps = 256;
+        for (const pugi::xml_attribute& a : node.attributes()) steps += 16 + std::string_view{a.value()}.size();
+        return spend(steps);
+    }
+
+    /// Draws an element, which inherits from those around it.
+    void element(const pugi::xml_node& node, const surroundings& around)
+    {
+        if (!spend(node)) return;
         const std::string_view name = name_of(node);
         constexpr std::string_view silent[] = {"",        "defs",   "title",          "desc",           "metadata",
                                                "style",   "symbol", "linearGradient", "radialGradient", "clipPath",
@@ -203,15 +230,26 @@ private:
         const bool is_group = name == "g" || name == "a" || name == "switch";
         if (!is_group && name != "svg" && name != "use" && !is_shape(name))
             return warn("<" + std::string{name} + "> is not drawn");
+        surroundings in = around;
         if (name == "svg" && !viewport(node, node, in)) return;
         if (!enter(node, in)) return;
         if (is_shape(name)) return shape(node, in);
         if (name == "use") return use(node, in);
         for (const pugi::xml_node& child : node.children()) {
-            if (child.type() != pugi::node_element) continue;
+            if (!spend(std::size_t{16})) return;
+            if (child.type() != pugi::node_element || (name == "switch" && !is_choice(child))) continue;
             element(child, in);
-            if (name == "switch" && !name_of(child).empty()) return;
+            if (name == "switch") return;
         }
+    }
+
+    /// Whether a <switch> may choose an element.
+    static bool is_choice(const pugi::xml_node& child)
+    {
+        constexpr std::string_view passed_over[] = {"", "foreignObject", "title", "desc", "metadata", "defs", "style"};
+        const auto same = [&](std::string_view name) { return name == name_of(child); };
+        if (std::any_of(std::begin(passed_over), std::end(passed_over), same)) return false;
+        return !child.attribute("requiredExtensions") && !child.attribute("systemLanguage");
     }
 
     /// Enters the viewport of an <svg> or <symbol>, whose place and size `from` may say. False if it has no size.
@@ -230,7 +268,8 @@ private:
             port = {at, at + point{length("width", in.port.width(), in.port.width()),
                                    length("height", in.port.height(), in.port.height())}};
             if (!(port.width() > 0.0) || !(port.height() > 0.0)) return false;
-            const std::string_view overflow = node.attribute("overflow").value();
+            const svg_properties all = properties_of(node);
+            const std::string_view overflow = value_of(all, "overflow");
             if (overflow != "visible" && overflow != "auto") clip_to(port, in);
         }
         const auto view = read_view_box(node.attribute("viewBox").value());
@@ -274,10 +313,12 @@ private:
         const std::string data = data_of(
             name_of(node), [&node](const char* name) { return std::string_view{node.attribute(name).value()}; },
             in.port);
-        if (data.empty() || !in.look.is_visible) return;
+        if (data.empty() || !in.look.is_visible || !spend(data.size())) return;
         if (clipping_ != nullptr) {
             add(pen_.fill(data, in.map, in.look.clip_rule));
-            if (trouble_.empty()) clipping_->shapes.push_back(out_.shapes.size() - 1);
+            const bool is_cut = in.clip != clipping_->inside;
+            if (trouble_.empty())
+                clipping_->shapes.push_back({out_.shapes.size() - 1, is_cut ? in.clip : svg_drawing::no_clip});
         } else {
             if (!in.look.dashes.empty() && node.attribute("pathLength")) warn("pathLength is left out");
             if (in.look.stroke_is_below) stroke(data, in);
@@ -296,7 +337,10 @@ private:
     }
     bool add(const typemesh::error& e)
     {
-        if (e) trouble_ = ": a shape cannot be drawn: " + std::string{e.message()};
+        if (e == typemesh::error::too_many_points)
+            trouble_ = " draws more than " + std::to_string(how_.max_curves) + " curves, which is too much.";
+        else if (e)
+            trouble_ = ": a shape cannot be drawn: " + std::string{e.message()};
         return !e;
     }
     void paint(const rgb_colour& colour, const surroundings& in)
@@ -337,6 +381,7 @@ private:
             double sum[4] = {}, before[4] = {}, place = 0.0;
             std::size_t count = 0;
             for (const pugi::xml_node& stop : node.children()) {
+                if (!spend(std::size_t{16})) return {};
                 if (name_of(stop) != "stop") continue;
                 double now[4];
                 read_stop(stop, look, now);
@@ -359,7 +404,7 @@ private:
         }
         return {};
     }
-    void read_stop(const pugi::xml_node& stop, const svg_look& look, double (&out)[4]) const
+    void read_stop(const pugi::xml_node& stop, const svg_look& look, double (&out)[4])
     {
         const svg_properties all = properties_of(stop);
         const std::string_view written = value_of(all, "stop-color");
@@ -378,13 +423,25 @@ private:
         std::snprintf(data, sizeof data, "M%.17g %.17gH%.17gV%.17gH%.17gZ", port.low.x, port.low.y, port.high.x,
                       port.high.y, port.low.x);
         if (!add(pen_.fill(data, in.map, typemesh::fill_rule::non_zero))) return;
-        in.clip = keep({{out_.shapes.size() - 1}, in.clip});
+        in.clip = keep({{{out_.shapes.size() - 1}}, in.clip});
     }
 
     std::size_t keep(svg_drawing::clip made)
     {
         out_.clips.push_back(std::move(made));
         return out_.clips.size() - 1;
+    }
+
+    /// The clip-rule that a <clipPath> inherits from where it is written.
+    typemesh::fill_rule clip_rule_around(const pugi::xml_node& node)
+    {
+        for (pugi::xml_node around = node.parent(); around && spend(around); around = around.parent()) {
+            const svg_properties all = properties_of(around);
+            const std::string_view rule = value_of(all, "clip-rule");
+            if (rule == "evenodd") return typemesh::fill_rule::even_odd;
+            if (rule == "nonzero") break;
+        }
+        return typemesh::fill_rule::non_zero;
     }
 
     void clip(std::string_view reference, surroundings& in)
@@ -404,8 +461,10 @@ private:
         inner.port = in.port;
         inner.clip = in.clip;
         inner.depth = in.depth;
+        inner.look.clip_rule = clip_rule_around(node);
         svg_drawing::clip made, *const outer = clipping_;
         if (enter(node, inner)) {
+            made.inside = inner.clip;
             clipping_ = &made;
             for (const pugi::xml_node& child : node.children())
                 if (child.type() == pugi::node_element) element(child, inner);
@@ -425,7 +484,7 @@ private:
     std::set<std::string> warned_;
     std::vector<pugi::xml_node> used_;       // the elements of <use> that are being drawn
     svg_drawing::clip* clipping_ = nullptr;  // shapes belong to it
-    std::size_t elements_ = 0;
+    std::size_t elements_ = 0, steps_ = 0;
     std::string trouble_;
 };
 
@@ -434,7 +493,7 @@ private:
 std::string read_svg(const std::string& path, const svg_options& how, svg_drawing& out)
 {
     std::string bytes;
-    if (std::string trouble = read_file(path, bytes); !trouble.empty()) return trouble;
+    if (std::string trouble = read_file(path, bytes, ""); !trouble.empty()) return trouble;
     const std::string name = path == "-" ? "standard input" : path;
     if (bytes.starts_with("\x1F\x8B")) return name + " is compressed: unpack it with gunzip first.";
     pugi::xml_document file;

@@ -25,6 +25,7 @@ constexpr std::string_view properties[] = {"clip-path",
                                            "mask",
                                            "mix-blend-mode",
                                            "opacity",
+                                           "overflow",
                                            "paint-order",
                                            "stop-color",
                                            "stop-opacity",
@@ -36,6 +37,7 @@ constexpr std::string_view properties[] = {"clip-path",
                                            "stroke-miterlimit",
                                            "stroke-opacity",
                                            "stroke-width",
+                                           "transform-origin",
                                            "vector-effect",
                                            "visibility"};
 
@@ -80,21 +82,26 @@ void set_rule(typemesh::fill_rule& out, std::string_view text)
     if (text == "evenodd") out = typemesh::fill_rule::even_odd;
 }
 
-void set_paint(svg_paint& out, std::string_view text)
+/// A paint that is no reference.
+void set_plain_paint(svg_paint& out, std::string_view text)
 {
     if (text == "none") {
         out = {.is_none = true};
     } else if (lower(text) == "currentcolor" || text == "context-fill" || text == "context-stroke") {
         out = {.is_current = true};
-    } else if (const std::string name = name_of_reference(text); text.starts_with("url(")) {
-        const auto end = text.find(')');
-        out = {.is_none = true, .reference = name};
-        if (end != std::string_view::npos && !trimmed(text.substr(end + 1)).empty())
-            set_paint(out, trimmed(text.substr(end + 1)));
-        out.reference = name;
     } else if (const auto colour = read_svg_colour(text)) {
         out = {.colour = *colour};
     }
+}
+
+/// A paint, or a reference with one paint behind it that stands in for it.
+void set_paint(svg_paint& out, std::string_view text)
+{
+    if (!text.starts_with("url(")) return set_plain_paint(out, text);
+    const auto end = text.find(')');
+    out = {.is_none = true};
+    if (end != std::string_view::npos) set_plain_paint(out, trimmed(text.substr(end + 1)));
+    out.reference = name_of_reference(text);
 }
 
 void set_dashes(std::vector<double>& out, std::string_view text, double diagonal)
@@ -170,29 +177,31 @@ bool svg_stylesheet::read(std::string_view css)
     std::string_view text = trimmed(clean);
     bool all_read = true;
     while (!text.empty()) {
-        const auto open = text.find('{');
         if (text.front() == '@') {  // to the end of its block, or of its statement
             all_read = false;
-            const auto stop = std::min(text.find(';'), text.size());
+            const auto stop = std::min(text.find_first_of("{;"), text.size());
             std::size_t end = stop + 1;
-            if (open < stop) {
-                int depth = 1;
-                for (end = open + 1; end < text.size() && depth > 0; ++end)
-                    depth += text[end] == '{' ? 1 : text[end] == '}' ? -1 : 0;
+            if (stop < text.size() && text[stop] == '{') {
+                std::size_t depth = 1;
+                for (; end < text.size() && depth > 0; ++end)
+                    depth = text[end] == '{' ? depth + 1 : text[end] == '}' ? depth - 1 : depth;
             }
             text = trimmed(text.substr(std::min(end, text.size())));
             continue;
         }
+        const auto open = text.find('{');
         if (open == std::string_view::npos) return false;
         const auto close = std::min(text.find('}', open), text.size());
         std::string_view selectors = text.substr(0, open);
-        svg_properties declarations;
-        read_declarations(text.substr(open + 1, close - open - 1), declarations);
-        while (!selectors.empty()) {
+        declarations& block = blocks_.emplace_back();
+        block.bytes = close - open;
+        read_declarations(text.substr(open + 1, close - open - 1), block.all);
+        while (!selectors.empty() && rules_.size() <= max_rules) {
             const auto comma = std::min(selectors.find(','), selectors.size());
             rule made;
             if (read_selector(selectors.substr(0, comma), made)) {
-                made.declarations = declarations;
+                made.block = blocks_.size() - 1;
+                test_count_ += 1 + made.classes.size();
                 rules_.push_back(std::move(made));
             } else {
                 all_read = false;
@@ -201,19 +210,27 @@ bool svg_stylesheet::read(std::string_view css)
         }
         text = trimmed(text.substr(std::min(close + 1, text.size())));
     }
-    std::stable_sort(rules_.begin(), rules_.end(),
-                     [](const rule& a, const rule& b) { return a.specificity < b.specificity; });
     return all_read;
 }
 
-void svg_stylesheet::add(const svg_identity& of, svg_properties& out) const
+bool svg_stylesheet::finish()
+{
+    std::stable_sort(rules_.begin(), rules_.end(),
+                     [](const rule& a, const rule& b) { return a.specificity < b.specificity; });
+    return rules_.size() <= max_rules;
+}
+
+void svg_stylesheet::add(const svg_identity& of, svg_properties& out,
+                         const std::function<bool(std::size_t)>& spend) const
 {
     for (const rule& r : rules_) {
         if (!r.name.empty() && r.name != of.name) continue;
         if (!r.id.empty() && r.id != of.id) continue;
         const auto is_there = [&](const std::string& name) { return has_class(of.classes, name); };
         if (!std::all_of(r.classes.begin(), r.classes.end(), is_there)) continue;
-        out.insert(out.end(), r.declarations.begin(), r.declarations.end());
+        const declarations& block = blocks_[r.block];
+        if (!spend(block.bytes)) return;
+        out.insert(out.end(), block.all.begin(), block.all.end());
     }
 }
 

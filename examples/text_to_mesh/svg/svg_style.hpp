@@ -6,6 +6,8 @@
 #include <typemesh/core/fill_rule.hpp>
 #include <typemesh/outline/stroke_style.hpp>
 
+#include <cstddef>
+#include <functional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -36,19 +38,34 @@ public:
     /// Reads the contents of one element. False if it has rules or selectors of other kinds, which are left out.
     bool read(std::string_view css);
 
-    /// Adds what the rules say of an element, by specificity.
-    void add(const svg_identity& of, svg_properties& out) const;
+    /// Sorts the rules by their specificity, after all of them are read. False if there are more than 100,000.
+    [[nodiscard]] bool finish();
+
+    /// How much add() compares.
+    [[nodiscard]] std::size_t test_count() const { return test_count_; }
+
+    /// Adds what the rules say of an element, by specificity. Stops when `spend`, which gets the bytes that are added,
+    /// refuses.
+    void add(const svg_identity& of, svg_properties& out, const std::function<bool(std::size_t)>& spend) const;
 
 private:
     struct rule {
         std::string name, id;
         std::vector<std::string> classes;
         unsigned specificity = 0;
-        svg_properties declarations;
+        std::size_t block = 0;  ///< its declarations, which several selectors share
     };
     [[nodiscard]] static bool read_selector(std::string_view text, rule& out);
 
+    static constexpr std::size_t max_rules = 100'000;
+
     std::vector<rule> rules_;  // by specificity, then as they are written
+    struct declarations {
+        svg_properties all;
+        std::size_t bytes = 0;
+    };
+    std::vector<declarations> blocks_;
+    std::size_t test_count_ = 0;
 };
 
 /// What a shape is filled or stroked with.

@@ -32,7 +32,14 @@ std::optional<double> take_bare_number(std::string_view& text)
     const auto read = std::from_chars(digits.data(), end, value);
     const char* last = read.ptr;
     if (read.ec == std::errc::invalid_argument) return {};
-    if (read.ec == std::errc::result_out_of_range) value = 0.0;
+    if (read.ec == std::errc::result_out_of_range) {
+        const std::string_view number{digits.data(), static_cast<std::size_t>(last - digits.data())};
+        const auto exponent = number.find_first_of("eE");
+        const bool is_tiny = exponent == std::string_view::npos ? first[0] == '0' || first[0] == '.'
+                                                                : number.substr(exponent + 1).starts_with('-');
+        if (!is_tiny) return {};
+        value = 0.0;
+    }
     text = {last, static_cast<std::size_t>(end - last)};
     return value;
 }
@@ -103,10 +110,11 @@ std::optional<double> read_length(std::string_view text, double whole)
         {"", 1.0},    {"px", 1.0},         {"pt", 96.0 / 72.0}, {"pc", 16.0},  {"mm", 96.0 / 25.4}, {"cm", 96.0 / 2.54},
         {"in", 96.0}, {"q", 96.0 / 101.6}, {"em", 16.0},        {"rem", 16.0}, {"ex", 8.0}};
     const std::string unit = lower(text);
-    if (unit == "%") return *value / 100.0 * whole;
+    std::optional<double> length;
+    if (unit == "%") length = *value / 100.0 * whole;
     for (const auto& [name, size] : units)
-        if (unit == name) return *value * size;
-    return {};
+        if (unit == name) length = *value * size;
+    return length && std::isfinite(*length) ? length : std::nullopt;
 }
 
 typemesh::affine after(const typemesh::affine& outer, const typemesh::affine& inner)
@@ -116,7 +124,13 @@ typemesh::affine after(const typemesh::affine& outer, const typemesh::affine& in
             outer.yx * inner.xx + outer.yy * inner.yx, outer.yx * inner.xy + outer.yy * inner.yy, shift.y};
 }
 
-double scale_of(const typemesh::affine& map) { return std::sqrt(std::fabs(map.xx * map.yy - map.xy * map.yx)); }
+bool is_flat(const typemesh::affine& map) { return !(std::fabs(map.xx * map.yy - map.xy * map.yx) > 0.0); }
+
+double stretch_of(const typemesh::affine& map)
+{
+    // The larger singular value, from the parts of the map that turn and that mirror.
+    return 0.5 * (std::hypot(map.xx + map.yy, map.yx - map.xy) + std::hypot(map.xx - map.yy, map.yx + map.xy));
+}
 
 std::optional<typemesh::affine> read_transform(std::string_view text)
 {

@@ -30,8 +30,11 @@ namespace text_to_mesh {
 /// First `inner`, then `outer`.
 [[nodiscard]] typemesh::affine after(const typemesh::affine& outer, const typemesh::affine& inner);
 
-/// By how much a map enlarges lengths, in the mean.
-[[nodiscard]] double scale_of(const typemesh::affine& map);
+/// Whether a map maps the plane to a line or a point.
+[[nodiscard]] bool is_flat(const typemesh::affine& map);
+
+/// By how much a map enlarges lengths in the direction in which it does so most.
+[[nodiscard]] double stretch_of(const typemesh::affine& map);
 
 /// "0 0 24 24", with a positive width and height.
 [[nodiscard]] std::optional<typemesh::box> read_view_box(std::string_view text);
