@@ -14,9 +14,10 @@ TEST_CASE("numbers with a fixed number of digits are those of printf", "[outline
 {
     for (int decimals = 0; decimals <= 9; ++decimals) {
         detail::fixed_point numbers{decimals};
-        std::int64_t number = 1;
+        std::uint64_t state = 1;
         for (std::uint64_t i = 1; i < 400; ++i) {
-            number = (number * 48271 + static_cast<std::int64_t>(i)) % 999'999'999'999'999;
+            state = state * 6364136223846793005u + i;
+            const auto number = static_cast<std::int64_t>((state >> 8) % 999'999'999'999'999u);
             const std::int64_t n = i % 2 == 0 ? number : -number >> (i % 40);
             const std::string all{numbers.text(n, true)};
             char wanted[64];

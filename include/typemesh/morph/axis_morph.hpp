@@ -95,9 +95,10 @@ private:
         const auto clamped = [&](double value) noexcept {
             return value < axis_->low() ? axis_->low() : value > axis_->high() ? axis_->high() : value;
         };
+        if (!(o.from < o.to)) return error::bad("from");  // NaN, too, which an axis cannot place
         low_ = axis_->coordinate(clamped(o.from));
         high_ = axis_->coordinate(clamped(o.to));
-        if (!(o.from < o.to) || low_ >= high_) return error::bad("from");
+        if (low_ >= high_) return error::bad("from");
         masters_.clear();
         changes_.clear();
         if (error e = axis_->append_masters(masters_)) return e;
