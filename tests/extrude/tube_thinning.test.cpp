@@ -132,7 +132,7 @@ TEST_CASE("an edge replaces at most 64 points, and the ends of open paths get th
     for (int i = 1; i <= 2000; ++i) points.push_back({50 * i, 0});
     points.push_back({100'040, 20});
     std::vector<side_point> sides(points.size());
-    sides.back().before = sides.back().after = rounded(unit({20.0, -40.0}));
+    sides.back().before = sides.back().after = rounded(unit(point{20.0, -40.0}));
     const std::uint32_t starts[] = {0, static_cast<std::uint32_t>(points.size())};
     const std::uint8_t open[] = {1};
     detail::tube_thinning thinning;
