@@ -237,7 +237,7 @@ test('tags are read', () => {
         assert.throws(() => typemesh.mesh(wrong, font, { markup: true }), (e) => e instanceof TypemeshError && e.at === at && words.test(e.message));
 });
 
-test('bounds are those of the vertices, whatever depth tags ask for', () => {
+test('vertices reach the bounds exactly, whatever depth tags ask for', () => {
     for (const text of ['[depth=0.5]ab[/]', '[depth=0.5]a[/]b', 'a[depth=0.05]b[/]', '[mark=#ff0]ab[/]']) {
         const { position, bounds } = typemesh.mesh(text, font, { markup: true });
         const [low, high] = [Infinity, -Infinity].map((start, k) => [0, 1, 2].map((c) =>
