@@ -4,6 +4,7 @@
 #include "colour_layers.hpp"
 #include "option_values.hpp"
 #include "options.hpp"
+#include "solids.hpp"
 #include "svg/svg_layers.hpp"
 
 #include <algorithm>
@@ -36,8 +37,6 @@ struct given_fonts {
         return {};
     }
 };
-
-constexpr float plate_depth = 0.25f;  // of a background, times the depth of letters
 
 /// "line 2, character 5" of a place in bytes.
 std::string in_words(std::string_view source, std::size_t place)
@@ -125,18 +124,7 @@ std::uint32_t solids_of(const options& o)
 
 options options_of_solid(const options& o, std::uint32_t solid)
 {
-    options own = o;
-    const typemesh::markup_solid& s = o.marked->styles.solids()[solid];
-    using typemesh::markup_tag;
-    if (s.has(markup_tag::mark)) {  // a plate from which the letters rise
-        own.depth *= plate_depth;
-        own.bevel.width = own.bevel.depth = 0.0f;
-    }
-    if (s.has(markup_tag::depth)) own.depth = static_cast<float>(s.depth);
-    if (s.has(markup_tag::bevel)) own.bevel.width = own.bevel.depth = static_cast<float>(s.bevel);
-    if (s.has(markup_tag::bold)) own.embolden += static_cast<float>(bold_growth);
-    if (!o.keeps_apart && (s.has(markup_tag::bevel) || s.has(markup_tag::bold))) own.merge = true;  // as by --bevel
-    return own;
+    return options_of(o, o.marked->styles.solids()[solid]);
 }
 
 void keep_only_solids(const options& o, typemesh::glyph_run& run)

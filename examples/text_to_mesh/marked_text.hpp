@@ -22,9 +22,6 @@ struct marked_text {
     typemesh::markup_styles styles;
 };
 
-/// By how much [b] moves the edges of letters outwards, in em. They stand apart by twice as much.
-inline constexpr double bold_growth = 0.015;
-
 /// Reads the tags of o.text, which is then the text without them. Gives an empty string, or one sentence.
 [[nodiscard]] std::string read_markup(options& o);
 

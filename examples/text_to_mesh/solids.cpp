@@ -4,6 +4,8 @@
 namespace text_to_mesh {
 namespace {
 
+constexpr float plate_depth = 0.25f;  // of a background, times the depth of letters
+
 typemesh::bevel_profile profile_of(const bevel_options& o)
 {
     switch (o.profile) {
@@ -18,6 +20,22 @@ typemesh::bevel_profile profile_of(const bevel_options& o)
 }
 
 }  // namespace
+
+options options_of(const options& o, const typemesh::markup_solid& tags)
+{
+    using typemesh::markup_tag;
+    options own = o;
+    if (tags.has(markup_tag::mark)) {  // a plate from which the letters rise
+        own.depth *= plate_depth;
+        own.bevel.width = own.bevel.depth = 0.0f;
+    }
+    if (tags.has(markup_tag::depth)) own.depth = static_cast<float>(tags.depth);
+    if (tags.has(markup_tag::bevel)) own.bevel.width = own.bevel.depth = static_cast<float>(tags.bevel);
+    if (tags.has(markup_tag::bold)) own.embolden += static_cast<float>(bold_growth);
+    const bool edges_move = tags.has(markup_tag::bevel) || tags.has(markup_tag::bold);
+    if (edges_move && !o.keeps_apart) own.merge = true;  // as by --bevel
+    return own;
+}
 
 plain_solid plain_of(const options& o)
 {

@@ -100,6 +100,15 @@ std::uint32_t fail(const char* why)
     return 1;
 }
 
+/// What the mesher says of it, or else the library.
+std::uint32_t fail(web_mesher& m, const typemesh::error& e)
+{
+    const char* const why = m.made.explained(e);
+    if (why == nullptr) return fail(e);
+    last = {why, e.cluster};
+    return 1;
+}
+
 std::string name_of(hb_face_t* face, hb_ot_name_id_t id)
 {
     char text[256];
@@ -236,11 +245,7 @@ TYPEMESH_WEB_EXPORT std::uint32_t web_make(web_mesher* m, const char16_t* text, 
 {
     if (const char* why = m->made.refused()) return fail(why);
     const auto done = m->made.make({text, size}, instances != 0);
-    if (done) return 0;
-    const char* why = m->made.explained(done.error());
-    if (why == nullptr) return fail(done.error());
-    last = {why, done.error().cluster};
-    return 1;
+    return done ? 0 : fail(*m, done.error());
 }
 
 /// Plans a text that moves along an axis of the first font; 0, or 1 for a failure.
@@ -250,7 +255,7 @@ TYPEMESH_WEB_EXPORT std::uint32_t web_plan_morph(web_mesher* m, const char16_t* 
     char tag[5] = {};
     for (unsigned k = 0; k < 4; ++k) tag[k] = static_cast<char>(axis >> (24 - 8 * k) & 0xFFu);
     const auto done = m->made.plan_morph({text, size}, tag);
-    return done ? 0 : fail(done.error());
+    return done ? 0 : fail(*m, done.error());
 }
 
 /// Makes the mesh of that text at a value of the axis; likewise.

@@ -1,15 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include "marked_words.hpp"
 
+#include "text_to_mesh/solids.hpp"
+
 #include <algorithm>
 
 namespace typemesh_web {
 namespace {
 
 using typemesh::markup_tag;
-
-constexpr double bold_growth = 0.015;  // em, by which [b] moves edges outwards, as in text_to_mesh
-constexpr float plate_depth = 0.25f;   // of a background, times the depth of letters
 
 /// Fonts by their numbers; bold letters take more room.
 struct numbered_fonts {
@@ -18,7 +17,7 @@ struct numbered_fonts {
     typemesh::error operator()(const typemesh::basic_markup_look<char16_t>& look,
                                typemesh::text_style& style) const noexcept
     {
-        if (look.has(markup_tag::bold)) style.letter_spacing += 2.0 * bold_growth;
+        if (look.has(markup_tag::bold)) style.letter_spacing += 2.0 * text_to_mesh::bold_growth;
         if (!look.has(markup_tag::font)) return {};
         std::size_t number = 0;
         for (const char16_t c : look.font)
@@ -57,19 +56,11 @@ typemesh::error marked_words::add_to(typemesh::shape_options& how, font_set& fon
 
 text_to_mesh::options marked_words::options_of(const text_to_mesh::options& o, std::uint32_t solid) const
 {
-    text_to_mesh::options own = o;
-    const typemesh::markup_solid& s = styles_.solids()[solid];
-    if (s.has(markup_tag::mark)) {  // a plate from which the letters rise
-        own.depth *= plate_depth;
-        own.bevel.width = own.bevel.depth = 0.0f;
-    }
-    if (s.has(markup_tag::depth)) own.depth = static_cast<float>(s.depth);
-    if (s.has(markup_tag::bevel)) own.bevel.width = own.bevel.depth = static_cast<float>(s.bevel);
-    if (s.has(markup_tag::bold)) own.embolden += static_cast<float>(bold_growth);
+    text_to_mesh::options own = text_to_mesh::options_of(o, styles_.solids()[solid]);
+    // text_to_mesh refuses bevels that are deeper than their letters. Here they are cut: a page is typed letter by letter.
     if (!(own.depth > 0.0f)) own.bevel.width = 0.0f;
     const float room = own.bevel.sides == typemesh::bevel_sides::both ? own.depth / 2.0f : own.depth;
     own.bevel.depth = (std::min)(own.bevel.depth, room);
-    own.merge = own.merge || own.bevel.width > 0.0f || s.has(markup_tag::bold);
     return own;
 }
 

@@ -5,6 +5,7 @@ import functools
 import http.server
 import os
 import sys
+import urllib.parse
 
 KINDS = {".js": "text/javascript", ".wasm": "application/wasm", ".json": "application/json", ".ttf": "font/ttf", ".otf": "font/otf"}
 
@@ -15,6 +16,8 @@ class Handler(http.server.SimpleHTTPRequestHandler):
 
     def send_head(self):
         plain = self.translate_path(self.path)
+        if os.path.isdir(plain) and not urllib.parse.urlsplit(self.path).path.endswith("/"):
+            return super().send_head()  # sends on to the name with "/", on which relative links rest
         plain = os.path.join(plain, "index.html") if os.path.isdir(plain) else plain
         accepted = self.headers.get("Accept-Encoding", "")
         for ending, name in ((".br", "br"), (".gz", "gzip")):
@@ -31,8 +34,12 @@ class Handler(http.server.SimpleHTTPRequestHandler):
         self.end_headers()
         return file
 
+    def send_response(self, code, message=None):
+        self.is_there = code == 200
+        super().send_response(code, message)
+
     def end_headers(self):
-        named = os.path.basename(self.path).startswith("chunk-")
+        named = self.is_there and os.path.basename(self.path).startswith("chunk-")
         self.send_header("Cache-Control", "max-age=31536000, immutable" if named else "no-cache")
         self.send_header("Vary", "Accept-Encoding")
         super().end_headers()

@@ -62,6 +62,10 @@ typemesh::result<void> session::plan_morph(std::u16string_view text, const char 
 {
     arrays_.clear();
     morph_ = nullptr;
+    if (how_.markup) {
+        if (const auto done = tags_.read(text, fonts_.size()); !done) return done;
+        text = tags_.text();
+    }
     auto found = typemesh::harfbuzz_axis::open(fonts_.front()->font, axis);
     if (!found) return found.error();
     auto made = std::make_unique<weight_morph>(std::move(*found));

@@ -44,7 +44,8 @@ public:
     /// Fills arrays(). Needs options that are not refused().
     [[nodiscard]] typemesh::result<void> make(std::u16string_view text, bool instances);
 
-    /// Plans a text that moves along an axis of the first font, such as "wght". Tags, bevels and bends are left out.
+    /// Plans a text that moves along an axis of the first font, such as "wght". Tags are read and have no effect;
+    /// bevels and bends are left out.
     [[nodiscard]] typemesh::result<void> plan_morph(std::u16string_view text, const char (&axis)[5]);
     /// Fills arrays() with the planned text at a value of the axis. Needs plan_morph().
     [[nodiscard]] typemesh::result<void> write_morph(double value) { return morph_->write(value, arrays_); }

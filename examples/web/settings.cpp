@@ -239,6 +239,7 @@ options settings::settled() const
     o.letter_spacing = letter_spacing.value_or(wider);
     o.columns.combined_gap = wider;
     const bool edges_move = o.bevel.width > 0.0f || o.outline.width > 0.0f || o.embolden != 0.0f;
+    o.keeps_apart = merge == false;
     o.merge = merge.value_or(edges_move || o.inflate.height > 0.0f);
     return o;
 }

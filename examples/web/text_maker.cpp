@@ -86,6 +86,8 @@ result<void> text_maker::make_solids(const text_job& job, mesh_arrays& out)
         if (const auto done = add(some, out); !done) return done;
         out.lines = (std::max)(lines, out.lines);
         const auto up = static_cast<float>((double{options_.depth} - double{usual.depth}) * usual.size);
+        if (first == 0)
+            out.bounds.low.z += up, out.bounds.high.z += up;  // the other solids' vertices are added to these
         for (std::size_t i = first + 2; i < out.position.size(); i += 3) {
             out.position[i] += up;
             out.bounds.add({out.position[i - 2], out.position[i - 1], out.position[i]});

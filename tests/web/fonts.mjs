@@ -71,4 +71,25 @@ const list = names => {
     assert.deepEqual(fonts.list(), [2]);
     assert.equal(fonts.find("nowhere"), fonts.first);
 }
+{   // A weight that cannot be opened leaves the font as its file has it, and nothing that has been freed.
+    let fails = false;
+    const opened = (bytes, options) => {
+        if (options && fails) throw new Error("no memory");
+        return { bytes, weight: options?.variations.wght, axes: [{ tag: "wght", minimum: 100, default: 400, maximum: 900 }], free() { this.freed = true; } };
+    };
+    const fonts = new Fonts(opened);
+    fonts.offer({ name: "x", bytes: 1 });
+    await fonts.choose(fonts.find("x"));
+    assert.equal(fonts.weigh(700), true);
+    const [bold] = fonts.list();
+    fails = true;
+    assert.throws(() => fonts.weigh(800), /no memory/);
+    assert.deepEqual([bold.weight, bold.freed, fonts.list()[0].weight, fonts.list()[0].freed], [700, true, undefined, undefined]);
+    fails = false;
+    assert.equal(fonts.weigh(800), true, "it is tried again");
+    assert.equal(fonts.list()[0].weight, 800);
+    fonts.offer({ name: "y", bytes: 2 });
+    await fonts.choose(fonts.find("y"));
+    assert.equal(fonts.list()[0].bytes, 2, "a font is not shown with another's weight");
+}
 console.log("fonts.mjs: passed");

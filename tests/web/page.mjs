@@ -264,13 +264,20 @@ check(await page.evaluate(() => globalThis.page.mesh.tint.length === 4 * globalT
 check(await value("open-edges") === "0" && await page.evaluate(() => globalThis.page.mesh.statistics.glyphs) === 5, "tags are no letters");
 await set("#text", "[b");
 check(/^Tags are not read yet: at character 1/.test(await value("notes")) && await message() === "", `a tag that is not complete is told: ${await value("notes")}`);
-await set("#text", "one two");
+await open("#bend.wave=0.1&text=" + encodeURIComponent("[b"));
+await page.click("#program summary");
+await page.waitForFunction(() => document.getElementById("code").textContent !== "");
+check(!/tags/.test(await value("code")), "the program of such a text has it as it stands");
+await set("#text", "[i");
+check(/"\[i"/.test(await value("code")), "and follows what is typed");
+await open("#text=" + encodeURIComponent("one two"));
 await page.$eval("#text", e => e.setSelectionRange(4, 7));
 await change(() => page.click("#tags [data-tag=b]"));
 check(await value("text") === "one [b]two[/]", `a button puts a tag around what is selected: ${await value("text")}`);
 
 // Undo and redo, of text and options alike.
 await open();
+check(await page.$eval("#undo", e => e.disabled), "there is nothing to undo yet");
 const origin = await hash();
 await set("#text", "Other");
 await rest(1100);
@@ -285,6 +292,26 @@ check(await value("text") === "Hello world!" && await hash() === origin, "Ctrl+Z
 await change(() => page.keyboard.press("y"));
 check(await value("text") === "Other", "Ctrl+Y does it again");
 await page.keyboard.up("Control");
+const comes = async (text, font) => {
+    await page.waitForFunction((t, f) => document.getElementById("text").value === t && document.getElementById("font").value === f, {}, text, font);
+    await rest(500);
+};
+const own_font = await value("font");
+await rest(1100);
+await change(() => pick("DejaVu Sans Bold"));
+const bold = await hash();
+await page.click("#undo");
+await comes("Other", own_font);
+await page.click("#undo");
+await comes("Hello world!", own_font);
+await page.focus("#canvas");
+await page.keyboard.down("Control");
+for (const font of [own_font, "DejaVu Sans Bold"]) {
+    await page.keyboard.press("y");
+    await comes("Other", font);
+}
+await page.keyboard.up("Control");
+check(await hash() === bold, "a change of the font is taken back, and done again");
 
 // Weights.
 await open();
@@ -314,6 +341,14 @@ const weights = await page.evaluate(() => {
 });
 figures.push(`60 weights of a text of 40 letters, ${weights.vertices} vertices, without drawing: ${weights.ms.toFixed(0)} ms`);
 check(weights.ms < 1000, `60 weights take ${weights.ms} ms, less than a second`);
+
+await open("#page.motion=breathe&page.tags=0&text=" + encodeURIComponent("a[1]"), { width: 420, height: 320, still: false });
+check(await page.evaluate(() => globalThis.page.mesh.statistics.glyphs) === 4, "brackets breathe too where tags are not read");
+await open("#page.motion=breathe&text=" + encodeURIComponent("[b]a[/][[1]"), { width: 420, height: 320, still: false });
+check(await page.evaluate(() => globalThis.page.mesh.statistics.glyphs) === 4, "and where they are read, tags are no letters");
+await set("#text", "a[b");
+check(/^Tags are not read yet: at character 2/.test(await value("notes")), `a tag that is not complete is told: ${await value("notes")}`);
+await page.evaluate(() => globalThis.page.stage.turn(false));
 
 // Fonts.
 await open();
@@ -371,6 +406,20 @@ await open(address);
 check(await hash() === linked && await value("option-bevel-profile") === "chamfer", "the link brings the mesh back");
 await change(() => page.click("#reset"));
 check(await value("text") === "Hello world!" && await value("option-bevel-profile") === "round", "Reset sets everything back");
+
+// What stands before the #, and a # that changes before the fonts are known.
+await open("?from=here");
+await rest(400);
+check(await page.evaluate(() => location.search) === "?from=here", "the address keeps its query");
+held.set("fonts.json", []);
+await page.goto("about:blank");
+await page.goto(home, { waitUntil: "domcontentloaded" });
+await page.evaluate(() => { location.hash = "#text=Early"; });
+await rest(300);
+for (const answer of held.get("fonts.json")) answer();
+held.clear();
+await settled(0);
+check(await value("text") === "Early" && await page.evaluate(() => globalThis.page.mesh.statistics.glyphs) === 5, "a link that comes early is taken");
 
 // Letters that move, and those of somebody who wants less motion.
 for (const motion of ["wave", "reveal", "scatter", "typewriter", "flag", "score", "breathe"]) {
@@ -474,6 +523,10 @@ await open("#text=One two three four&width=6&align=left&embolden=0.01&features=k
 programs.push({ name: "paragraph", ...await program() });
 await open("#text=hollow&outline.width=0.02&path.wave=0.3&triangulator=delaunay");
 programs.push({ name: "hollow", ...await program() });
+for (const [name, text] of [["dash", "-a@\\nb"], ["at", "@a"]]) {
+    await open("#text=" + encodeURIComponent(text));
+    programs.push({ name, ...await program() });
+}
 const folder = fs.mkdtempSync(path.join(site, "..", "programs-")), compiler = process.env.CXX ?? "c++";
 const flags = () => execFileSync("pkg-config", ["--cflags", "--libs", "harfbuzz"], { encoding: "utf8" }).trim().split(/\s+/);
 const include = path.join(site, "..", "..", "..", "include");
@@ -491,7 +544,7 @@ if (!spawnSync("pkg-config", ["--exists", "harfbuzz"]).error)
         else check(same, `the program for ${name} makes ${said}, the page ${vertices} and ${triangles}`);
         if (process.env.TYPEMESH_TEXT_TO_MESH) {
             const words = command.replace("--font ", `--font ${path.join(site, "fonts")}/`).replace("-o text.glb", `-o ${binary}.glb`);
-            const ran = spawnSync("sh", ["-c", words.replace(/^text_to_mesh/, process.env.TYPEMESH_TEXT_TO_MESH)], { encoding: "utf8" });
+            const ran = spawnSync("sh", ["-c", words.replace(/\btext_to_mesh\b/, () => process.env.TYPEMESH_TEXT_TO_MESH)], { encoding: "utf8" });
             check(ran.status === 0, `the command for ${name} runs: ${words}\n${ran.stderr}`);
         }
         fs.writeFileSync(path.join(folder, `${name}.mjs`), javascript);

@@ -237,8 +237,8 @@ export interface Mesher {
 
     /**
      * Plans a text that moves along an axis of the mesher's first font, such as "wght", with the same triangles throughout: they are
-     * proven to hold at every place of the axis, not only at samples. `depth`, `size`, `quality` and what shapes the text hold; bevels,
-     * bends and tags do not. A few milliseconds for each different letter; the next morph() of this mesher ends it.
+     * proven to hold at every place of the axis, not only at samples. `depth`, `size`, `quality` and what shapes the text hold; bevels
+     * and bends do not. With `markup` tags are read and have no effect. A few milliseconds for each different letter; the next morph() of this mesher ends it.
      */
     morph(text: string, axis: string, options?: MeshOptions): Morph;
 

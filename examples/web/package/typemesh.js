@@ -220,15 +220,18 @@ class Font {
 
     constructor(machine, bytes, { index = 0, variations = {} }) {
         this.#machine = machine;
-        const axes = Object.entries(variations);
-        const at = machine.put(bytes);
+        const axes = Object.entries(variations).map(([tag, value]) => [tagOf(tag), Number(value)]);
         const places = machine.take(8 * axes.length);
-        axes.forEach(([tag, value], i) => {
-            machine.words[(places >>> 2) + 2 * i] = tagOf(tag);
-            machine.floats[(places >>> 2) + 2 * i + 1] = Number(value);
-        });
-        this.#handle = machine.calls.web_open_font(at, bytes.length, index, places, axes.length) >>> 0;
-        machine.give(places);
+        try {
+            const at = machine.put(bytes); // web_open_font() takes them, also where it fails
+            axes.forEach(([tag, value], i) => {
+                machine.words[(places >>> 2) + 2 * i] = tag;
+                machine.floats[(places >>> 2) + 2 * i + 1] = value;
+            });
+            this.#handle = machine.calls.web_open_font(at, bytes.length, index, places, axes.length) >>> 0;
+        } finally {
+            machine.give(places);
+        }
         if (this.#handle === 0) throw machine.failure();
         lost.register(this, ((calls, handle) => () => calls.web_close_font(handle))(machine.calls, this.#handle), this);
         this.#facts = this.#read();

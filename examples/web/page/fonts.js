@@ -52,7 +52,7 @@ export class Fonts {
     /** The fonts to set a text in. */
     list() {
         const others = this.#entries.filter(e => e !== this.used && e.load && e.font);
-        return [this.#weighed ?? this.used.font, ...others.map(e => e.font)];
+        return [(this.#of === this.used && this.#weighed) || this.used.font, ...others.map(e => e.font)];
     }
 
     /** The weight axis of the chosen font, or undefined. */
@@ -62,6 +62,7 @@ export class Fonts {
         const axis = this.weights, value = axis && Math.min(axis.maximum, Math.max(axis.minimum, wanted));
         if (this.#of === this.used && this.#weight === value) return false;
         this.#weighed?.free();
+        this.#weighed = this.#of = undefined;  // what follows may fail
         this.#weighed = axis && value !== axis.default ? this.#open(this.used.bytes, { variations: { wght: value } }) : undefined;
         this.#of = this.used;
         this.#weight = value;

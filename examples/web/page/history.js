@@ -6,11 +6,12 @@ export class History {
     #future = [];
     #changed = 0;
 
-    constructor(first) { this.now = first; }
+    now = undefined;
 
     /** Keeps a state; within a second of the last one it replaces that. */
     keep(state, time = performance.now()) {
         if (JSON.stringify(state) === JSON.stringify(this.now)) return;
+        if (this.now === undefined) return void (this.now = state);  // the first one
         if (this.#past.length === 0 || time - this.#changed > 1000) this.#past.push(this.now);
         if (this.#past.length > 200) this.#past.shift();
         this.#changed = time;

@@ -54,6 +54,7 @@ function setFonts() {
 /** Sets the text in another font. Of several choices the newest counts, however slowly the others arrive. */
 async function choose(name) {
     const entry = fonts.find(name);
+    if (!entry) return;  // the list of fonts has not come yet, and the page will begin with what its link says
     at("font").value = entry.name;
     if (!entry.font) loading(`Loading ${entry.name}…`);
     let failed;
@@ -61,7 +62,11 @@ async function choose(name) {
     if (!chosen) return;
     loading("");
     at("font").value = fonts.used?.name ?? "";
-    if (failed) return say(failed.message);
+    recalling = false;
+    if (failed) {
+        say(failed.message);
+        return remember();
+    }
     controls.setWeights(fonts.weights);
     fonts.weigh(controls.values["page.weight"]);
     setFonts();
@@ -71,14 +76,17 @@ async function choose(name) {
 async function lookFurther() {
     if (searching) return;
     searching = true;
-    while (mesh?.statistics.missing > 0 && !ticking) {
-        const before = fonts.used;
-        if (await fonts.openAnother()) {
-            setFonts();
-            update();
-        } else if (fonts.used === before) break;
+    try {
+        while (mesh?.statistics.missing > 0 && !ticking) {
+            const before = fonts.used;
+            if (await fonts.openAnother()) {
+                setFonts();
+                update();
+            } else if (fonts.used === before) break;
+        }
+    } finally {
+        searching = false;
     }
-    searching = false;
 }
 let searching = false;
 async function take(files) {
@@ -104,7 +112,10 @@ const number = n => n.toLocaleString("en");
 
 /** Makes the mesh of a text; after an error the last one stays. */
 function make(text, options) {
-    mesh = mesher.mesh(text, options);
+    morph = undefined;
+    const next = breathes() && !ticking ? mesher.morph(text, "wght", options) : undefined;
+    mesh = next ? next.at(weightAt(performance.now())) : mesher.mesh(text, options);
+    morph = next;
     shown = text;
 }
 /** Likewise; where tags are wrong, the text is shown as it stands. */
@@ -136,9 +147,7 @@ function update() {
         return say(`This text has ${number(text.length)} characters. The page accepts at most ${number(maxCharacters)}, and the library any number.`);
     try {
         if (fonts.weigh(controls.values["page.weight"])) setFonts();
-        morph = breathes() ? mesher.morph(text.replace(/\[[^\]]*\]/g, ""), "wght", { ...options, markup: false }) : undefined;
-        if (morph) mesh = morph.at(weightAt(performance.now())), shown = text;
-        else makeMarked(text, options);
+        makeMarked(text, options);
         say("");
     } catch (e) {
         say(e.message);
@@ -197,7 +206,7 @@ function show(target) {
 /** What takes longer than a change should: once nothing has changed for a while. */
 function measure(text, options) {
     if (ticking || !mesh) return;
-    const marked = { ...options, markup: options.markup && !trouble };
+    const marked = { ...options, markup: options.markup === true && !trouble };
     const cold = measurer.mesh(text, { ...marked, cached: false });
     at("cold").value = number(Math.round(cold.statistics.microseconds));
     at("open-edges").value = number(morph ? mesh.openEdges() : cold.openEdges());
@@ -259,8 +268,9 @@ function kept(withText) {
     return all;
 }
 const link = () => kept(fitsLink()).toString();
-let remembering;
+let remembering, recalling = false;  // recalling: all is set but the font, which may still have to come
 function remember() {  // browsers refuse more than some changes of the address a second
+    if (recalling) return;
     clearTimeout(remembering);
     history.keep({ set: kept(false).toString(), text: at("text").value, font: fonts.used?.name });
     at("undo").disabled = !history.canUndo;
@@ -268,10 +278,11 @@ function remember() {  // browsers refuse more than some changes of the address 
         if (isSame(one.hash.slice(1), link())) one.setAttribute("aria-current", "true");
         else one.removeAttribute("aria-current");
     }
-    remembering = setTimeout(() => globalThis.history.replaceState(null, "", link() ? "#" + link() : location.pathname), 250);
+    remembering = setTimeout(() => globalThis.history.replaceState(null, "", link() ? "#" + link() : location.pathname + location.search), 250);
 }
-/** Sets the page to what is kept, and gives the name of the font. */
+/** Sets the page to what is kept, and gives the name of the font, which is to be chosen next. */
 function recall(kept = new URLSearchParams(location.hash.slice(1))) {
+    recalling = true;
     controls.reset();
     for (const [name, value] of kept) controls.set(name, value);
     at("text").value = kept.get("text") ?? start.text;
@@ -309,13 +320,19 @@ function pruned(options) {
 }
 /** What programs.js takes. */
 function programState() {
-    const text = at("text").value, options = pruned(controls.options(text)), bent = options.bend || options.warp?.flag;
+    const text = at("text").value, all = controls.options(text);
+    const options = pruned({ ...all, markup: all.markup === true && !trouble }), bent = options.bend || options.warp?.flag;
     const { advance } = bent ? measurer.mesh(text, { ...options, bend: undefined, warp: undefined, depth: 0, bevel: undefined }).statistics : {};
     return { text, options, advance, file: fonts.used.file ?? fonts.used.name, axis: morph && fonts.weights,
              weight: fonts.weights && controls.values["page.weight"] };
 }
 function tellProgram() {
-    if (at("program").open && mesh) at("code").textContent = programs[at("language-of-program").value](programState());
+    if (!at("program").open || !mesh) return;
+    try {
+        at("code").textContent = programs[at("language-of-program").value](programState());
+    } catch (e) {
+        at("code").textContent = e.message;
+    }
 }
 
 // For the browser's console, and for tests.
@@ -341,17 +358,17 @@ saving("glb", d => d.saveGlb(mesh, shown, materials));
 saving("stl", d => d.saveStl(mesh, materials));
 saving("png", d => stage ? d.savePng(stage) : say("There is no picture to save, because this browser has no WebGL."));
 at("link").addEventListener("click", async () => {
-    const address = location.origin + location.pathname + (link() ? "#" + link() : "");
+    const address = location.origin + location.pathname + location.search + (link() ? "#" + link() : "");
     globalThis.history.replaceState(null, "", address);
     await navigator.clipboard?.writeText(address).catch(() => {});
     at("link").textContent = fitsLink() ? "Link is in the address" : "Link has no text: it is too long for one";
     setTimeout(() => { at("link").textContent = "Copy link"; }, 1500);
 });
 at("reset").addEventListener("click", async () => {
-    globalThis.history.replaceState(null, "", location.pathname);
+    globalThis.history.replaceState(null, "", location.pathname + location.search);
     recall();
     afresh();
-    await choose(fonts.first.name);
+    await choose(fonts.first?.name);
 });
 at("panel").addEventListener("submit", event => event.preventDefault());
 addEventListener("hashchange", () => choose(recall()).then(afresh));

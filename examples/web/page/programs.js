@@ -148,8 +148,12 @@ function cppMorph(state) {
 /** For a shell. */
 const shell = word => /^[\w.,:=/%+-]+$/.test(word) ? word : `'${word.replaceAll("'", "'\\''")}'`;
 
+/** Whether text_to_mesh would take a text for an option or a file, or change it: it then reads it from a pipe. */
+const isSpecial = text => /^\\?[-@]/.test(text) || text.includes("\\n");
+
 export function command(state) {
-    const { text, options: o, file, weight, axis } = state, words = ["text_to_mesh", text, "--font", file];
+    const { text, options: o, file, weight, axis } = state, special = isSpecial(text);
+    const words = ["text_to_mesh", ...special ? ["--text-file", "-"] : [text], "--font", file];
     const add = (option, value) => { if (value !== undefined) words.push(option, String(value)); };
     const some = v => has(v) ? number(v) : undefined;
     if (axis) add("--morph", `wght=${axis.minimum}..${axis.maximum}`);
@@ -182,7 +186,7 @@ export function command(state) {
     if (o.merge === true) words.push("--merge");
     if (o.merge === false) words.push("--no-merge");
     words.push("-o", "text.glb");
-    return words.map(shell).join(" ") + "\n";
+    return (special ? `printf %s ${shell(text)} | ` : "") + words.map(shell).join(" ") + "\n";
 }
 
 export function javascript({ text, options, file, weight, axis }) {

@@ -237,6 +237,30 @@ test('tags are read', () => {
         assert.throws(() => typemesh.mesh(wrong, font, { markup: true }), (e) => e instanceof TypemeshError && e.at === at && words.test(e.message));
 });
 
+test('vertices reach the bounds exactly, whatever depth tags ask for', () => {
+    for (const text of ['[depth=0.5]ab[/]', '[depth=0.5]a[/]b', 'a[depth=0.05]b[/]', '[mark=#ff0]ab[/]']) {
+        const { position, bounds } = typemesh.mesh(text, font, { markup: true });
+        const [low, high] = [Infinity, -Infinity].map((start, k) => [0, 1, 2].map((c) =>
+            position.filter((_, i) => i % 3 === c).reduce((a, b) => (k === 0 ? Math.min(a, b) : Math.max(a, b)), start)));
+        assert.deepEqual(bounds, { low, high }, text);
+        assert.ok(Math.abs(low[2] + 0.2) < 1e-6, `${text}: all backs lie in one plane`);
+    }
+});
+
+test('letters of tags are merged unless merge is off', () => {
+    const triangles = (text, options) => typemesh.mesh(text, font, { markup: true, letterSpacing: -0.2, ...options }).statistics.triangles;
+    assert.notEqual(triangles('[b]oo[/]', {}), triangles('[b]oo[/]', { merge: false }));
+    assert.equal(triangles('[b]oo[/]', { merge: false }), 2 * triangles('[b]o[/]', { merge: false }));
+});
+
+test('a font that is refused leaves no memory behind', () => {
+    const open = (options, words) => assert.throws(() => typemesh.font(bytes, options), words);
+    open({ variations: { toolong: 1 } }, /is not a tag/);
+    const before = typemesh.memoryBytes;
+    for (let i = 0; i < 200; ++i) open({ variations: { wght: 400, toolong: 1 } }, /is not a tag/);
+    assert.ok(typemesh.memoryBytes - before < 2 * bytes.length, `${typemesh.memoryBytes - before} bytes are gone`);
+});
+
 const inter = execFileSync('fc-match', ['-f', '%{file}', 'Inter:variable=true'], { encoding: 'utf8' });
 test('a text moves along an axis', { skip: !/Inter/.test(inter) && 'Inter is not installed as a variable font' }, () => {
     const font = typemesh.font(readFileSync(inter)), mesher = typemesh.mesher(font);
@@ -255,6 +279,10 @@ test('a text moves along an axis', { skip: !/Inter/.test(inter) && 'Inter is not
     check(morph.at(500));
     assert.throws(() => morph.at('1'), TypeError);
     assert.throws(() => mesher.morph('a', 'wdth'), (e) => e instanceof TypemeshError && /axis/.test(e.message));
+    const tagged = mesher.morph('[b]a[1]', 'wght').at(500).statistics.glyphs;
+    assert.equal(tagged, 7, 'brackets are letters');
+    assert.equal(mesher.morph('[b]a[[1]', 'wght', { markup: true }).at(500).statistics.glyphs, 4, 'until tags are read');
+    assert.throws(() => mesher.morph('a[b', 'wght', { markup: true }), (e) => e.at === 1 && /^There is a tag without/.test(e.message));
     mesher.morph('b', 'wght');
     assert.throws(() => morph.at(500), /planned another/);
 });
