@@ -103,7 +103,7 @@ TEST_CASE("a tiny edge between two sharp corners becomes one corner, whose norma
     }
     detail::tube_clearance clearance;
     REQUIRE_FALSE(clearance.find({points, thinning.starts()}, 4000.0));
-    CHECK(clearance.radii()[0] == 4000.0);  // NOLINT
+    CHECK(clearance.radii()[0] == Approx(4000.0).epsilon(1e-12));  // the last bits are free under -ffast-math
 }
 
 TEST_CASE("no point is left out without need, or if no deviation is allowed", "[extrude]")
