@@ -225,9 +225,9 @@ TEST_CASE("moving letters allocates nothing", "[letters]")
 TEST_CASE("letters that a path turns move from where they stand", "[letters][path]")
 {
     test::toy_font font;
-    plane_path ring;
-    ring.circle({0.3, 0.2}, 1.5);
-    text_mesher mesher{font, extruded<>{}, on_path{&ring, {.anchor = path_anchor::middle}}};
+    plane_path round_path;
+    round_path.circle({0.3, 0.2}, 1.5);
+    text_mesher mesher{font, extruded<>{}, on_path{&round_path, {.anchor = path_anchor::middle}}};
     const auto plan = test::required(mesher.plan("oEi xE", {.merge = false}));
     REQUIRE(plan->find_letters("oEi xE"));
     const test::lit_mesh still = test::written(*plan);

@@ -84,7 +84,7 @@ TEST_CASE("a DirectWrite font's key depends on font, face and simulations, and i
         CHECK(fonts.insert(opened(path, 0)->variation_key()).second);
     CHECK(opened(micro_hei, 0)->variation_key() != opened(micro_hei, 1)->variation_key());
 
-    const font_files files{{dejavu}};
+    const test::font_files files{{dejavu}};
     com_ptr<IDWriteFontFile> file;
     REQUIRE(SUCCEEDED(files.factory()->CreateFontFileReference(windows_path(dejavu).c_str(), nullptr, file.put())));
     IDWriteFontFile* const one[] = {file.get()};
@@ -131,7 +131,7 @@ TEST_CASE("a DirectWrite font's key depends on its axes, and is unique if these 
 TEST_CASE("layouts with faces, sizes or lines in different orders share a cache and keep their own letters",
           "[windows]")
 {
-    const font_files files{{dejavu, comic, serif}};
+    const test::font_files files{{dejavu, comic, serif}};
     const std::wstring second = files.family(1), third = files.family(2);
     glyph_cache cache;
     directwrite_text text;
@@ -169,7 +169,7 @@ TEST_CASE("layouts with faces, sizes or lines in different orders share a cache 
 
 TEST_CASE("a layout at another size finds the letters of the same faces", "[windows]")
 {
-    const font_files files{{dejavu}};
+    const test::font_files files{{dejavu}};
     glyph_cache cache;
     directwrite_text one, other;
     REQUIRE(one.read(files.layout(L"abc", 30.0f).get()));
@@ -184,7 +184,7 @@ TEST_CASE("a layout at another size finds the letters of the same faces", "[wind
 
 TEST_CASE("a face without a system file shares nothing between layouts", "[windows]")
 {
-    const font_files files{{dejavu}};
+    const test::font_files files{{dejavu}};
     glyph_cache cache;
     directwrite_text text;
     std::set<std::uint64_t> keys;

@@ -66,7 +66,7 @@ public:
 
 TEST_CASE("a layout of one font keeps the font's own glyph ids, its baseline and its advances", "[windows]")
 {
-    const font_files files{{dejavu}};
+    const test::font_files files{{dejavu}};
     auto font = directwrite_font::open(windows_path(dejavu).c_str());
     REQUIRE(font);
     const auto layout = files.layout(L"Hello", 64.0f);
@@ -112,7 +112,7 @@ TEST_CASE("every phrase of the four scripts, laid out and meshed, is closed and 
     for (const workload_font& entry : workload_fonts()) {
         if (entry.optional() && !std::ifstream{entry.path}) continue;
         REQUIRE(entry.available());
-        const font_files files{{entry.path}};
+        const test::font_files files{{entry.path}};
         for (const char* script : {"latin", "arabic", "chinese", "japanese"}) {
             if (!entry.serves(script)) continue;
             for (const std::string& phrase : workload_lines(std::string{"phrases-"} + script + ".txt")) {
@@ -142,7 +142,7 @@ TEST_CASE("every phrase of the four scripts, laid out and meshed, is closed and 
 
 TEST_CASE("text of both directions stands in visual order", "[windows]")
 {
-    const font_files files{{dejavu}};
+    const test::font_files files{{dejavu}};
     const auto layout = files.layout(L"ab \x05D0\x05D1\x05D2 cd", 20.0f);
     const auto check_order = [&](const std::vector<cluster_id>& expected) {
         directwrite_text text;
@@ -160,7 +160,7 @@ TEST_CASE("text of both directions stands in visual order", "[windows]")
 
 TEST_CASE("wrapped lines lie below each other, and stand as they are aligned", "[windows]")
 {
-    const font_files files{{dejavu}};
+    const test::font_files files{{dejavu}};
     const auto layout = files.layout(L"one two three four five six\nseven", 20.0f, 130.0f, 400.0f);
     directwrite_text text;
     REQUIRE(text.read(layout.get()));
@@ -196,7 +196,7 @@ TEST_CASE("wrapped lines lie below each other, and stand as they are aligned", "
 
 TEST_CASE("fonts and sizes may change inside a layout, and each glyph keeps its own", "[windows]")
 {
-    const font_files files{{dejavu, comic}};
+    const test::font_files files{{dejavu, comic}};
     const std::wstring first = files.family(0), second = files.family(1);
     const auto layout = files.layout(L"aaa aaa aaa", 30.0f);
     REQUIRE(SUCCEEDED(layout->SetFontFamilyName(second.c_str(), range(4, 3))));
@@ -227,7 +227,7 @@ TEST_CASE("fonts and sizes may change inside a layout, and each glyph keeps its 
 
 TEST_CASE("a fallback font that steps in brings its own outlines", "[windows]")
 {
-    const font_files files{{comic, dejavu}};
+    const test::font_files files{{comic, dejavu}};
     directwrite_text text;
     REQUIRE(text.read(files.layout(L"a", 30.0f).get()));
     REQUIRE(text.read(files.layout(L"a\x05D0", 30.0f).get()));  // a letter that the first font lacks
@@ -242,7 +242,7 @@ TEST_CASE("a fallback font that steps in brings its own outlines", "[windows]")
 
 TEST_CASE("underlines and strike-throughs are rectangles at their lines' ends", "[windows]")
 {
-    const font_files files{{dejavu}};
+    const test::font_files files{{dejavu}};
     const auto layout = files.layout(L"under struck plain", 50.0f);
     REQUIRE(SUCCEEDED(layout->SetUnderline(TRUE, range(0, 5))));
     REQUIRE(SUCCEEDED(layout->SetStrikethrough(TRUE, range(6, 6))));
@@ -277,7 +277,7 @@ TEST_CASE("underlines and strike-throughs are rectangles at their lines' ends", 
 
 TEST_CASE("a trimmed line ends with the ellipsis that the layout draws", "[windows]")
 {
-    const font_files files{{dejavu}};
+    const test::font_files files{{dejavu}};
     const auto layout = files.layout(L"a text that does not fit", 20.0f, 100.0f, 30.0f);
     REQUIRE(SUCCEEDED(layout->SetWordWrapping(DWRITE_WORD_WRAPPING_NO_WRAP)));
     com_ptr<IDWriteInlineObject> sign;
@@ -300,7 +300,7 @@ TEST_CASE("a trimmed line ends with the ellipsis that the layout draws", "[windo
 
 TEST_CASE("inline objects are reported where they stand, asked to draw, and let go", "[windows]")
 {
-    const font_files files{{dejavu}};
+    const test::font_files files{{dejavu}};
     box_object box;
     {
         const auto layout = files.layout(L"ab*cd", 20.0f);
@@ -340,7 +340,7 @@ TEST_CASE("inline objects are reported where they stand, asked to draw, and let 
 
 TEST_CASE("lone halves of surrogate pairs are counted", "[windows]")
 {
-    const font_files files{{dejavu}};
+    const test::font_files files{{dejavu}};
     directwrite_text text;
     REQUIRE(text.read(files.layout(L"ab\xD800z", 20.0f).get()));
     CHECK(text.run().invalid_units == 1);
@@ -349,7 +349,7 @@ TEST_CASE("lone halves of surrogate pairs are counted", "[windows]")
 
 TEST_CASE("columns are refused", "[windows]")
 {
-    const font_files files{{dejavu}};
+    const test::font_files files{{dejavu}};
     const auto layout = files.layout(L"ab", 20.0f);
     directwrite_text text;
     REQUIRE(SUCCEEDED(layout->SetFlowDirection(DWRITE_FLOW_DIRECTION_RIGHT_TO_LEFT)));
@@ -361,7 +361,7 @@ TEST_CASE("columns are refused", "[windows]")
 
 TEST_CASE("an empty layout is one empty line", "[windows]")
 {
-    const font_files files{{dejavu}};
+    const test::font_files files{{dejavu}};
     directwrite_text text;
     REQUIRE(text.read(files.layout(L"", 20.0f).get()));
     CHECK(text.run().glyphs.empty());
@@ -376,7 +376,7 @@ TEST_CASE(
     "reading gives back every reference, whether it succeeds or runs out of memory, and allocates no more when warm",
     "[windows]")
 {
-    const font_files files{{dejavu}};
+    const test::font_files files{{dejavu}};
     const auto layout = files.layout(L"some text, \x05D0\x05D1, and more", 20.0f, 90.0f);
     REQUIRE(SUCCEEDED(layout->SetUnderline(TRUE, range(0, 9))));
     counting_memory counted;
