@@ -5,7 +5,7 @@
 #
 #     bench/run.sh                    everything, into docs/benchmarks/: within an hour on 2 cores
 #     bench/run.sh --quick            fewer runs, into build/bench/pages/: within five minutes
-#     bench/run.sh --only A,B         only these parts: thesis, d3dx, peers, kernels, pictures. For the other parts the pages
+#     bench/run.sh --only A,B         only these parts: thesis, d3dx, peers, kernels, compile, pictures. For the other parts the pages
 #                                     keep what was measured before
 #     bench/run.sh --pages            measures nothing, writes the pages anew
 #
@@ -14,7 +14,7 @@ set -eu
 typemesh_root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 . "$typemesh_root/cmake/setup.sh"
 here=$typemesh_root/bench work=$typemesh_root/build/bench
-all_parts="thesis d3dx kernels peers pictures" parts= quick= pages=$typemesh_root/docs/benchmarks
+all_parts="thesis d3dx kernels compile peers pictures" parts= quick= pages=$typemesh_root/docs/benchmarks
 while [ $# -gt 0 ]; do
     case $1 in
         --quick) quick=--quick pages=$work/pages ;;
@@ -37,6 +37,7 @@ tenths_of() {
         d3dx) whole=20 quickly=6 ;;
         kernels) whole=55 quickly=4 ;;
         peers) whole=115 quickly=12 ;;
+        compile) whole=60 quickly=0 ;;
         pictures) whole=2 quickly=3 ;;
         *) whole=1 quickly=1 ;;
     esac
@@ -44,7 +45,7 @@ tenths_of() {
 }
 
 kernels="bench_outline bench_discretise bench_triangulate bench_delaunay bench_resolve bench_extrude bench_vertex bench_offset
-    bench_text bench_paragraph bench_markup bench_morph bench_threads"
+    bench_text bench_paragraph bench_markup bench_morph bench_kinds bench_refine bench_threads"
 [ -z "$quick" ] || kernels=bench_text
 
 install_all() {
@@ -58,6 +59,13 @@ install_all() {
 run_thesis() { if [ -n "$quick" ]; then "$build/bench_thesis" time 3 1; else "$build/bench_thesis" time 100 20; fi; }
 run_d3dx() { bash "$here/d3dx/run.sh" $([ -n "$quick" ] && say --protocol 5 --rounds 1 || say --protocol 20); }
 run_peers() { bash "$here/peers/run.sh" $quick; }
+run_compile() {
+    if [ -n "$quick" ]; then
+        printf 'skipped\tcompile times\tthey take minutes\n'
+    else
+        bash "$here/compile_times.sh" --rows 2
+    fi
+}
 run_pictures() {
     mkdir -p "$pages"
     "$build/bench_thesis" triangles | "$python" "$here/pages/sheets.py" "$pages"

@@ -86,7 +86,7 @@ def write_kernels(rows, folder, foot):
     for r in rows.of['kernel']:
         if r['counter'] not in SHOWN and r['value'] is not None:
             programs.setdefault(r['program'], collections.OrderedDict()).setdefault(r['name'], {})[r['counter']] = r['value']
-    if not programs:
+    if not programs and not rows.of['compiled']:
         return
     parts = ['# The parts of typemesh, beside their floors\n\nThese are the programs `bench/*.bench.cpp`. The first lines of each '
              'explain its columns. Compare ratios, not times.\n']
@@ -98,6 +98,11 @@ def write_kernels(rows, folder, foot):
         for counters, names in groups.items():
             parts.append(table(['', *(c.replace('_', ' ') for c in counters)],
                                [[f'`{n}`', *(brief(named[n][c], 3) for c in counters)] for n in names]))
+    if rows.of['compiled']:
+        parts += ['## Compile times', """Seconds of the compiler's own time, the less of two runs; also by the time of a program that uses `<regex>` once, compiled in the same
+minute. Its memory and the code in the object do not depend on the machine's load.
+""", as_table(rows.of['compiled'], ['program', 'seconds', 'yardsticks', 'memory_mb', 'code_kb'],
+              {'yardsticks': 'by `<regex>`', 'memory_mb': 'memory (MB)', 'code_kb': 'code (kB)'})]
     (folder / 'kernels.md').write_text('\n'.join(parts) + '\n' + foot, encoding='utf-8')
 
 
