@@ -49,20 +49,20 @@ seconds() {
 }
 # measure NAME FLAGS... : the least of all runs, and of the yardstick beside them
 measure() {
-    name=$1 && shift
+    title=$1 && shift
     for _ in $(seq "$runs"); do
         echo "$(seconds "$compiler" -std=c++20 -O1 -c -o yardstick.o yardstick.cpp) $(seconds "$compiler" $report "$@" -c -o made.o)"
-    done | awk -v name="$name" '
+    done | awk -v name="$title" '
         NR == 1 || $1 < yardstick { yardstick = $1 }
         NR == 1 || $2 < least { least = $2 }
         END { print least, least / yardstick }' >times.txt
     memory=$(awk '$1 == "TOTAL" { print $NF }' report.txt)
     code=$(size made.o | awk 'NR == 2 { printf "%d", $1 / 1000 }')
     if [ -n "$rows" ]; then
-        awk -v name="$name" -v memory="${memory:--}" -v code="$code" '
+        awk -v name="$title" -v memory="${memory:--}" -v code="$code" '
             { sub(/M$/, "", memory); printf "compiled\t%s\t%.2f\t%.1f\t%s\t%d\n", name, $1, $2, memory, code }' times.txt
     else
-        awk -v name="$name" -v memory="${memory:-?}" -v code="$code" '
+        awk -v name="$title" -v memory="${memory:-?}" -v code="$code" '
             { printf "%-66s %6.2f s %6.2f yardsticks %6s %5d kB of code\n", name, $1, $2, memory, code }' times.txt
     fi
 }
