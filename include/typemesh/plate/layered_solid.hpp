@@ -98,6 +98,8 @@ public:
         float top = 0.0f;     ///< the height of its upper side, in output units
         float bevel = 0.0f;   ///< the width and depth of the bevel along its upper rim, in em; 0: none
         float fillet = 0.0f;  ///< the radius of the fillet at its foot, where it stands on the slab below, in em
+        cell_set rim = {};    ///< for the last slab only: the cells whose outline is bevelled, if it is not `filled`.
+                              ///< They contain `filled`; the rims of what is missing stay sharp
     };
     /// The greatest number of slabs.
     static constexpr std::size_t max_slabs = detail::slab_walls::max_slabs;
@@ -244,7 +246,7 @@ private:
         return count_walls(cells);
     }
 
-    /// Takes the wanted widths. On each slab, a sixteenth of its height stays a wall.
+    /// Takes the wanted widths, made narrower alike where a slab's height would not leave a sixteenth of itself a wall.
     [[nodiscard]] error settle_widths(const layered_base& base, array_view<const slab> slabs) noexcept
     {
         const auto is_width = [](float w) noexcept { return is_finite(as_double(w)) && w >= 0.0f; };
@@ -252,17 +254,21 @@ private:
         float below = base.height;
         for (std::size_t k = 0; k < slabs.size(); below = slabs[k++].top) {
             if (!is_finite(as_double(slabs[k].top)) || !(slabs[k].top > below)) return error::bad("top");
+            if (slabs[k].rim.is_unbounded() || (slabs[k].rim.labels != 0 && k + 1 != slabs.size()))
+                return error::bad("rim");
             if (!is_width(slabs[k].bevel) || !is_width(slabs[k].fillet)) return error::bad("bevel");
             const double height = as_double(slabs[k].top) - as_double(below);
-            const auto room = static_cast<float>(0.9375 * height / base.unit_per_em);
-            const auto at_most = [](float w, float most) noexcept { return w < most ? w : most; };
-            const bool shares = k == 0 && base.bevel > 0.0f;
-            if (k == 0) lower_ = at_most(base.bevel, slabs[0].bevel > 0.0f ? 0.5f * room : room);
-            widths_[k].bevel = at_most(slabs[k].bevel, shares ? 0.5f * room : room);
-            if (k != 0) widths_[k].fillet = at_most(slabs[k].fillet, room - widths_[k].bevel);
+            const double room = 0.9375 * height / base.unit_per_em;
+            const float at_foot = k == 0 ? base.bevel : slabs[k].fillet;
+            const double all = as_double(slabs[k].bevel) + as_double(at_foot), share = all > room ? room / all : 1.0;
+            widths_[k].bevel = static_cast<float>(share * as_double(slabs[k].bevel));
+            (k == 0 ? lower_ : widths_[k].fillet) = static_cast<float>(share * as_double(at_foot));
         }
         return {};
     }
+    static cell_set rim_of(const slab& s) noexcept { return s.rim.labels != 0 ? s.rim : s.filled; }
+    /// The cells within a slab's rim that it does not fill.
+    static cell_set pockets(const slab& s) noexcept { return rim_of(s) & ~s.filled; }
 
     /// The upper side of slab k.
     struct upper_side {
@@ -277,16 +283,17 @@ private:
     {
         const slab& own = at.slabs[at.k];
         const bool has_next = at.k + 1 < at.slabs.size();
-        const cell_set over = has_next ? at.slabs[at.k + 1].filled : cell_set{};
+        const cell_set over = has_next ? at.slabs[at.k + 1].filled : pockets(own);
         detail::rim_widths widths{widths_[at.k].bevel, has_next ? widths_[at.k + 1].fillet : 0.0f};
         if (widths.bevel > 0.0f || widths.fillet > 0.0f) {
-            if (error e = rims_.fit(cells, own.filled, over, widths, shape_of(base), cut)) return e;
+            if (error e = rims_.fit(cells, rim_of(own), over, widths, shape_of(base), cut)) return e;
             widths_[at.k].bevel = widths.bevel;
             if (has_next) widths_[at.k + 1].fillet = widths.fillet;
         }
         if (!(widths.bevel > 0.0f) && !(widths.fillet > 0.0f)) {
             const level_cap up{at.of, true, own.top, 0, 0, 0, 0}, down{plate_part::back, false, own.top, 0, 0, 0, 0};
             if (error e = make_cap(cells, own.filled & ~over, up, cut, space)) return e;
+            if (!has_next) return {};
             return make_cap(cells, over & ~own.filled, down, cut, space);
         }
         if (error e = keep_cap({at.of, true, own.top, 0, 0, 0, 0})) return e;
@@ -347,15 +354,17 @@ private:
         return add_cap(made, points);
     }
 
-    /// The levels of the walls. Where a level has a bevel or a fillet, an empty slab lies between two walls.
+    /// The levels of the walls. Where a level has a bevel or a fillet, an empty slab lies between two walls; where the
+    /// walls of pockets go on, a slab that fills all but the pockets.
     [[nodiscard]] error stack(const layered_base& base, array_view<const slab> slabs) noexcept
     {
         walls_.height[0] = lower_ > 0.0f ? base.height + depth(base, lower_) : base.height;
         for (std::size_t k = 0; k < slabs.size(); ++k) {
             const float bevel = widths_[k].bevel, fillet = k + 1 < slabs.size() ? widths_[k + 1].fillet : 0.0f;
             if (error e = add_walls(slabs[k].filled, bevel > 0.0f ? slabs[k].top - depth(base, bevel) : slabs[k].top)) return e;
-            if (k + 1 == slabs.size() || !(bevel > 0.0f || fillet > 0.0f)) continue;
-            if (error e = add_walls({}, fillet > 0.0f ? slabs[k].top + depth(base, fillet) : slabs[k].top)) return e;
+            const cell_set open = pockets(slabs[k]);  // its walls go on beside the bevel
+            if (!(bevel > 0.0f || fillet > 0.0f) || (k + 1 == slabs.size() && open.labels == 0)) continue;
+            if (error e = add_walls(open.labels != 0 ? ~open : cell_set{}, fillet > 0.0f ? slabs[k].top + depth(base, fillet) : slabs[k].top)) return e;
         }
         return {};
     }

@@ -304,7 +304,7 @@ private:
                 break;
             }
             if (through) base_[0].bevel = 0.0f;  // the solids tile only without
-            add(0, {body() & ~text(), face});
+            add(0, {body() & ~text(), face, how.bevel, 0.0f, body()});
             base_[1].height = through ? 0.0f : floor;
             base_[1].bevel = 0.0f;
             add(1, {body() & text(), face});

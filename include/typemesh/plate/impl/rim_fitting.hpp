@@ -93,12 +93,16 @@ public:
 
 private:
     /// What does not fit is made narrower so often, and then left out.
-    static constexpr int max_attempts = 8;
+    static constexpr int max_attempts = 16;
 
     [[nodiscard]] error try_to_fit(cell_set under, cell_set over, const rim_widths& wanted, rim_widths& made,
                                    triangulator_ref cut) noexcept
     {
         bool fits = false;
+        if (!(wanted.bevel > 0.0f) && !(wanted.fillet > 0.0f)) return {};
+        if (error e = make_floor(under, over, {}, fits, cut)) return e;
+        if (!fits) return {};  // it stands on the rim
+        fits = false;
         float width = wanted.bevel;
         for (int i = 0; width > 0.0f && !fits; width *= 0.75f) {
             if (error e = move(inner_, under, how_.section, width, cut)) return e;

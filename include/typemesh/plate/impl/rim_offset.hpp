@@ -63,6 +63,7 @@ public:
         region_caps caps{builder_, further_, cut, triangles_.view()};
         bevelled how{.depth = 4.0f * width, .width = width, .bevel_depth = width, .sides = bevel_sides::front};
         how.outward = section == rim_section::fillet;
+        if (how.outward) how.mitre_limit = 1.0f;  // a ball that rolls around a corner leaves it round
         how.crease_degrees = 30.0f;
         how.side = false;
         how.profile = section == rim_section::chamfer ? chamfer_profile()
