@@ -55,8 +55,10 @@ std::string refused_words(const plate_words& words)
     if (cut && !words.engrave.empty())
         return std::string{words.cut ? "--cut" : "--stencil"} + " does not work with --engrave: give one of them";
     if (!words.fillet.empty() && (cut || words.inlay || !words.engrave.empty()))
-        return "--fillet needs letters that stand on the plate: leave out " +
-               std::string{words.inlay ? "--inlay" : words.cut ? "--cut" : cut ? "--stencil" : "--engrave"};
+        return "--fillet needs letters that stand on the plate: leave out " + std::string{words.inlay ? "--inlay"
+                                                                                          : words.cut ? "--cut"
+                                                                                          : cut       ? "--stencil"
+                                                                                                      : "--engrave"};
     if (words.inlay && !words.stencil.empty()) return "--inlay does not work with --stencil";
     return {};
 }

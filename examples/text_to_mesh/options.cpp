@@ -1165,8 +1165,9 @@ std::optional<int> parse(int argc, char** argv, options& out)
          {std::pair{"--text-file", &out.text_file}, std::pair{"--batch", &out.batch}, std::pair{"--svg", &out.svg}})
         if (app.count(option) > 0 && value->empty())
             return complain(std::string{option} + " must be a file's name or -");
-    for (const char* option : {"--plate", "--backing", "--engrave", "--stencil", "--keyring", "--fillet", "--tube", "--bend",
-                               "--path", "--lod", "--morph", "--anchor", "--origin", "--output", "--picture"}) {
+    for (const char* option :
+         {"--plate", "--backing", "--engrave", "--stencil", "--keyring", "--fillet", "--tube", "--bend", "--path",
+          "--lod", "--morph", "--anchor", "--origin", "--output", "--picture"}) {
         const auto values = app.get_option(option)->results();  // an empty variable of a shell is no missing option
         if (std::find(values.begin(), values.end(), "") != values.end())
             return complain(std::string{option} + " must not be empty");

@@ -44,9 +44,9 @@ struct layered_placement {
 /// The parts of a layered solid, in the order of the output. As numbers of typemesh::part the first three are front,
 /// back and side, and two are the bevels.
 enum class plate_part : std::uint8_t {
-    front,      ///< the faces towards the reader at the highest level: letters that stand, or the face of a cut plate
-    back,       ///< the faces away from the reader
-    rim,        ///< the walls on the edges of the sources below `rim_sources`
+    front,        ///< the faces towards the reader at the highest level: letters that stand, or the face of a cut plate
+    back,         ///< the faces away from the reader
+    rim,          ///< the walls on the edges of the sources below `rim_sources`
     front_bevel,  ///< the bevel around the front
     back_bevel,   ///< the bevel around the back
     floor,        ///< the faces towards the reader at lower levels
@@ -54,9 +54,9 @@ enum class plate_part : std::uint8_t {
     floor_bevel,  ///< the bevels and fillets around floors
 };
 /// All parts of a layered solid.
-inline constexpr plate_part all_plate_parts[] = {
-    plate_part::front,      plate_part::back,  plate_part::rim,  plate_part::front_bevel,
-    plate_part::back_bevel, plate_part::floor, plate_part::wall, plate_part::floor_bevel};
+inline constexpr plate_part all_plate_parts[] = {plate_part::front,       plate_part::back,       plate_part::rim,
+                                                 plate_part::front_bevel, plate_part::back_bevel, plate_part::floor,
+                                                 plate_part::wall,        plate_part::floor_bevel};
 
 /// The lower side of a layered solid, and how all its rims are made.
 struct layered_base {
@@ -122,13 +122,13 @@ public:
     ///     rim_sources  walls on sources with lower numbers belong to plate_part::rim, all others to plate_part::wall
     ///
     /// Fails  error::bad_option: no slab or more than max_slabs, where a level with a bevel or a fillet counts as one
-    ///        more ("slabs"), heights that do not ascend or are not finite ("top"), a bevel or a fillet that is not
-    ///        finite or negative ("bevel"), or an unbounded set ("cells"). error::too_large, error::out_of_memory, and errors of the
+    ///        more ("slabs"); heights that do not ascend or are not finite ("top"); a bevel or a fillet that is not
+    ///        finite or is negative ("bevel"); a rim of another slab than the last ("rim"); an unbounded set ("cells").
+    ///        error::too_large, error::out_of_memory, and errors of the
     ///        triangulator. The solid is then empty
     /// Cost   one triangulation per level, and O(pieces * slabs)
-    [[nodiscard]] result<void> plan(layer_arrangement& cells, const layered_base& base,
-                                    array_view<const slab> slabs, std::uint32_t rim_sources, triangulator_ref cut,
-                                    workspace& space) noexcept
+    [[nodiscard]] result<void> plan(layer_arrangement& cells, const layered_base& base, array_view<const slab> slabs,
+                                    std::uint32_t rim_sources, triangulator_ref cut, workspace& space) noexcept
     {
         clear();
         const error e = try_to_plan(cells, base, slabs, rim_sources, cut, space);
@@ -299,11 +299,14 @@ private:
         if (error e = keep_cap({at.of, true, own.top, 0, 0, 0, 0})) return e;
         const bool is_front = at.of == plate_part::front;
         if (widths.bevel > 0.0f)
-            if (error e = keep_bevel(is_front ? plate_part::front_bevel : plate_part::floor_bevel, own.top, depth(base, widths.bevel), base)) return e;
+            if (error e = keep_bevel(is_front ? plate_part::front_bevel : plate_part::floor_bevel, own.top,
+                                     depth(base, widths.bevel), base))
+                return e;
         if (!(widths.fillet > 0.0f)) return {};
         const float rise = depth(base, widths.fillet);
         of_rims_ += as_double(rise) * 0.5 * static_cast<double>(cells.doubled_area(over));
-        return keep_sheet(rims_.outer(), {static_cast<std::uint32_t>(plate_part::floor_bevel), detail::rim_section::fillet, true, own.top, own.top + rise});
+        return keep_sheet(rims_.outer(), {static_cast<std::uint32_t>(plate_part::floor_bevel),
+                                          detail::rim_section::fillet, true, own.top, own.top + rise});
     }
 
     /// Makes the cap at the lower side of the first slab, with its bevel.
@@ -331,7 +334,8 @@ private:
     [[nodiscard]] error keep_bevel(plate_part of, float height, float deep, const layered_base& base) noexcept
     {
         of_rims_ += std::fabs(as_double(deep)) * 0.5 * static_cast<double>(rims_.inner().doubled_area());
-        return keep_sheet(rims_.inner(), {static_cast<std::uint32_t>(of), shape_of(base).section, deep > 0.0f, height - deep, height});
+        return keep_sheet(rims_.inner(),
+                          {static_cast<std::uint32_t>(of), shape_of(base).section, deep > 0.0f, height - deep, height});
     }
     [[nodiscard]] error keep_sheet(detail::rim_offset& made, const detail::rim_sheets::sheet& how) noexcept
     {
@@ -361,10 +365,13 @@ private:
         walls_.height[0] = lower_ > 0.0f ? base.height + depth(base, lower_) : base.height;
         for (std::size_t k = 0; k < slabs.size(); ++k) {
             const float bevel = widths_[k].bevel, fillet = k + 1 < slabs.size() ? widths_[k + 1].fillet : 0.0f;
-            if (error e = add_walls(slabs[k].filled, bevel > 0.0f ? slabs[k].top - depth(base, bevel) : slabs[k].top)) return e;
+            if (error e = add_walls(slabs[k].filled, bevel > 0.0f ? slabs[k].top - depth(base, bevel) : slabs[k].top))
+                return e;
             const cell_set open = pockets(slabs[k]);  // its walls go on beside the bevel
             if (!(bevel > 0.0f || fillet > 0.0f) || (k + 1 == slabs.size() && open.labels == 0)) continue;
-            if (error e = add_walls(open.labels != 0 ? ~open : cell_set{}, fillet > 0.0f ? slabs[k].top + depth(base, fillet) : slabs[k].top)) return e;
+            if (error e = add_walls(open.labels != 0 ? ~open : cell_set{},
+                                    fillet > 0.0f ? slabs[k].top + depth(base, fillet) : slabs[k].top))
+                return e;
         }
         return {};
     }
@@ -465,7 +472,8 @@ private:
             if (s.of != static_cast<std::uint32_t>(p)) continue;
             for (const detail::rim_sheets::vertex& v : sheets_.vertices(s))
                 put(v.at, detail::rim_sheets::height(s, v),
-                    to.at.direction((to.mirrored ? -v.out : v.out) * v.outward.x, v.out * v.outward.y, s.up ? v.up : -v.up));
+                    to.at.direction((to.mirrored ? -v.out : v.out) * v.outward.x, v.out * v.outward.y,
+                                    s.up ? v.up : -v.up));
         }
         if (p != plate_part::rim && p != plate_part::wall) return;
         each_wall([&](const layer_arrangement::piece& s, const detail::slab_walls::wall& w) noexcept {

@@ -28,9 +28,9 @@ namespace typemesh::inline TYPEMESH_ABI {
 
 /// The bevels and the fillet of a plate that was planned, in em.
 struct plate_rims {
-    float bevel = 0.0f;         ///< the narrowest bevel
-    float fillet = 0.0f;        ///< the radius of the fillet
-    std::uint32_t bevels = 0;   ///< the number of rims that were to be bevelled
+    float bevel = 0.0f;        ///< the narrowest bevel
+    float fillet = 0.0f;       ///< the radius of the fillet
+    std::uint32_t bevels = 0;  ///< the number of rims that were to be bevelled
 };
 
 /// A plate with a text: letters that stand on it, are engraved into it, are cut through it, or fill its pockets.

@@ -30,12 +30,12 @@ struct plate_options {
     float thickness = 0.1f;  ///< of the plate
     float depth = 0.05f;     ///< the height of standing letters above the plate, or the depth of engraved letters and
         ///< of inlays; at the plate's thickness or more, these go through it. Cut letters ignore it
-    float bevel = 0.0f;        ///< the width and depth of the bevels along the rims: of the plate, above and below, of
-                               ///< the faces of standing letters, and of the edges of engraved and cut letters, but
-                               ///< not of an inlay; 0: none. What does not fit becomes narrower: name_plate::rims()
-    float fillet = 0.0f;       ///< the radius of the fillet at the foot of standing letters, likewise; 0: none
-    bool round_bevels = false;   ///< whether bevels are quarters of a circle; otherwise they are chamfers of 45 degrees
-    bool mirrored = false;       ///< whether everything is mirrored from left to right: a stamp
+    float bevel = 0.0f;         ///< the width and depth of the bevels along the rims: of the plate, above and below, of
+                                ///< the faces of standing letters, and of the edges of engraved and cut letters, but
+                                ///< not of an inlay; 0: none. What does not fit becomes narrower: name_plate::rims()
+    float fillet = 0.0f;        ///< the radius of the fillet at the foot of standing letters, likewise; 0: none
+    bool round_bevels = false;  ///< whether bevels are quarters of a circle; otherwise they are chamfers of 45 degrees
+    bool mirrored = false;      ///< whether everything is mirrored from left to right: a stamp
     bool fill_counters = false;  ///< whether a plate that follows an outline has no holes
     float ring_hole = 0.0f;      ///< the radius of a keyring's hole at the left end of the plate; 0: no hole
     float ring_width = 0.06f;    ///< the width of the ring around this hole; the ring overlaps the plate by this width

@@ -38,7 +38,13 @@ struct rim_widths {
 class rim_fitting {
 public:
     explicit rim_fitting(memory source = heap()) noexcept
-        : inner_{source}, outer_{source}, loops_{source}, floor_{source}, triangles_{source}, builder_{source}, further_{source}
+        : inner_{source},
+          outer_{source},
+          loops_{source},
+          floor_{source},
+          triangles_{source},
+          builder_{source},
+          further_{source}
     {
     }
 
@@ -72,7 +78,8 @@ public:
 
     /// Moves the rim of a slab's cells inwards. points() and triangles() are then those of inner(). `width` becomes
     /// what was reached.
-    [[nodiscard]] error fit_lower(layer_arrangement& cells, cell_set filled, float& width, const shape& how, triangulator_ref cut) noexcept
+    [[nodiscard]] error fit_lower(layer_arrangement& cells, cell_set filled, float& width, const shape& how,
+                                  triangulator_ref cut) noexcept
     {
         cells_ = &cells;
         how_ = how;

@@ -37,16 +37,11 @@ enum class rim_section : std::uint8_t {
 class rim_offset {
 public:
     explicit rim_offset(memory source = heap()) noexcept
-        : given_{source},
-          curves_{source},
-          triangles_{source},
-          data_{source},
-          builder_{source},
-          further_{source}
+        : given_{source}, curves_{source}, triangles_{source}, data_{source}, builder_{source}, further_{source}
     {
     }
 
-    /// Moves the outline of a region by `width` em, or by less if the offset is not proven simple.
+    /// Moves the outline of a region by `width` em, by 2^24 cells at most, or by less if the offset is not proven simple.
     ///
     ///     tolerance   the deviation of round corners and sections, in cells
     ///
@@ -57,6 +52,8 @@ public:
     {
         data_.clear();
         triangles_.clear();
+        const auto widest = static_cast<float>(0x1p24 / (r.grid().cells * r.grid().units_per_em));
+        if (widest < width) width = widest;
         if (error e = take(r, tolerance)) return e;
         const region own = region::proven(given_, r.holes(), r.outers(), r.is_touching());
         if (error e = cut.cut(own, builder_.space(), triangles_)) return e;
@@ -114,8 +111,8 @@ private:
         given_.tolerance = tolerance;
         given_.corners = r.is_touching() ? touching::keep : touching::part;
         const auto points = r.points();
-        if (!given_.points.append(points) || !given_.starts.append(r.starts()) || !given_.edges.reserve(points.size()) ||
-            !curves_.reserve(points.size()))
+        if (!given_.points.append(points) || !given_.starts.append(r.starts()) ||
+            !given_.edges.reserve(points.size()) || !curves_.reserve(points.size()))
             return error::out_of_memory;
         const double unit = 1.0 / r.grid().cells;
         const auto in_em = [unit](grid_point p) noexcept { return point{unit * p.x, unit * p.y}; };

@@ -38,9 +38,9 @@ public:
     /// A vertex for writing.
     struct vertex {
         grid_point at;
-        vec2 outward;     ///< unit vector
-        float t, h;       ///< its place in the section: both from 0 to 1
-        float out, up;    ///< the normal: along `outward`, and away from the solid's middle
+        vec2 outward;   ///< unit vector
+        float t, h;     ///< its place in the section: both from 0 to 1
+        float out, up;  ///< the normal: along `outward`, and away from the solid's middle
     };
 
     explicit rim_sheets(memory source = heap()) noexcept : sheets_{source}, vertices_{source}, triangles_{source} {}
@@ -109,7 +109,8 @@ public:
         const auto all = vertices(s);
         for (const triangle& t : triangles(s)) {
             const vertex &a = all[t.a], &b = all[t.b], &c = all[t.c];
-            sum += static_cast<double>(orientation(a.at, b.at, c.at)) * (as_double(a.h) + as_double(b.h) + as_double(c.h));
+            sum +=
+                static_cast<double>(orientation(a.at, b.at, c.at)) * (as_double(a.h) + as_double(b.h) + as_double(c.h));
         }
         return sum / 6.0;
     }
@@ -118,9 +119,18 @@ private:
     [[nodiscard]] static vertex placed(const bevel_vertex& v, rim_section section, double t, float h) noexcept
     {
         const bool chamfer = section == rim_section::chamfer, fillet = section == rim_section::fillet;
-        const double out = chamfer ? 1.0 : fillet ? t : 1.0 - t, up = chamfer ? 1.0 : fillet ? 1.0 - as_double(h) : as_double(h);
+        const double out = chamfer  ? 1.0
+                           : fillet ? t
+                                    : 1.0 - t,
+                     up = chamfer  ? 1.0
+                          : fillet ? 1.0 - as_double(h)
+                                   : as_double(h);
         const double length = std::sqrt(out * out + up * up);
-        return {v.at, v.outward, static_cast<float>(t), h, static_cast<float>(out / length),
+        return {v.at,
+                v.outward,
+                static_cast<float>(t),
+                h,
+                static_cast<float>(out / length),
                 static_cast<float>(up / length)};
     }
 
