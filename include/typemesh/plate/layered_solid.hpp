@@ -124,9 +124,9 @@ public:
     /// Fails  error::bad_option: no slab or more than max_slabs, where a level with a bevel or a fillet counts as one
     ///        more ("slabs"); heights that do not ascend or are not finite ("top"); a bevel or a fillet that is not
     ///        finite or is negative ("bevel"); a rim of another slab than the last ("rim"); an unbounded set ("cells").
-    ///        error::too_large, error::out_of_memory, and errors of the
-    ///        triangulator. The solid is then empty
-    /// Cost   one triangulation per level, and O(pieces * slabs)
+    ///        error::too_large, error::out_of_memory, and errors of the triangulator. The solid is then empty
+    /// Cost   one triangulation per level, and O(pieces * slabs). A level with a bevel or a fillet is swept once more
+    ///        for each, up to 16 times if they do not fit
     [[nodiscard]] result<void> plan(layer_arrangement& cells, const layered_base& base, array_view<const slab> slabs,
                                     std::uint32_t rim_sources, triangulator_ref cut, workspace& space) noexcept
     {

@@ -41,7 +41,8 @@ public:
     {
     }
 
-    /// Moves the outline of a region by `width` em, by 2^24 cells at most, or by less if the offset is not proven simple.
+    /// Moves the outline of a region by `width` em, at most by 2^24 cells. It moves less if the offset is not proven
+    /// simple.
     ///
     ///     tolerance   the deviation of round corners and sections, in cells
     ///
