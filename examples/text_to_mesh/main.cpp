@@ -304,9 +304,7 @@ std::string write_output(const options& o, const chosen_plan& plan, model& mesh,
     case file_kind::glb: return write_glb(mesh, o.output, files);
     case file_kind::obj: return write_obj(mesh, o.output, files);
     case file_kind::ply: return write_ply(mesh, o.output, files);
-    case file_kind::three_mf:
-        return write_3mf(o.bevel.width > 0.0f || o.carve.tool_angle > 0.0f || o.plate.is_on ? sewn(mesh) : mesh,
-                         o.output, files);
+    case file_kind::three_mf: return write_3mf(sewn(mesh), o.output, files);
     case file_kind::stl: {
         if (solids_of(o) == 1 && !o.plate.is_on) mesh.indices = solid_by_solid(plan, mesh.indices);
         mesh.parts.clear();
