@@ -70,7 +70,6 @@ public:
             return move(inner_, under, how.section, widths.bevel, cut);
         }
         rim_widths made;
-        if (cells.doubled_area(over & ~under) != 0) widths = {};  // it hangs over
         const error e = try_to_fit(under, over, widths, made, cut);
         widths = made;
         return e;

@@ -118,13 +118,14 @@ public:
 private:
     [[nodiscard]] static vertex placed(const bevel_vertex& v, rim_section section, double t, float h) noexcept
     {
-        const bool chamfer = section == rim_section::chamfer, fillet = section == rim_section::fillet;
-        const double out = chamfer  ? 1.0
-                           : fillet ? t
-                                    : 1.0 - t,
-                     up = chamfer  ? 1.0
-                          : fillet ? 1.0 - as_double(h)
-                                   : as_double(h);
+        double out = 1.0, up = 1.0;
+        if (section == rim_section::round) {
+            out = 1.0 - t;
+            up = as_double(h);
+        } else if (section == rim_section::fillet) {
+            out = t;
+            up = 1.0 - as_double(h);
+        }
         const double length = std::sqrt(out * out + up * up);
         return {v.at,
                 v.outward,
