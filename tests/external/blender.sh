@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 #
 # Blender imports every kind of solid as STL and as GLB: its vertices united, each edge has two faces that run along it in
-# opposite directions, no face has no area, and the volume is that of the file's triangles.
+# opposite directions, no face has no area, and the volume is right.
 . "$(dirname "${BASH_SOURCE[0]}")/common.bash"
 command -v blender >/dev/null 2>&1 || { echo "blender is not installed"; exit 77; }
 export HOME=$scratch  # its settings

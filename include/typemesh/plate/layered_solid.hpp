@@ -18,6 +18,7 @@
 #include <typemesh/plate/impl/rim_sheets.hpp>
 #include <typemesh/plate/impl/slab_walls.hpp>
 #include <typemesh/plate/layer_arrangement.hpp>
+#include <typemesh/plate/layered_slab.hpp>
 #include <typemesh/triangulate/impl/triangulator_ref.hpp>
 #include <typemesh/vertex/mesh_range.hpp>
 #include <typemesh/vertex/mesh_sink.hpp>
@@ -58,15 +59,6 @@ inline constexpr plate_part all_plate_parts[] = {plate_part::front,       plate_
                                                  plate_part::front_bevel, plate_part::back_bevel, plate_part::floor,
                                                  plate_part::wall,        plate_part::floor_bevel};
 
-/// The lower side of a layered solid, and how all its rims are made.
-struct layered_base {
-    float height = 0.0f;       ///< of the lower side of the first slab, in output units
-    float bevel = 0.0f;        ///< the width and depth of the bevel along its lower rim, in em; 0: none
-    bool round = false;        ///< whether bevels are quarters of a circle; otherwise they are chamfers of 45 degrees
-    double unit_per_em = 1.0;  ///< output units per em, for bevels and fillets
-    double tolerance = 0.0;    ///< the deviation of round bevels, fillets and corners, in cells; 0: unknown
-};
-
 /// A solid made of horizontal slabs. In each slab, it fills a set of cells of one arrangement.
 ///
 ///                .----.    top of slab 1            solid.plan(cells, bottom, slabs, ...)   makes the caps and counts
@@ -92,15 +84,7 @@ struct layered_base {
 /// 2-manifold.
 class layered_solid {
 public:
-    /// A slab of the solid, up from the previous one or from the bottom.
-    struct slab {
-        cell_set filled;      ///< the cells that are filled; the set must be bounded
-        float top = 0.0f;     ///< the height of its upper side, in output units
-        float bevel = 0.0f;   ///< the width and depth of the bevel along its upper rim, in em; 0: none
-        float fillet = 0.0f;  ///< the radius of the fillet at its foot, where it stands on the slab below, in em
-        cell_set rim = {};    ///< for the last slab only: the cells whose outline is bevelled, if it is not `filled`.
-                              ///< They contain `filled`; the rims of what is missing stay sharp
-    };
+    using slab = layered_slab;
     /// The greatest number of slabs.
     static constexpr std::size_t max_slabs = detail::slab_walls::max_slabs;
 
@@ -230,7 +214,7 @@ private:
         if (!is_finite(as_double(base.height))) return error::bad("bottom");
         cells_ = &cells;
         rim_sources_ = rim_sources;
-        if (error e = settle_widths(base, slabs)) return e;
+        if (error e = detail::settle_widths(base, slabs, lower_, widths_)) return e;
         for (const slab& s : slabs) {
             if (s.filled.is_unbounded()) return error::bad("cells");
             cells.each_touching(s.filled, [this](grid_point) noexcept { ++touching_; });
@@ -246,30 +230,6 @@ private:
         return count_walls(cells);
     }
 
-    /// Takes the wanted widths, made narrower alike where a slab's height would not leave a sixteenth of itself a wall.
-    [[nodiscard]] error settle_widths(const layered_base& base, array_view<const slab> slabs) noexcept
-    {
-        const auto is_width = [](float w) noexcept { return is_finite(as_double(w)) && w >= 0.0f; };
-        if (!is_width(base.bevel)) return error::bad("bevel");
-        float below = base.height;
-        for (std::size_t k = 0; k < slabs.size(); below = slabs[k++].top) {
-            if (!is_finite(as_double(slabs[k].top)) || !(slabs[k].top > below)) return error::bad("top");
-            if (slabs[k].rim.is_unbounded() || (slabs[k].rim.labels != 0 && k + 1 != slabs.size()))
-                return error::bad("rim");
-            if (!is_width(slabs[k].bevel) || !is_width(slabs[k].fillet)) return error::bad("bevel");
-            const double height = as_double(slabs[k].top) - as_double(below);
-            const double room = 0.9375 * height / base.unit_per_em;
-            const float at_foot = k == 0 ? base.bevel : slabs[k].fillet;
-            const double all = as_double(slabs[k].bevel) + as_double(at_foot), share = all > room ? room / all : 1.0;
-            widths_[k].bevel = static_cast<float>(share * as_double(slabs[k].bevel));
-            (k == 0 ? lower_ : widths_[k].fillet) = static_cast<float>(share * as_double(at_foot));
-        }
-        return {};
-    }
-    static cell_set rim_of(const slab& s) noexcept { return s.rim.labels != 0 ? s.rim : s.filled; }
-    /// The cells within a slab's rim that it does not fill.
-    static cell_set pockets(const slab& s) noexcept { return rim_of(s) & ~s.filled; }
-
     /// The upper side of slab k.
     struct upper_side {
         array_view<const slab> slabs;
@@ -283,10 +243,10 @@ private:
     {
         const slab& own = at.slabs[at.k];
         const bool has_next = at.k + 1 < at.slabs.size();
-        const cell_set over = has_next ? at.slabs[at.k + 1].filled : pockets(own);
+        const cell_set over = has_next ? at.slabs[at.k + 1].filled : own.pockets();
         detail::rim_widths widths{widths_[at.k].bevel, has_next ? widths_[at.k + 1].fillet : 0.0f};
         if (widths.bevel > 0.0f || widths.fillet > 0.0f) {
-            if (error e = rims_.fit(cells, rim_of(own), over, widths, shape_of(base), cut)) return e;
+            if (error e = rims_.fit(cells, own.outline(), over, widths, shape_of(base), cut)) return e;
             widths_[at.k].bevel = widths.bevel;
             if (has_next) widths_[at.k + 1].fillet = widths.fillet;
         }
@@ -300,10 +260,10 @@ private:
         const bool is_front = at.of == plate_part::front;
         if (widths.bevel > 0.0f)
             if (error e = keep_bevel(is_front ? plate_part::front_bevel : plate_part::floor_bevel, own.top,
-                                     depth(base, widths.bevel), base))
+                                     base.depth(widths.bevel), base))
                 return e;
         if (!(widths.fillet > 0.0f)) return {};
-        const float rise = depth(base, widths.fillet);
+        const float rise = base.depth(widths.fillet);
         of_rims_ += as_double(rise) * 0.5 * static_cast<double>(cells.doubled_area(over));
         return keep_sheet(rims_.outer(), {static_cast<std::uint32_t>(plate_part::floor_bevel),
                                           detail::rim_section::fillet, true, own.top, own.top + rise});
@@ -318,16 +278,12 @@ private:
             if (error e = rims_.fit_lower(cells, filled, lower_, shape_of(base), cut)) return e;
         if (!(lower_ > 0.0f)) return make_cap(cells, filled, down, cut, space);
         if (error e = keep_cap(down)) return e;
-        return keep_bevel(plate_part::back_bevel, base.height, -depth(base, lower_), base);
+        return keep_bevel(plate_part::back_bevel, base.height, -base.depth(lower_), base);
     }
 
     static detail::rim_fitting::shape shape_of(const layered_base& base) noexcept
     {
         return {base.round ? detail::rim_section::round : detail::rim_section::chamfer, base.tolerance};
-    }
-    static float depth(const layered_base& base, float em) noexcept
-    {
-        return static_cast<float>(as_double(em) * base.unit_per_em);
     }
 
     /// Keeps the strips of the bevel around a cap at a height, from the wall's end `deep` below it. Negative: above it.
@@ -362,15 +318,15 @@ private:
     /// walls of pockets go on, a slab that fills all but the pockets.
     [[nodiscard]] error stack(const layered_base& base, array_view<const slab> slabs) noexcept
     {
-        walls_.height[0] = lower_ > 0.0f ? base.height + depth(base, lower_) : base.height;
+        walls_.height[0] = lower_ > 0.0f ? base.height + base.depth(lower_) : base.height;
         for (std::size_t k = 0; k < slabs.size(); ++k) {
             const float bevel = widths_[k].bevel, fillet = k + 1 < slabs.size() ? widths_[k + 1].fillet : 0.0f;
-            if (error e = add_walls(slabs[k].filled, bevel > 0.0f ? slabs[k].top - depth(base, bevel) : slabs[k].top))
+            if (error e = add_walls(slabs[k].filled, bevel > 0.0f ? slabs[k].top - base.depth(bevel) : slabs[k].top))
                 return e;
-            const cell_set open = pockets(slabs[k]);  // its walls go on beside the bevel
+            const cell_set open = slabs[k].pockets();  // its walls go on beside the bevel
             if (!(bevel > 0.0f || fillet > 0.0f) || (k + 1 == slabs.size() && open.labels == 0)) continue;
             if (error e = add_walls(open.labels != 0 ? ~open : cell_set{},
-                                    fillet > 0.0f ? slabs[k].top + depth(base, fillet) : slabs[k].top))
+                                    fillet > 0.0f ? slabs[k].top + base.depth(fillet) : slabs[k].top))
                 return e;
         }
         return {};

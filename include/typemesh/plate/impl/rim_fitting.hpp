@@ -17,17 +17,13 @@
 #include <typemesh/plate/cell_set.hpp>
 #include <typemesh/plate/impl/rim_offset.hpp>
 #include <typemesh/plate/layer_arrangement.hpp>
+#include <typemesh/plate/layered_slab.hpp>
 #include <typemesh/triangulate/impl/triangulator_ref.hpp>
 
 #include <cstddef>
 #include <cstdint>
 
 namespace typemesh::inline TYPEMESH_ABI::detail {
-
-/// The widths of the bevel and of the fillet at one level, in em.
-struct rim_widths {
-    float bevel = 0.0f, fillet = 0.0f;
-};
 
 /// Fits the bevel of a slab's upper rim and the fillet of the next slab's foot into the floor between the two.
 ///
@@ -75,7 +71,7 @@ public:
         return e;
     }
 
-    /// Moves the rim of a slab's cells inwards. points() and triangles() are then those of inner(). `width` becomes
+    /// Moves the rim of a slab's cells inwards. points() and triangles() are then the ones of inner(). `width` becomes
     /// what was reached.
     [[nodiscard]] error fit_lower(layer_arrangement& cells, cell_set filled, float& width, const shape& how,
                                   triangulator_ref cut) noexcept
@@ -156,7 +152,7 @@ private:
         return made || rim_offset::is_refusal(made.error()) ? error{} : made.error();
     }
 
-    /// Adds the loops of an offset; those of the cells if the offset has no width.
+    /// Adds the loops of an offset, or of the cells if the offset has no width.
     [[nodiscard]] error add(cell_set cells, float width, rim_offset& from, bool turned) noexcept
     {
         const std::uint32_t first = floor_.contour_count();

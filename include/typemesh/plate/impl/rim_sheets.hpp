@@ -25,7 +25,7 @@ namespace typemesh::inline TYPEMESH_ABI::detail {
 ///     round        likewise
 ///     fillet       its outer offset, on the floor      the outline, at the wall's end
 ///
-/// The normals of a section are the circle's own, and a chamfer's are those of its slope.
+/// The normals of a section are the circle's own; a chamfer has the normals of its slope.
 class rim_sheets {
 public:
     struct sheet {
