@@ -176,6 +176,10 @@ bold=/usr/share/fonts/truetype/dejavu/DejaVuSans-Bold.ttf
 "$program" "Opal" --font $bold --backing 0.1,0.12 --keyring 0.08 --picture "$scratch/keyring.png"
 mogrify -resize 540x272^ -gravity center -extent 540x272 "$scratch"/{standing,inlay,stencil,keyring}.png
 montage "$scratch"/{standing,inlay,stencil,keyring}.png -tile 2x2 -geometry +0+0 plates.png
+"$program" "Anna" --font $bold --plate 0.2,0.15,0.12 --depth 0.08 --bevel 0.015 --fillet 0.05 --colour '#c03a2b' --turn -32 --picture "$scratch/fillet.png"
+"$program" "Oslo" --font $serif-Bold.ttf --plate 0.2,0.1,0.1 --engrave 0.06 --bevel 0.025 --turn 24 --picture "$scratch/chamfer.png"
+mogrify -resize 540x272^ -gravity center -extent 540x272 "$scratch"/{fillet,chamfer}.png
+montage "$scratch"/{fillet,chamfer}.png -tile 2x1 -geometry +0+0 rims.png
 "$program" "CAD" --font $bold --depth 0.25 --taper 10 --turn -18 --picture "$scratch/headline.png"
 "$program" "Roofs" --font $serif-Bold.ttf --depth 0.3 --taper 40 --turn 22 --picture "$scratch/roofs.png"
 mogrify -resize 560x270^ -gravity center -extent 560x270 "$scratch"/{headline,roofs}.png
@@ -223,4 +227,4 @@ for motion in wave ring score breathe; do
 done
 
 pngquant --quality 90-100 --speed 1 --force --ext .png beside.png paragraph.png normals.png bevels.png bevelled_scripts.png bent.png carved.png inflated.png markup.png meshing.png neon.png path.png warped.png bold_and_hollow.png refined.png styles.png textures.png
-pngquant --quality 60-92 --speed 1 --force --ext .png plates.png tapered.png
+pngquant --quality 60-92 --speed 1 --force --ext .png plates.png rims.png tapered.png

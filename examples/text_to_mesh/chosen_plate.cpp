@@ -45,6 +45,7 @@ std::string refused_words(const plate_words& words)
                                                 {!words.stencil.empty(), "--stencil"},
                                                 {words.stamp, "--stamp"},
                                                 {!words.keyring.empty(), "--keyring"},
+                                                {!words.fillet.empty(), "--fillet"},
                                                 {words.open_counters, "--open-counters"}};
     if (words.plate.empty() && words.backing.empty())
         for (const auto& [given, name] : all)
@@ -53,6 +54,11 @@ std::string refused_words(const plate_words& words)
     if (words.open_counters && words.backing.empty()) return "--open-counters needs --backing";
     if (cut && !words.engrave.empty())
         return std::string{words.cut ? "--cut" : "--stencil"} + " does not work with --engrave: give one of them";
+    if (!words.fillet.empty() && (cut || words.inlay || !words.engrave.empty()))
+        return "--fillet needs letters that stand on the plate: leave out " + std::string{words.inlay ? "--inlay"
+                                                                                          : words.cut ? "--cut"
+                                                                                          : cut       ? "--stencil"
+                                                                                                      : "--engrave"};
     if (words.inlay && !words.stencil.empty()) return "--inlay does not work with --stencil";
     return {};
 }
@@ -76,6 +82,8 @@ std::string read_style(const plate_words& words, std::optional<float> depth, typ
     if (depth) how.depth = *depth;
     if (!(how.depth > 0.0f)) return "--depth must be more than 0 on a plate, because the letters stand on it";
     if (cut) how.depth = how.thickness;
+    if (!words.fillet.empty() && !read_numbers(words.fillet, {{0.0, 1000.0, &how.fillet}}))
+        return "--fillet must be a radius from 0 to 1000, not " + words.fillet;
     if (!words.engrave.empty() && !read_numbers(words.engrave, {{least, 1000.0, &how.depth}}))
         return "--engrave must be a number from 0.0001 to 1000, not " + words.engrave;
     return {};

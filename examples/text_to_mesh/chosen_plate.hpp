@@ -10,7 +10,7 @@ namespace text_to_mesh {
 
 /// The options for plates as they were given; empty: not given.
 struct plate_words {
-    std::string plate, backing, engrave, stencil, keyring;
+    std::string plate, backing, engrave, stencil, keyring, fillet;
     bool cut = false, inlay = false, stamp = false, open_counters = false;
 };
 
@@ -24,9 +24,10 @@ struct chosen_plate {
 
 /// The options that do not work with a plate.
 inline constexpr const char* not_with_plates[] = {
-    "--bevel",  "--carve", "--outline",    "--refine",        "--inflate", "--segments",  "--normals",
-    "--crease", "--uv",    "--no-merge",   "--lod",           "--morph",   "--instances", "--letters",
-    "--markup", "--taper", "--per-letter", "--colour-layers", "--tube",    "--svg"};
+    "--bevel-out", "--bevel-sides", "--bevel-mode", "--bevel-steps",   "--bevel-depth", "--carve",
+    "--outline",   "--refine",      "--inflate",    "--segments",      "--normals",     "--crease",
+    "--uv",        "--no-merge",    "--lod",        "--morph",         "--instances",   "--letters",
+    "--markup",    "--taper",       "--per-letter", "--colour-layers", "--tube",        "--svg"};
 
 /// Reads the options for plates. Gives an empty string, or one sentence of what is wrong.
 ///

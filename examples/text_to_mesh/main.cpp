@@ -297,6 +297,18 @@ void use_source(const options& o, chosen_mesher& mesher)
     if (o.drawing) mesher.use(*o.drawing);
 }
 
+/// Makes the parts of each colour a solid, so that they are sewn to no other colour's: in layers of colours each of them
+/// is closed, and they touch along walls.
+void part_colours_from_each_other(model& mesh)
+{
+    std::vector<std::optional<rgb_colour>> seen;
+    for (model::part& p : mesh.parts) {
+        const auto known = std::find(seen.begin(), seen.end(), p.colour);
+        p.solid = static_cast<unsigned>(known - seen.begin());
+        if (known == seen.end()) seen.push_back(p.colour);
+    }
+}
+
 /// Gives an empty string, or one sentence.
 std::string write_output(const options& o, const chosen_plan& plan, model& mesh, file_set& files)
 {
@@ -305,8 +317,8 @@ std::string write_output(const options& o, const chosen_plan& plan, model& mesh,
     case file_kind::obj: return write_obj(mesh, o.output, files);
     case file_kind::ply: return write_ply(mesh, o.output, files);
     case file_kind::three_mf:
-        return write_3mf(o.bevel.width > 0.0f || o.carve.tool_angle > 0.0f || o.plate.is_on ? sewn(mesh) : mesh,
-                         o.output, files);
+        if (o.layers || o.drawing) part_colours_from_each_other(mesh);
+        return write_3mf(sewn(mesh), o.output, files);
     case file_kind::stl: {
         if (solids_of(o) == 1 && !o.plate.is_on) mesh.indices = solid_by_solid(plan, mesh.indices);
         mesh.parts.clear();

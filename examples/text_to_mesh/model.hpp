@@ -22,6 +22,8 @@ struct model_vertex {
 struct rgb_colour {
     unsigned char rgb[3];
     unsigned char alpha = 255;
+
+    friend bool operator==(const rgb_colour&, const rgb_colour&) noexcept = default;
 };
 
 /// A finished mesh. Three indices per triangle, counter-clockwise seen from outside; right-handed, y up.

@@ -479,6 +479,8 @@ void add_plate_options(CLI::App& app, plate_words& words)
     app.add_option("--keyring", words.keyring,
                    "a hole at the left end of the plate: its radius, and the width of its ring (default 0.06)")
         ->type_name("EM[,WIDTH]");
+    app.add_option("--fillet", words.fillet, "a hollow around the foot of standing letters, of this radius")
+        ->type_name("EM");
     app.add_option("--engrave", words.engrave, "engrave the letters into the plate, this deep")->type_name("EM");
     app.add_flag("--cut", words.cut, "cut the letters through the plate");
     app.add_option("--stencil", words.stencil,
@@ -550,6 +552,18 @@ bool reaches_down(const bevel_options& o)
     const auto low = [](typemesh::profile_point p) { return p.t > 0.0f && p.h <= 0.0f; };
     const auto points = o.points.view();
     return o.profile == profile_name::points && std::any_of(points.begin(), points.end(), low);
+}
+
+/// Gives the bevel to a plate, which makes the bevels itself. Gives an empty string, or one sentence of what is wrong.
+std::string settle_rims(options& out, const raw_values& raw)
+{
+    if (raw.plate.plate.empty() && raw.plate.backing.empty()) return {};
+    if (raw.profile != "chamfer" && raw.profile != "round")
+        return "--profile must be chamfer or round on a plate, not " + raw.profile;
+    out.plate.how.bevel = out.bevel.width;
+    out.plate.how.round_bevels = raw.profile == "round";
+    out.bevel.width = 0.0f;
+    return {};
 }
 
 /// Finishes the bevel. Gives an empty string, or one sentence of what is wrong.
@@ -1040,6 +1054,7 @@ std::string settle(options& out, const raw_values& raw)
     if (out.depth == 0.0f && out.segments != 1)
         return "--segments needs a solid, but --depth 0 makes a flat mesh: give a larger --depth";
     if (std::string trouble = settle_tube(out, raw); !trouble.empty()) return trouble;
+    if (std::string trouble = settle_rims(out, raw); !trouble.empty()) return trouble;
     if (std::string trouble = settle_bevel(out, raw); !trouble.empty()) return trouble;
     if (std::string trouble = settle_taper(out, raw); !trouble.empty()) return trouble;
     if (std::string trouble = settle_weight(out, raw); !trouble.empty()) return trouble;
@@ -1150,8 +1165,9 @@ std::optional<int> parse(int argc, char** argv, options& out)
          {std::pair{"--text-file", &out.text_file}, std::pair{"--batch", &out.batch}, std::pair{"--svg", &out.svg}})
         if (app.count(option) > 0 && value->empty())
             return complain(std::string{option} + " must be a file's name or -");
-    for (const char* option : {"--plate", "--backing", "--engrave", "--stencil", "--keyring", "--tube", "--bend",
-                               "--path", "--lod", "--morph", "--anchor", "--origin", "--output", "--picture"}) {
+    for (const char* option :
+         {"--plate", "--backing", "--engrave", "--stencil", "--keyring", "--fillet", "--tube", "--bend", "--path",
+          "--lod", "--morph", "--anchor", "--origin", "--output", "--picture"}) {
         const auto values = app.get_option(option)->results();  // an empty variable of a shell is no missing option
         if (std::find(values.begin(), values.end(), "") != values.end())
             return complain(std::string{option} + " must not be empty");

@@ -25,6 +25,9 @@ std::string_view name_of(plate_style style, plate_part p)
     case plate_part::front: return stands ? "front" : "plate_front";
     case plate_part::back: return "plate_back";
     case plate_part::rim: return "plate_side";
+    case plate_part::front_bevel: return stands ? "front_bevel" : "plate_front_bevel";
+    case plate_part::back_bevel: return "plate_back_bevel";
+    case plate_part::floor_bevel: return "plate_front_bevel";
     case plate_part::floor: return stands ? "plate_front" : "pocket_front";
     case plate_part::wall: break;
     }
@@ -34,7 +37,14 @@ std::string_view name_of(plate_style style, plate_part p)
 /// Whether a part has the colour of the text.
 bool is_text(std::string_view name)
 {
-    return name == "front" || name == "side" || name == "inlay" || name.starts_with("pocket_");
+    return name == "front" || name == "front_bevel" || name == "side" || name == "inlay" || name.starts_with("pocket_");
+}
+
+std::string in_em(float n)
+{
+    char digits[32];
+    std::snprintf(digits, sizeof digits, "%.3g em", static_cast<double>(n));
+    return digits;
 }
 
 options outline_of(const options& o)
@@ -132,6 +142,14 @@ bool plate_model::name_faults()
     if (whole > 1)
         any = say("the plate has " + std::to_string(whole) + " pieces" +
                   (o_.plate.follows ? ": give a larger --backing." : "."));
+    const plate_rims& rims = plate_.rims();
+    const auto is_less = [](float reached, float wanted) { return reached < 0.95f * wanted; };
+    if (rims.bevels != 0 && is_less(rims.bevel, o_.plate.how.bevel))
+        any = say(rims.bevel > 0.0f ? "some bevels are only " + in_em(rims.bevel) + " wide: more does not fit."
+                                    : "some rims have no bevel: it does not fit.");
+    if (is_less(rims.fillet, o_.plate.how.fillet))
+        any = say(rims.fillet > 0.0f ? "the radius of the fillet is only " + in_em(rims.fillet) + ": more does not fit."
+                                     : "the letters have no fillet: it does not fit.");
     if (o_.corners != touching::keep && !plate_.is_manifold())
         any = say("corners of the plate still touch in spite of --touching.");
     return any;
@@ -156,6 +174,7 @@ std::string plate_refusal_in_words(const options& o, const error& e)
         return o.plate.how.margin < 0.0f ? "--plate: the margin is so negative that nothing is left of the plate."
                                          : too_large("--plate");
     if (option == "radius" || option == "thickness") return too_large("--plate");
+    if (option == "bevel") return too_large("--bevel");
     if (option == "ring_hole" || option == "ring_width") return too_large("--keyring");
     if (option == "bridge_width") return too_large("--stencil");
     if (option == "by") return too_large("--backing");

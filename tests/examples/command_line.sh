@@ -644,6 +644,14 @@ if "$program" x --font $sans --output probe.3mf >out 2>err; then
         that "a ring and its letter are closed solids in a 3MF" closed_3mf framed.xml
         that "a bevelled 3MF is painted by five parts" [ "$(grep -cE '<base name="[a-z_]+" displaycolor="#[0-9A-F]{6}(FF)?" />' bevelled.xml)" = 5 ]
     fi
+    for look in "--tube 0.02" "--inflate 1" "--plate 0.2 --bevel 0.01 --fillet 0.02"; do
+        # shellcheck disable=SC2086  # words
+        expect 0 "" "oi" --font $sans --output look.3mf $look
+        if command -v unzip >/dev/null 2>&1; then
+            unzip -p look.3mf 3D/3dmodel.model >look.xml
+            that "a 3MF holds closed solids: $look" closed_3mf look.xml
+        fi
+    done
     expect 2 "--depth must be more than 0" x --font $sans --output x.3mf --depth 0
     for small in "--depth 1e-11" "--size 1e-9" "--depth 1e-6 --size 1e-6"; do
         # shellcheck disable=SC2086  # words
@@ -1148,7 +1156,7 @@ expect 0 "^text_to_mesh: the plate has 2 pieces: give a larger --backing\.$" "I 
 expect 1 "--strict: nothing is written\.$" "I I" --font $sans --backing 0.02 --output never.obj --strict
 that "nothing was" [ ! -e never.obj ]
 expect 1 "^text_to_mesh: --plate: the margin is so negative that nothing is left of the plate\.$" x --font $sans --plate -1 --output x.obj
-for option in --cut "--engrave 0.1" --inlay "--stencil 0.1" --stamp "--keyring 0.1" --open-counters; do
+for option in --cut "--engrave 0.1" --inlay "--stencil 0.1" --stamp "--keyring 0.1" "--fillet 0.1" --open-counters; do
     # shellcheck disable=SC2086  # words
     expect 2 "^text_to_mesh: ${option% *} needs --plate or --backing\.$" x --font $sans --output x.obj $option
 done
@@ -1168,7 +1176,18 @@ expect 2 "^text_to_mesh: --open-counters needs --backing\.$" x --font $sans --ou
 expect 2 "^text_to_mesh: --depth does not work with --cut: --engrave says how deep the letters are\.$" x --font $sans --output x.obj --plate 0.2 --cut --depth 0.1
 expect 2 "^text_to_mesh: --depth must be more than 0 on a plate, because the letters stand on it\.$" x --font $sans --output x.obj --plate 0.2 --depth 0
 expect 2 "^text_to_mesh: --inlay needs a file that keeps its two solids apart: \.3mf, \.glb or \.obj\.$" x --font $sans --output x.stl --plate 0.2 --inlay
-expect 2 "^text_to_mesh: --bevel does not work with --plate\.$" x --font $sans --output x.obj --plate 0.2 --bevel 0.01
+expect 2 "^text_to_mesh: --bevel-depth does not work with --plate\.$" x --font $sans --output x.obj --plate 0.2 --bevel 0.01 --bevel-depth 0.02
+expect 2 "^text_to_mesh: --profile must be chamfer or round on a plate, not stepped\.$" x --font $sans --output x.obj --plate 0.2 --bevel 0.01 --profile stepped
+expect 2 "^text_to_mesh: --profile needs --bevel\.$" x --font $sans --output x.obj --plate 0.2 --profile round
+expect 2 "^text_to_mesh: --fillet must be a radius from 0 to 1000, not -1\.$" x --font $sans --output x.obj --plate 0.2 --fillet=-1
+expect 2 "^text_to_mesh: --fillet needs letters that stand on the plate: leave out --engrave\.$" x --font $sans --output x.obj --plate 0.2 --engrave 0.05 --fillet 0.02
+expect 0 "" "Ao8" --font $sans --plate 0.2 --bevel 0.01 --profile round --fillet 0.02 --output rims.obj
+that "a plate with bevels and a fillet is closed" closed rims.obj
+that "bevels of a plate have names" grep -q "plate_back_bevel" rims.obj
+expect 0 "^text_to_mesh: the radius of the fillet is only [0-9.]* em: more does not fit\.$" "Ao8" --font $sans --plate 0.02,0 --fillet 0.03 --output rims.obj
+expect 0 "^text_to_mesh: some bevels are only [0-9.]* em wide: more does not fit\.$" "Ao8" --font $sans --plate 0.2 --bevel 0.5 --output rims.obj
+expect 0 "^text_to_mesh: some rims have no bevel: it does not fit\.$" "Ao8" --font $sans --plate=-0.1 --bevel 0.01 --output rims.obj
+expect 0 "^text_to_mesh: the letters have no fillet: it does not fit\.$" "Ao8" --font $sans --plate=-0.1 --fillet 0.01 --output rims.obj
 expect 2 "^text_to_mesh: --instances does not work with --backing\.$" x --font $sans --output x.glb --backing 0.2 --instances
 expect 2 "^text_to_mesh: --bend works with --plate only in the plane: arc, arch, flag, perspective\.$" x --font $sans --output x.obj --plate 0.2 --bend cylinder:2
 expect 2 "^text_to_mesh: --style: colours do not work with --plate, whose letters have one colour\.$" xy --font $sans --output x.obj --plate 0.2 --style 0..1:colour=red
@@ -1183,7 +1202,7 @@ expect 0 "" "Rag" --font $sans --output taper.stl --taper 3 --outline 0.03
 expect 2 "^text_to_mesh: --taper must be a number from 0 to 89, not 90\.$" x --font $sans --output x.obj --taper 90
 expect 2 "^text_to_mesh: --bevel does not work with --taper\.$" x --font $sans --output x.obj --taper 5 --bevel 0.01
 expect 2 "^text_to_mesh: --tube does not work with --taper\.$" x --font $sans --output x.obj --taper 5 --tube 0.02
-for option in --plate --backing --tube --bend --path --anchor --picture; do  # an empty variable of a shell
+for option in --plate --backing --fillet --tube --bend --path --anchor --picture; do  # an empty variable of a shell
     expect 2 "^text_to_mesh: $option must not be empty\.$" x --font $sans --output x.glb $option ""
 done
 for option in --stats --colour-layers --letters --per-letter "--anchor left" "--origin 0,0,0" "--touching part"; do

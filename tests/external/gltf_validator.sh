@@ -16,6 +16,12 @@ write() {  # write FONT TEXT OPTION...
             fail "text_to_mesh failed: $*: $(cat "$scratch/losses")"
     done
 }
+kinds=0
+write_glb() {
+    write_kind "$scratch/$1.glb" "$@" && kinds=$((kinds + 1))
+}
+for_every_kind write_glb
+write_glb inlay /usr/share/fonts/truetype/liberation/LiberationSerif-Bold.ttf "Rag 8&" --plate 0.2 --inlay --bevel 0.01 --colour red
 for_every_text write
 for_every_bevel write
 if [ -x "${TYPEMESH_TEST_ENGINES:-}" ]; then
@@ -35,6 +41,6 @@ const fs = require('fs'), validator = require('gltf-validator');
 })();
 END
 node "$scratch/validate.js" "$scratch"/*.glb || fail "gltf-validator complains"
-echo "$count texts"
-[ "$failures" = 0 ] && [ "$count" -gt 90 ] || exit 1
+echo "$count texts, $kinds other kinds"
+[ "$failures" = 0 ] && [ "$count" -gt 90 ] && [ "$kinds" -ge 26 ] || exit 1
 [ -x "${TYPEMESH_TEST_ENGINES:-}" ] || { echo "all texts pass, but the recipe was not tried: typemesh_test_engines is not built"; exit 77; }

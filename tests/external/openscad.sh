@@ -5,39 +5,8 @@
 . "$(dirname "${BASH_SOURCE[0]}")/common.bash"
 command -v openscad >/dev/null 2>&1 || { echo "openscad is not installed"; exit 77; }
 
-# The corners of a binary STL, nine numbers a line. Halves of 32-bit floats are put together: no tool that reads them is
-# on every machine.
-binary_corners() {  # binary_corners FILE
-    od -An -v -j84 -w50 -tu2 "$1" | awk '
-        function number(low, high,   sign, exponent, fraction) {
-            sign = high >= 32768 ? -1 : 1
-            exponent = int(high / 128) % 256
-            fraction = (high % 128) * 65536 + low
-            return exponent ? sign * (fraction + 8388608) * 2 ^ (exponent - 150) : sign * fraction * 2 ^ -149
-        }
-        { for (i = 7; i < 25; i += 2) printf "%.17g%s", number($i, $(i + 1)), i < 23 ? " " : "\n" }'
-}
-
 ascii_corners() {  # ascii_corners FILE
     awk '$1 == "vertex" { printf "%s %s %s%s", $2, $3, $4, ++n % 3 ? " " : "\n" }' "$1"
-}
-
-# Six times the volume is the sum of the determinants of all triangles. Volume, then lowest and highest x, y and z.
-measure() {
-    awk '
-        {
-            six += $1 * ($5 * $9 - $6 * $8) - $2 * ($4 * $9 - $6 * $7) + $3 * ($4 * $8 - $5 * $7)
-            for (i = 1; i <= 9; ++i) {
-                c = (i - 1) % 3
-                if (!(c in low) || $i < low[c]) low[c] = $i
-                if (!(c in high) || $i > high[c]) high[c] = $i
-            }
-        }
-        END {
-            printf "%.17g", six / 6
-            for (c = 0; c < 3; ++c) printf " %.17g %.17g", low[c], high[c]
-            print ""
-        }'
 }
 
 checked=0
@@ -68,6 +37,29 @@ check() {  # check FONT TEXT OPTION...
         exit 1 }' || fail "openscad has cut out something else: $*"
     checked=$((checked + 1))
 }
+
+# Other kinds of solids lie whole in a block: OpenSCAD leaves the block less their volume.
+check_kind() {  # check_kind NAME FONT TEXT OPTION...
+    local volume x0 x1 y0 y1 z0 z1 left
+    write_kind "$scratch/text.stl" "$@" || return
+    read -r volume x0 x1 y0 y1 z0 z1 < <(binary_corners "$scratch/text.stl" | measure)
+    awk -v x0="$x0" -v x1="$x1" -v y0="$y0" -v y1="$y1" -v z0="$z0" -v z1="$z1" 'BEGIN {
+        printf "difference() { translate([%.9f, %.9f, %.9f]) ", x0 - 1, y0 - 1, z0 - 1
+        printf "cube([%.9f, %.9f, %.9f]); import(\"text.stl\"); }\n", x1 - x0 + 2, y1 - y0 + 2, z1 - z0 + 2 }' >"$scratch/cut.scad"
+    rm -f "$scratch/cut.stl"
+    openscad -o "$scratch/cut.stl" "$scratch/cut.scad" >"$scratch/words" 2>&1 || fail "openscad failed: $1: $(cat "$scratch/words")"
+    ! grep -iE 'warning|error|not closed|assertion|Simple: *no' "$scratch/words" || fail "openscad complains: $1"
+    read -r left _ < <(ascii_corners "$scratch/cut.stl" | measure)
+    awk -v volume="$volume" -v left="$left" -v x="$x0 $x1" -v y="$y0 $y1" -v z="$z0 $z1" 'BEGIN {
+        split(x, a); split(y, b); split(z, c)
+        cut = (a[2] - a[1] + 2) * (b[2] - b[1] + 2) * (c[2] - c[1] + 2) - left
+        if (volume > 0 && cut - volume < volume / 1000 && volume - cut < volume / 1000) exit 0
+        printf "the solid is %.6g, what is cut out is %.6g\n", volume, cut
+        exit 1 }' || fail "openscad has cut out something else: $1"
+    kinds=$((kinds + 1))
+}
+kinds=0
+for_every_kind check_kind
 
 # Scripts that join their letters, and others; quadratic and cubic curves.
 fonts=/usr/share/fonts
@@ -105,5 +97,5 @@ printf 'difference() { translate([-1, -1, -1]) cube([3, 3, 1.9]); import("text.s
 rm -f "$scratch/cut.stl"
 openscad -o "$scratch/cut.stl" "$scratch/cut.scad" >"$scratch/words" 2>&1
 grep -qiE 'warning|error|not closed|assertion|Simple: *no' "$scratch/words" || fail "openscad takes squares that touch for a solid: these tests show nothing"
-echo "$checked texts"
-[ "$failures" = 0 ] && [ "$checked" = 82 ]
+echo "$checked texts, $kinds other kinds"
+[ "$failures" = 0 ] && [ "$checked" = 82 ] && [ "$kinds" -ge 25 ]

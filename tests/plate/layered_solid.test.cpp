@@ -152,4 +152,47 @@ TEST_CASE("slabs that cannot be are refused, and the solid is empty", "[layered_
     CHECK(refusal({{a, std::numeric_limits<float>::infinity()}}) == "top");
     CHECK(refusal({{~a, 1.0f}}) == "cells");
     CHECK(refusal({{a, 1.0f}}, std::numeric_limits<float>::quiet_NaN()) == "bottom");
+    CHECK(refusal({{a, 1.0f, -0.1f}}) == "bevel");
+    CHECK(refusal({{a, 1.0f}, {a, 2.0f, 0.0f, std::numeric_limits<float>::infinity()}}) == "bevel");
+    CHECK(refusal({{a, 1.0f, 0.1f, 0.0f, a}, {a, 2.0f}}) == "rim");
+    CHECK(refusal({{a, 1.0f, 0.1f, 0.0f, ~a}}) == "rim");
+}
+
+TEST_CASE("boxes with bevels and fillets in a grid of their own are closed, wherever the upper one stands",
+          "[layered_solid]")
+{
+    std::mt19937 random{11};
+    std::uniform_int_distribution<std::int32_t> place{-100, 700};
+    std::uniform_int_distribution<int> tenths{0, 4};
+    layer_arrangement cells;
+    layered_solid solid;
+    workspace space;
+    grid em;
+    em.cells = 1000.0;
+    em.units_per_em = 1.0;
+    int with_fillet = 0, without = 0;
+    for (int run = 0; run < 24; ++run) {
+        cells.begin(em);
+        add_box(cells, 0, 0, 1000, 1000, 0);
+        add_box(cells, place(random), place(random), 300, 200, 1);
+        add_box(cells, place(random), place(random), 200, 300, 1);
+        if (!cells.cut(space)) continue;
+        const auto some = [&] { return 0.1f * static_cast<float>(tenths(random)); };
+        const layered_base base{.height = 0.5f, .bevel = some(), .round = run % 2 != 0, .unit_per_em = 2.0};
+        const layered_solid::slab slabs[] = {{a | b, 2.0f, some()}, {b, 3.0f, some(), some()}};
+        REQUIRE(solid.plan(cells, base, {slabs, 2}, 4, monotone{}, space));
+        const mesh m = written(solid);
+        CHECK(m.vertices.size() == solid.size().vertices);
+        const auto faults = inspect::check_manifoldness(m.view());
+        CHECK(faults.open_edges == 0);
+        CHECK(faults.bad_triangles == 0);
+        CHECK((solid.touching() != 0 || faults.is_manifold()));
+        // In cells along the plane, so a volume in cells times output units.
+        CHECK(inspect::measure(m.view()).volume == Catch::Approx(solid.volume()).epsilon(1e-5));
+        CHECK(solid.bevel(0) <= slabs[0].bevel);
+        CHECK(solid.fillet(1) <= slabs[1].fillet);
+        ++(solid.fillet(1) > 0.0f ? with_fillet : without);
+    }
+    CHECK(with_fillet > 2);
+    CHECK(without > 2);
 }

@@ -4,6 +4,7 @@
 #include <typemesh/inspect/closedness.hpp>
 #include <typemesh/inspect/manifoldness.hpp>
 #include <typemesh/inspect/mesh_measure.hpp>
+#include <typemesh/plate/impl/rim_offset.hpp>
 #include <typemesh/plate/name_plate.hpp>
 #include <typemesh/text/on_path.hpp>
 #include <typemesh/typemesh.hpp>
@@ -21,6 +22,7 @@
 #include <limits>
 #include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 using namespace typemesh;
@@ -139,14 +141,125 @@ TEST_CASE("a plate of every style is closed, strictly 2-manifold, and has the vo
     }
 }
 
+TEST_CASE("bevels and fillets leave plates closed and strictly 2-manifold, with the volume of their sections",
+          "[plate]")
+{
+    name_plate plate;
+    detail::rim_offset offset;
+    workspace space;
+    contours loops;
+    const char* const texts[] = {"R&", "fQ", "\xD8\xB3\xD9\x84\xD8\xA7", "\xE9\xBE\x8D"};
+    const char* const* own = texts;
+    for (const auto& c : plate_texts) {
+        auto font = test::opened(c.font);
+        text_mesher mesher{font, flat{}};
+        const char* const short_text = *own++;
+        for (const float size : {1.0f, 12.0f}) {
+            auto text = test::required(mesher.plan(short_text, {.size = size}));
+            for (const plate_style style : all_styles) {
+                INFO(c.font << " " << size << " style " << static_cast<int>(style));
+                constexpr float bevel = 0.008f;
+                plate_options how{.style = style, .bevel = bevel, .fillet = 0.02f, .round_bevels = true};
+                if (size < 2.0f) how.round_bevels = false;
+                REQUIRE(plate.plan(*text, how, constrained_delaunay{}));
+                CHECK(plate.is_manifold());
+                for (std::size_t k = 0; k < plate.solid_count(); ++k) check_solid(plate, k);
+                CHECK(same(plate.rims().bevel, bevel));
+                CHECK(same(plate.rims().fillet, style == plate_style::standing ? 0.02f : 0.0f));
+                if (how.round_bevels) continue;
+                // A chamfer's section is the offset at half its width: Simpson's rule, by offsets made for this alone.
+                const double cell = plate.placement().at.em_per_cell;
+                const auto area_within = [&](cell_set cells, float by) {
+                    const auto r = plate.cells().trace(cells, space, loops);
+                    REQUIRE(r);
+                    REQUIRE(offset.plan(*r, detail::rim_section::chamfer, by, 0.0, monotone{}));
+                    return 0.5 * cell * cell * static_cast<double>(offset.doubled_area());
+                };
+                const auto em_area = [&](cell_set cells) {
+                    return 0.5 * cell * cell * static_cast<double>(area(plate, cells));
+                };
+                const auto of_bevel = [&](cell_set cells) {
+                    return as_double(bevel) / 6.0 *
+                           (em_area(cells) + 4.0 * area_within(cells, 0.5f * bevel) + area_within(cells, bevel));
+                };
+                constexpr cell_set body = name_plate::body(), letters = name_plate::text(), rest = body & ~letters;
+                const double wide = as_double(bevel);
+                double wanted = 0.0;
+                if (style == plate_style::engraved)
+                    wanted =
+                        of_bevel(body) + (0.05 - wide) * em_area(body) + (0.05 - wide) * em_area(rest) + of_bevel(rest);
+                if (style == plate_style::cut) wanted = 2.0 * of_bevel(rest) + (0.1 - 2.0 * wide) * em_area(rest);
+                if (style == plate_style::inlay)
+                    wanted = 2.0 * of_bevel(body) + (0.1 - 2.0 * wide) * em_area(body) - 0.05 * em_area(body & letters);
+                const double volume = cell * cell * plate.solid(0).volume();
+                if (style != plate_style::standing) CHECK(volume == Catch::Approx(wanted).epsilon(1e-4));
+            }
+        }
+    }
+}
+
+TEST_CASE("the smallest plate with bevels and a fillet has the volume that is worked out by hand", "[plate]")
+{
+    test::toy_font font;
+    text_mesher mesher{font, flat{}};
+    glyph_run run;
+    run.units_per_em = 1000.0;
+    REQUIRE(run.glyphs.push_back({5, 0, {0, 0}}));  // 100 by 500
+    auto text = test::required(mesher.plan(run, {}));
+    name_plate plate;
+    const auto prism = [](double x, double y, double w) {  // a chamfer of width w on a box
+        return w / 6.0 * (x * y + 4.0 * (x - w) * (y - w) + (x - 2.0 * w) * (y - 2.0 * w));
+    };
+    REQUIRE(plate.plan(
+        *text, {.margin = 0.2f, .radius = 0.0f, .thickness = 0.2f, .depth = 0.1f, .bevel = 0.02f, .fillet = 0.05f},
+        monotone{}));
+    check_solid(plate, 0);
+    const double cell = plate.placement().at.em_per_cell;
+    // Around the stick, at the distance t from its wall, the fillet is h(t) high: the integral of h(t) (P + 2 pi t).
+    double fillet = 0.0;
+    for (int i = 0; i < 1000; ++i) {
+        const double t = 0.05 * (i + 0.5) / 1000.0, down = 0.05 - t;
+        fillet += 0.05 / 1000.0 * (0.05 - std::sqrt(0.05 * 0.05 - down * down)) * (1.2 + 2.0 * 3.14159265358979 * t);
+    }
+    const double wanted =
+        2.0 * prism(0.5, 0.9, 0.02) + 0.16 * 0.5 * 0.9 + 0.08 * 0.1 * 0.5 + prism(0.1, 0.5, 0.02) + fillet;
+    CHECK(cell * cell * plate.solid(0).volume() == Catch::Approx(wanted).epsilon(1e-3));
+    for (const plate_part p : all_plate_parts) CHECK(plate.solid(0).size(p).triangles != 0);
+}
+
+TEST_CASE("bevels and fillets that do not fit become narrower, and the plate says how wide they are", "[plate]")
+{
+    test::toy_font font;
+    text_mesher mesher{font, flat{}};
+    auto text = test::required(mesher.plan("oi", {}));
+    name_plate plate;
+    // A sixteenth of each height stays: 0.1 and 0.05.
+    REQUIRE(plate.plan(*text, {.margin = 0.4f, .bevel = 0.2f, .fillet = 0.2f}, monotone{}));
+    check_solid(plate, 0);
+    CHECK(plate.rims().bevels == 3);
+    CHECK(plate.rims().bevel == Catch::Approx(0.5 * 0.05 * 15.0 / 16.0));
+    CHECK(plate.rims().fillet == Catch::Approx(0.5 * 0.05 * 15.0 / 16.0));
+    REQUIRE(plate.plan(*text, {.margin = 0.02f, .radius = 0.0f, .bevel = 0.01f, .fillet = 0.03f}, monotone{}));
+    check_solid(plate, 0);
+    CHECK(same(plate.rims().bevel, 0.01f));
+    CHECK(plate.rims().fillet > 0.004f);
+    CHECK(plate.rims().fillet < 0.01f);
+    REQUIRE(plate.plan(*text, {.margin = -0.05f, .bevel = 0.01f, .fillet = 0.03f}, monotone{}));  // beyond the plate
+    check_solid(plate, 0);
+    CHECK(plate.rims().bevel == 0.0f);
+    CHECK(plate.rims().fillet == 0.0f);
+    CHECK(plate.solid(0).size(plate_part::front_bevel).triangles != 0);  // the letters' own
+    CHECK(plate.solid(0).size(plate_part::floor_bevel).triangles == 0);
+}
+
 TEST_CASE("an inlay and its plate tile the full plate exactly", "[plate]")
 {
     auto font = test::opened(test::dejavu);
     text_mesher mesher{font, flat{}};
     auto text = test::required(mesher.plan("R&B 80%", {}));
     name_plate plate;
-    for (const float depth : {0.04f, 0.1f}) {  // into the plate, and through it
-        REQUIRE(plate.plan(*text, {.style = plate_style::inlay, .depth = depth}, monotone{}));
+    for (const auto& [depth, bevel] : {std::pair{0.04f, 0.0f}, {0.1f, 0.0f}, {0.04f, 0.02f}}) {  // 0.1: through it
+        REQUIRE(plate.plan(*text, {.style = plate_style::inlay, .depth = depth, .bevel = bevel}, monotone{}));
         constexpr cell_set body = name_plate::body(), letters = name_plate::text();
         CHECK(area(plate, body & ~letters) + area(plate, body & letters) == area(plate, body));
         CHECK(area(plate, body & letters) > 0);
@@ -169,6 +282,7 @@ TEST_CASE("an inlay and its plate tile the full plate exactly", "[plate]")
         CHECK(plate.solid(0).size(plate_part::wall) == plate.solid(1).size(plate_part::wall));
         const double full = plate.solid(0).volume() + plate.solid(1).volume();
         const double whole = 0.5 * static_cast<double>(area(plate, body)) * 0.1 * plate.unit_per_em();
+        if (bevel > 0.0f) continue;
         CHECK(full == Catch::Approx(whole).epsilon(1e-6));
         const double mesh = measured(m[0]).volume + measured(m[1]).volume;
         const double unit = plate.placement().at.unit_per_cell;
@@ -233,7 +347,7 @@ TEST_CASE("letters that a path turns stand on a plate, with the areas of letters
     CHECK(areas[1] == Catch::Approx(areas[0]).epsilon(1e-4));
 }
 
-TEST_CASE("no part of a plate is a bevel", "[plate]")
+TEST_CASE("no part of a plate without bevels is a bevel", "[plate]")
 {
     test::toy_font font;
     text_mesher mesher{font, flat{}};
@@ -372,6 +486,8 @@ TEST_CASE("options outside their ranges and texts without letters are refused in
     CHECK(refusal({.radius = -1.0f}) == "radius");
     CHECK(refusal({.thickness = 0.0f}) == "thickness");
     CHECK(refusal({.depth = -0.1f}) == "depth");
+    CHECK(refusal({.bevel = -0.1f}) == "bevel");
+    CHECK(refusal({.fillet = std::numeric_limits<float>::infinity()}) == "fillet");
     for (const plate_style style : {plate_style::standing, plate_style::engraved, plate_style::inlay})
         CHECK(refusal({.style = style, .thickness = 1000.0f, .depth = 1e-5f}) == "depth");
     CHECK(refusal({.ring_hole = std::numeric_limits<float>::infinity()}) == "ring_hole");
@@ -387,32 +503,38 @@ TEST_CASE("whichever request for memory fails, a plate says so, and then it is m
     test::toy_font font;
     text_mesher mesher{font, flat{}};
     auto text = test::required(mesher.plan("oi", {}));
-    const plate_options how{.style = plate_style::cut, .ring_hole = 0.05f, .bridge_width = 0.02f};
-    std::size_t needed = 0;
-    {
-        test::counting_memory counted;
-        name_plate plate{counted.source()};
-        REQUIRE(plate.plan(*text, how, monotone{}));
-        needed = counted.requests;
-        // After warm-up, a plate takes nothing.
-        REQUIRE(plate.plan(*text, how, monotone{}));
-        const std::size_t warm = counted.requests;
-        for (int i = 0; i < 3; ++i) REQUIRE(plate.plan(*text, how, monotone{}));
-        CHECK(counted.requests == warm);
-    }
-    REQUIRE(needed > 20);
-    for (std::size_t k = 1; k <= needed; ++k) {
-        test::counting_memory counted;
+    for (const bool stands : {false, true}) {
+        const plate_options how{.style = stands ? plate_style::standing : plate_style::cut,
+                                .bevel = stands ? 0.01f : 0.0f,
+                                .fillet = 0.02f,
+                                .ring_hole = 0.05f,
+                                .bridge_width = 0.02f};
+        std::size_t needed = 0;
         {
+            test::counting_memory counted;
             name_plate plate{counted.source()};
-            counted.fail_at = k;
-            const auto done = plate.plan(*text, how, monotone{});
-            CHECK(done.error() == error::out_of_memory);
-            CHECK(plate.solid_count() == 0);
-            counted.fail_at = 0;
             REQUIRE(plate.plan(*text, how, monotone{}));
-            CHECK(plate.is_manifold());
+            needed = counted.requests;
+            // After warm-up, a plate takes nothing.
+            REQUIRE(plate.plan(*text, how, monotone{}));
+            const std::size_t warm = counted.requests;
+            for (int i = 0; i < 3; ++i) REQUIRE(plate.plan(*text, how, monotone{}));
+            CHECK(counted.requests == warm);
         }
-        CHECK(counted.bytes_held == 0);
+        REQUIRE(needed > 20);
+        for (std::size_t k = 1; k <= needed; k += stands ? 17 : 1) {
+            test::counting_memory counted;
+            {
+                name_plate plate{counted.source()};
+                counted.fail_at = k;
+                const auto done = plate.plan(*text, how, monotone{});
+                CHECK(done.error() == error::out_of_memory);
+                CHECK(plate.solid_count() == 0);
+                counted.fail_at = 0;
+                REQUIRE(plate.plan(*text, how, monotone{}));
+                CHECK(plate.is_manifold());
+            }
+            CHECK(counted.bytes_held == 0);
+        }
     }
 }

@@ -23,6 +23,8 @@ TEST_CASE("options outside their ranges are named, and those within are not", "[
         CHECK(named({.radius = bad}) == "radius");
         CHECK(named({.thickness = bad}) == "thickness");
         CHECK(named({.depth = bad}) == "depth");
+        CHECK(named({.bevel = bad}) == "bevel");
+        CHECK(named({.fillet = bad}) == "fillet");
         CHECK(named({.ring_hole = bad}) == "ring_hole");
         CHECK(named({.ring_width = bad}) == "ring_width");
         CHECK(named({.bridge_width = bad}) == "bridge_width");

@@ -13,13 +13,18 @@
 #include <typemesh/extrude/placement.hpp>
 #include <typemesh/plate/cell_set.hpp>
 #include <typemesh/plate/impl/edge_normals.hpp>
+#include <typemesh/plate/impl/rim_fitting.hpp>
+#include <typemesh/plate/impl/rim_offset.hpp>
+#include <typemesh/plate/impl/rim_sheets.hpp>
 #include <typemesh/plate/impl/slab_walls.hpp>
 #include <typemesh/plate/layer_arrangement.hpp>
+#include <typemesh/plate/layered_slab.hpp>
 #include <typemesh/triangulate/impl/triangulator_ref.hpp>
 #include <typemesh/vertex/mesh_range.hpp>
 #include <typemesh/vertex/mesh_sink.hpp>
 #include <typemesh/vertex/part.hpp>
 
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <type_traits>
@@ -38,17 +43,21 @@ struct layered_placement {
 };
 
 /// The parts of a layered solid, in the order of the output. As numbers of typemesh::part the first three are front,
-/// back and side, and no part is a bevel.
+/// back and side, and two are the bevels.
 enum class plate_part : std::uint8_t {
-    front,      ///< the faces towards the reader at the highest level: letters that stand, or the face of a cut plate
-    back,       ///< the faces away from the reader
-    rim,        ///< the walls on the edges of the sources below `rim_sources`
-    floor = 5,  ///< the faces towards the reader at lower levels
-    wall,       ///< all other walls
+    front,        ///< the faces towards the reader at the highest level: letters that stand, or the face of a cut plate
+    back,         ///< the faces away from the reader
+    rim,          ///< the walls on the edges of the sources below `rim_sources`
+    front_bevel,  ///< the bevel around the front
+    back_bevel,   ///< the bevel around the back
+    floor,        ///< the faces towards the reader at lower levels
+    wall,         ///< all other walls
+    floor_bevel,  ///< the bevels and fillets around floors
 };
 /// All parts of a layered solid.
-inline constexpr plate_part all_plate_parts[] = {plate_part::front, plate_part::back, plate_part::rim,
-                                                 plate_part::floor, plate_part::wall};
+inline constexpr plate_part all_plate_parts[] = {plate_part::front,       plate_part::back,       plate_part::rim,
+                                                 plate_part::front_bevel, plate_part::back_bevel, plate_part::floor,
+                                                 plate_part::wall,        plate_part::floor_bevel};
 
 /// A solid made of horizontal slabs. In each slab, it fills a set of cells of one arrangement.
 ///
@@ -57,6 +66,10 @@ inline constexpr plate_part all_plate_parts[] = {plate_part::front, plate_part::
 ///       .--------+----+-------.   top of slab 0
 ///       |         B           |                     slab 1 fills the cells of A, slab 0 the cells of both
 ///       '---------------------'   bottom
+///
+/// Bevels cut the rims of slabs, and fillets surround the feet of slabs that stand within the slab below. Both are the
+/// strips of an exact offset (bevelled), and share all points with the walls and floors beside them. Fillets and bevels
+/// that would meet others become narrower or are left out: see bevel() and fillet().
 ///
 /// A wall stands on a piece of the arrangement where one side is filled and the other is not. It is one wall through
 /// all slabs in which this is so, with a point on its vertical edges at each level at which other edges end there. A
@@ -71,35 +84,46 @@ inline constexpr plate_part all_plate_parts[] = {plate_part::front, plate_part::
 /// 2-manifold.
 class layered_solid {
 public:
-    /// A slab of the solid, up from the previous one or from the bottom.
-    struct slab {
-        cell_set filled;   ///< the cells that are filled; the set must be bounded
-        float top = 0.0f;  ///< the height of its upper side, in output units
-    };
+    using slab = layered_slab;
     /// The greatest number of slabs.
     static constexpr std::size_t max_slabs = detail::slab_walls::max_slabs;
 
     explicit layered_solid(memory source = heap()) noexcept
-        : loops_{source}, caps_{source}, points_{source}, triangles_{source}, levels_{source}, normals_{source}
+        : loops_{source},
+          caps_{source},
+          points_{source},
+          triangles_{source},
+          levels_{source},
+          normals_{source},
+          rims_{source},
+          sheets_{source}
     {
     }
 
     /// Plans a solid. `cells` must not change as long as the solid is used.
     ///
-    ///     bottom       the height of the lower side of the first slab
+    ///     base         the lower side of the first slab, and how rims are made; or only its height
     ///     rim_sources  walls on sources with lower numbers belong to plate_part::rim, all others to plate_part::wall
     ///
-    /// Fails  error::bad_option: no slab or more than max_slabs ("slabs"), heights that do not ascend or are not finite
-    ///        ("top"), or an unbounded set ("cells"). error::too_large, error::out_of_memory, and errors of the
-    ///        triangulator. The solid is then empty
-    /// Cost   one triangulation per level, and O(pieces * slabs)
-    [[nodiscard]] result<void> plan(layer_arrangement& cells, float bottom, array_view<const slab> slabs,
+    /// Fails  error::bad_option: no slab or more than max_slabs, where a level with a bevel or a fillet counts as one
+    ///        more ("slabs"); heights that do not ascend or are not finite ("top"); a bevel or a fillet that is not
+    ///        finite or is negative ("bevel"); a rim of another slab than the last ("rim"); an unbounded set ("cells").
+    ///        error::too_large, error::out_of_memory, and errors of the triangulator. The solid is then empty
+    /// Cost   one triangulation per level, and O(pieces * slabs). A level with a bevel or a fillet is swept once more
+    ///        for each, up to 16 times if they do not fit
+    [[nodiscard]] result<void> plan(layer_arrangement& cells, const layered_base& base, array_view<const slab> slabs,
                                     std::uint32_t rim_sources, triangulator_ref cut, workspace& space) noexcept
     {
         clear();
-        const error e = try_to_plan(cells, bottom, slabs, rim_sources, cut, space);
+        const error e = try_to_plan(cells, base, slabs, rim_sources, cut, space);
         if (e) clear();
         return e;
+    }
+
+    [[nodiscard]] result<void> plan(layer_arrangement& cells, float bottom, array_view<const slab> slabs,
+                                    std::uint32_t rim_sources, triangulator_ref cut, workspace& space) noexcept
+    {
+        return plan(cells, layered_base{.height = bottom}, slabs, rim_sources, cut, space);
     }
 
     /// Makes the solid empty.
@@ -109,7 +133,11 @@ public:
         points_.clear();
         triangles_.clear();
         levels_.clear();
+        sheets_.clear();
         walls_ = {};
+        lower_ = 0.0f;
+        for (detail::rim_widths& w : widths_) w = {};
+        of_rims_ = 0.0;
         touching_ = hanging_ = 0;
         for (mesh_size& s : sizes_) s = {};
         cells_ = nullptr;
@@ -139,10 +167,17 @@ public:
     /// The number of pieces above which one side is filled and below which only the other side is.
     [[nodiscard]] std::uint32_t hanging() const noexcept { return hanging_; }
 
+    /// The width that the bevel of slab k has reached, in em: less than requested if it had to fit. k < max_slabs.
+    [[nodiscard]] float bevel(std::size_t k) const noexcept { return widths_[k].bevel; }
+    /// The radius that the fillet at the foot of slab k has reached, likewise.
+    [[nodiscard]] float fillet(std::size_t k) const noexcept { return widths_[k].fillet; }
+    /// The width that the bevel of the lower rim has reached, likewise.
+    [[nodiscard]] float lower_bevel() const noexcept { return lower_; }
+
     /// The volume, in grid cells times output units: the areas of the slabs are exact.
     [[nodiscard]] double volume() const noexcept
     {
-        double sum = 0.0;
+        double sum = of_rims_;
         for (std::uint32_t k = 0; k < walls_.slab_count; ++k)
             sum += 0.5 * static_cast<double>(cells_->doubled_area(walls_.filled[k])) *
                    (as_double(walls_.height[k + 1]) - as_double(walls_.height[k]));
@@ -172,40 +207,136 @@ private:
         std::uint32_t first_point, point_count, first_triangle, triangle_count;
     };
 
-    [[nodiscard]] error try_to_plan(layer_arrangement& cells, float bottom, array_view<const slab> slabs,
+    [[nodiscard]] error try_to_plan(layer_arrangement& cells, const layered_base& base, array_view<const slab> slabs,
                                     std::uint32_t rim_sources, triangulator_ref cut, workspace& space) noexcept
     {
         if (slabs.empty() || slabs.size() > max_slabs) return error::bad("slabs");
-        if (!is_finite(as_double(bottom))) return error::bad("bottom");
+        if (!is_finite(as_double(base.height))) return error::bad("bottom");
         cells_ = &cells;
         rim_sources_ = rim_sources;
-        walls_.slab_count = static_cast<std::uint32_t>(slabs.size());
-        walls_.height[0] = bottom;
-        for (std::uint32_t k = 0; k < walls_.slab_count; ++k) {
-            if (!is_finite(as_double(slabs[k].top)) || !(slabs[k].top > walls_.height[k])) return error::bad("top");
-            if (slabs[k].filled.is_unbounded()) return error::bad("cells");
-            walls_.filled[k] = slabs[k].filled;
-            walls_.height[k + 1] = slabs[k].top;
-            cells.each_touching(slabs[k].filled, [this](grid_point) noexcept { ++touching_; });
+        if (error e = detail::settle_widths(base, slabs, lower_, widths_)) return e;
+        for (const slab& s : slabs) {
+            if (s.filled.is_unbounded()) return error::bad("cells");
+            cells.each_touching(s.filled, [this](grid_point) noexcept { ++touching_; });
         }
-        if (error e = make_caps(cells, cut, space)) return e;
+        if (error e = make_lower_side(cells, base, slabs[0].filled, cut, space)) return e;
+        std::size_t highest = slabs.size();  // the slab with the highest cap; later slabs may be empty
+        while (highest > 1 && cells.doubled_area(slabs[highest - 1].filled) == 0) --highest;
+        for (std::size_t k = 0; k < slabs.size(); ++k) {
+            const plate_part of = k + 1 == highest ? plate_part::front : plate_part::floor;
+            if (error e = make_level(cells, base, {slabs, k, of}, cut, space)) return e;
+        }
+        if (error e = stack(base, slabs)) return e;
         return count_walls(cells);
     }
 
-    [[nodiscard]] error make_caps(layer_arrangement& cells, triangulator_ref cut, workspace& space) noexcept
+    /// The upper side of slab k.
+    struct upper_side {
+        array_view<const slab> slabs;
+        std::size_t k;
+        plate_part of;  // of its cap
+    };
+
+    /// Makes the caps at the upper side of a slab, with its bevel and the next slab's fillet.
+    [[nodiscard]] error make_level(layer_arrangement& cells, const layered_base& base, const upper_side& at,
+                                   triangulator_ref cut, workspace& space) noexcept
     {
-        const std::uint32_t n = walls_.slab_count;
-        std::uint32_t highest = n;  // the level of the highest cap; later slabs may be empty
-        while (highest > 0 && cells.doubled_area(walls_.filled[highest - 1]) == 0) --highest;
-        for (std::uint32_t level = 0; level <= n; ++level) {
-            const cell_set under = level == 0 ? cell_set{} : walls_.filled[level - 1];
-            const cell_set over = level == n ? cell_set{} : walls_.filled[level];
-            for (const bool up : {false, true}) {
-                const cell_set facing = up ? under & ~over : over & ~under;
-                const plate_part of = !up ? plate_part::back : level == highest ? plate_part::front : plate_part::floor;
-                if (error e = make_cap(cells, facing, {of, up, walls_.height[level], 0, 0, 0, 0}, cut, space)) return e;
-            }
+        const slab& own = at.slabs[at.k];
+        const bool has_next = at.k + 1 < at.slabs.size();
+        const cell_set over = has_next ? at.slabs[at.k + 1].filled : own.pockets();
+        detail::rim_widths widths{widths_[at.k].bevel, has_next ? widths_[at.k + 1].fillet : 0.0f};
+        if (widths.bevel > 0.0f || widths.fillet > 0.0f) {
+            if (error e = rims_.fit(cells, own.outline(), over, widths, shape_of(base), cut)) return e;
+            widths_[at.k].bevel = widths.bevel;
+            if (has_next) widths_[at.k + 1].fillet = widths.fillet;
         }
+        if (!(widths.bevel > 0.0f) && !(widths.fillet > 0.0f)) {
+            const level_cap up{at.of, true, own.top, 0, 0, 0, 0}, down{plate_part::back, false, own.top, 0, 0, 0, 0};
+            if (error e = make_cap(cells, own.filled & ~over, up, cut, space)) return e;
+            if (!has_next) return {};
+            return make_cap(cells, over & ~own.filled, down, cut, space);
+        }
+        if (error e = keep_cap({at.of, true, own.top, 0, 0, 0, 0})) return e;
+        const bool is_front = at.of == plate_part::front;
+        if (widths.bevel > 0.0f)
+            if (error e = keep_bevel(is_front ? plate_part::front_bevel : plate_part::floor_bevel, own.top,
+                                     base.depth(widths.bevel), base))
+                return e;
+        if (!(widths.fillet > 0.0f)) return {};
+        const float rise = base.depth(widths.fillet);
+        of_rims_ += as_double(rise) * 0.5 * static_cast<double>(cells.doubled_area(over));
+        return keep_sheet(rims_.outer(), {static_cast<std::uint32_t>(plate_part::floor_bevel),
+                                          detail::rim_section::fillet, true, own.top, own.top + rise});
+    }
+
+    /// Makes the cap at the lower side of the first slab, with its bevel.
+    [[nodiscard]] error make_lower_side(layer_arrangement& cells, const layered_base& base, cell_set filled,
+                                        triangulator_ref cut, workspace& space) noexcept
+    {
+        const level_cap down{plate_part::back, false, base.height, 0, 0, 0, 0};
+        if (lower_ > 0.0f)
+            if (error e = rims_.fit_lower(cells, filled, lower_, shape_of(base), cut)) return e;
+        if (!(lower_ > 0.0f)) return make_cap(cells, filled, down, cut, space);
+        if (error e = keep_cap(down)) return e;
+        return keep_bevel(plate_part::back_bevel, base.height, -base.depth(lower_), base);
+    }
+
+    static detail::rim_fitting::shape shape_of(const layered_base& base) noexcept
+    {
+        return {base.round ? detail::rim_section::round : detail::rim_section::chamfer, base.tolerance};
+    }
+
+    /// Keeps the strips of the bevel around a cap at a height, from the wall's end `deep` below it. Negative: above it.
+    [[nodiscard]] error keep_bevel(plate_part of, float height, float deep, const layered_base& base) noexcept
+    {
+        of_rims_ += std::fabs(as_double(deep)) * 0.5 * static_cast<double>(rims_.inner().doubled_area());
+        return keep_sheet(rims_.inner(),
+                          {static_cast<std::uint32_t>(of), shape_of(base).section, deep > 0.0f, height - deep, height});
+    }
+    [[nodiscard]] error keep_sheet(detail::rim_offset& made, const detail::rim_sheets::sheet& how) noexcept
+    {
+        if (error e = sheets_.add(made, how)) return e;
+        const detail::rim_sheets::sheet& s = sheets_.all().back();
+        of_rims_ += std::fabs(as_double(s.to) - as_double(s.from)) * sheets_.volume(s);
+        mesh_size& size = sizes_[s.of];
+        size = size + mesh_size{s.vertex_count, s.triangle_count};
+        return {};
+    }
+    /// Keeps the floor that the rims have left.
+    [[nodiscard]] error keep_cap(level_cap made) noexcept
+    {
+        const auto points = rims_.points();
+        const auto triangles = rims_.triangles();
+        if (points.empty()) return {};
+        if (!fits(points.size(), triangles.size())) return error::too_large;
+        made.first_triangle = static_cast<std::uint32_t>(triangles_.size());
+        if (!triangles_.append(triangles)) return error::out_of_memory;
+        return add_cap(made, points);
+    }
+
+    /// The levels of the walls. Where a level has a bevel or a fillet, an empty slab lies between two walls; where the
+    /// walls of pockets go on, a slab that fills all but the pockets.
+    [[nodiscard]] error stack(const layered_base& base, array_view<const slab> slabs) noexcept
+    {
+        walls_.height[0] = lower_ > 0.0f ? base.height + base.depth(lower_) : base.height;
+        for (std::size_t k = 0; k < slabs.size(); ++k) {
+            const float bevel = widths_[k].bevel, fillet = k + 1 < slabs.size() ? widths_[k + 1].fillet : 0.0f;
+            if (error e = add_walls(slabs[k].filled, bevel > 0.0f ? slabs[k].top - base.depth(bevel) : slabs[k].top))
+                return e;
+            const cell_set open = slabs[k].pockets();  // its walls go on beside the bevel
+            if (!(bevel > 0.0f || fillet > 0.0f) || (k + 1 == slabs.size() && open.labels == 0)) continue;
+            if (error e = add_walls(open.labels != 0 ? ~open : cell_set{},
+                                    fillet > 0.0f ? slabs[k].top + base.depth(fillet) : slabs[k].top))
+                return e;
+        }
+        return {};
+    }
+    [[nodiscard]] error add_walls(cell_set filled, float top) noexcept
+    {
+        if (walls_.slab_count == max_slabs) return error::bad("slabs");
+        if (!(top > walls_.height[walls_.slab_count])) return error::bad("top");
+        walls_.filled[walls_.slab_count++] = filled;
+        walls_.height[walls_.slab_count] = top;
         return {};
     }
 
@@ -215,15 +346,24 @@ private:
         const auto r = cells.trace(facing, space, loops_);
         if (!r) return r.error();
         if (r->points().empty()) return {};
-        constexpr std::size_t most = 0xFFFF'FFFFu;
-        if (points_.size() + r->points().size() > most || triangles_.size() + r->triangle_count() > most)
-            return error::too_large;
-        made.first_point = static_cast<std::uint32_t>(points_.size());
-        made.point_count = static_cast<std::uint32_t>(r->points().size());
+        if (!fits(r->points().size(), r->triangle_count())) return error::too_large;
         made.first_triangle = static_cast<std::uint32_t>(triangles_.size());
         if (error e = cut.cut(*r, space, triangles_)) return e;
+        return add_cap(made, r->points());
+    }
+    /// Whether so many more points and triangles have numbers.
+    [[nodiscard]] bool fits(std::size_t points, std::size_t triangles) const noexcept
+    {
+        constexpr std::size_t most = 0xFFFF'FFFFu;
+        return points_.size() + points <= most && triangles_.size() + triangles <= most;
+    }
+    /// Adds the points of a cap whose triangles are the last ones.
+    [[nodiscard]] error add_cap(level_cap made, array_view<const grid_point> points) noexcept
+    {
+        made.first_point = static_cast<std::uint32_t>(points_.size());
+        made.point_count = static_cast<std::uint32_t>(points.size());
         made.triangle_count = static_cast<std::uint32_t>(triangles_.size()) - made.first_triangle;
-        if (!points_.append(r->points()) || !caps_.push_back(made)) return error::out_of_memory;
+        if (!points_.append(points) || !caps_.push_back(made)) return error::out_of_memory;
         mesh_size& s = sizes_[static_cast<std::size_t>(made.of)];
         s = s + mesh_size{made.point_count, made.triangle_count};
         return {};
@@ -284,6 +424,13 @@ private:
             const vec3 normal = to.at.direction(0.0f, 0.0f, c.up ? 1.0f : -1.0f);
             for (std::uint32_t i = 0; i < c.point_count; ++i) put(points_[c.first_point + i], c.height, normal);
         }
+        for (const detail::rim_sheets::sheet& s : sheets_.all()) {
+            if (s.of != static_cast<std::uint32_t>(p)) continue;
+            for (const detail::rim_sheets::vertex& v : sheets_.vertices(s))
+                put(v.at, detail::rim_sheets::height(s, v),
+                    to.at.direction((to.mirrored ? -v.out : v.out) * v.outward.x, v.out * v.outward.y,
+                                    s.up ? v.up : -v.up));
+        }
         if (p != plate_part::rim && p != plate_part::wall) return;
         each_wall([&](const layer_arrangement::piece& s, const detail::slab_walls::wall& w) noexcept {
             if (part_of(s) != p) return;
@@ -314,6 +461,11 @@ private:
             }
             first += c.point_count;
         }
+        for (const detail::rim_sheets::sheet& s : sheets_.all()) {
+            if (s.of != static_cast<std::uint32_t>(p)) continue;
+            for (const triangle& t : sheets_.triangles(s)) put(first + t.a, first + t.b, first + t.c, !s.up);
+            first += s.vertex_count;
+        }
         if (p != plate_part::rim && p != plate_part::wall) return;
         each_wall([&](const layer_arrangement::piece& s, const detail::slab_walls::wall& w) noexcept {
             if (part_of(s) != p) return;
@@ -331,9 +483,14 @@ private:
     buffer<std::uint32_t> levels_;  // for each point: the levels at which edges of the mesh end there
     detail::edge_normals normals_;
     detail::slab_walls walls_;
+    detail::rim_fitting rims_;
+    detail::rim_sheets sheets_;
+    detail::rim_widths widths_[max_slabs];  // of each slab's upper rim and of its foot
+    float lower_ = 0.0f;
+    double of_rims_ = 0.0;  // the volume beside the walls' slabs
     const layer_arrangement* cells_ = nullptr;
     std::uint32_t rim_sources_ = 0, touching_ = 0, hanging_ = 0;
-    static constexpr std::size_t part_numbers = 7;
+    static constexpr std::size_t part_numbers = 8;
     mesh_size sizes_[part_numbers];  // by the part's number
 };
 

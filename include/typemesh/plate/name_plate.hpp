@@ -26,6 +26,13 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
+/// The bevels and the fillet of a plate that was planned, in em.
+struct plate_rims {
+    float bevel = 0.0f;        ///< the narrowest bevel
+    float fillet = 0.0f;       ///< the radius of the fillet
+    std::uint32_t bevels = 0;  ///< the number of rims that were to be bevelled
+};
+
 /// A plate with a text: letters that stand on it, are engraved into it, are cut through it, or fill its pockets.
 ///
 ///     auto text = mesher.plan("Anna", {});                       // any text_plan
@@ -135,6 +142,8 @@ public:
     [[nodiscard]] const stencil_report& stencil() const noexcept { return stencil_.report(); }
     /// The bridges, one by one.
     [[nodiscard]] array_view<const stencil_bar> stencil_bars() const noexcept { return stencil_.bars(); }
+    /// What became of the bevels and of the fillet: what did not fit is narrower, or was left out.
+    [[nodiscard]] const plate_rims& rims() const noexcept { return rims_; }
     /// Whether each solid is strictly 2-manifold: no edge has more than two faces, and no point several fans.
     [[nodiscard]] bool is_manifold() const noexcept
     {
@@ -152,6 +161,7 @@ private:
     {
         count_ = 0;
         parted_ = 0;
+        rims_ = {};
         stencil_.clear();
         if (error e = how.refused()) return e;
         const auto plane = plate_plane::of(outline, how.room());
@@ -278,25 +288,28 @@ private:
                     upper = height(how.thickness + how.depth);
         const bool through = !(floor > 0.0f), stands = how.style == plate_style::standing;
         if (how.style != plate_style::cut && !(stands ? upper > face : floor < face)) return error::bad("depth");
-        bottom_[0] = bottom_[1] = 0.0f;
         used_[0] = used_[1] = 0;
-        const auto add = [this](std::size_t k, cell_set filled, float top) noexcept {
-            slabs_[k][used_[k]++] = {filled, top};
-        };
+        for (layered_base& b : base_) b = {0.0f, how.bevel, how.round_bevels, plane_.unit_per_em, arc_tolerance()};
+        const auto add = [this](std::size_t k, const layered_solid::slab& s) noexcept { slabs_[k][used_[k]++] = s; };
         switch (how.style) {
         case plate_style::standing:
-            add(0, body() | text(), face);
-            add(0, text(), upper);
+            add(0, {body() | text(), face, how.bevel});
+            add(0, {text(), upper, how.bevel, how.fillet});
             break;
         case plate_style::engraved:
         case plate_style::inlay:
-            if (!through) add(0, body(), floor);
-            add(0, body() & ~text(), face);
-            if (how.style == plate_style::engraved) break;
-            bottom_[1] = through ? 0.0f : floor;
-            add(1, body() & text(), face);
+            if (!through) add(0, {body(), floor});
+            if (how.style == plate_style::engraved) {
+                add(0, {body() & ~text(), face, how.bevel});
+                break;
+            }
+            if (through) base_[0].bevel = 0.0f;  // the solids tile only without
+            add(0, {body() & ~text(), face, how.bevel, 0.0f, body()});
+            base_[1].height = through ? 0.0f : floor;
+            base_[1].bevel = 0.0f;
+            add(1, {body() & text(), face});
             break;
-        case plate_style::cut: add(0, body() & ~text(), face); break;
+        case plate_style::cut: add(0, {body() & ~text(), face, how.bevel}); break;
         }
         return {};
     }
@@ -338,10 +351,27 @@ private:
     {
         const std::size_t count = used_[1] != 0 ? 2 : 1;
         for (std::size_t k = 0; k < count; ++k)
-            if (const auto done = solids_[k].plan(cells_, bottom_[k], {slabs_[k], used_[k]}, rim_, cut, space_); !done)
+            if (const auto done = solids_[k].plan(cells_, base_[k], {slabs_[k], used_[k]}, rim_, cut, space_); !done)
                 return done.error();
         count_ = count;
+        report_rims();
         return {};
+    }
+
+    /// Finds the narrowest bevel, and the fillet.
+    void report_rims() noexcept
+    {
+        rims_ = {};
+        const layered_solid& made = solids_[0];
+        const auto note = [this](float wanted, float reached) noexcept {
+            if (!(wanted > 0.0f)) return;
+            rims_.bevel = rims_.bevels++ != 0 && rims_.bevel < reached ? rims_.bevel : reached;
+        };
+        note(base_[0].bevel, made.lower_bevel());
+        for (std::uint32_t k = 0; k < used_[0]; ++k) {
+            note(slabs_[0][k].bevel, made.bevel(k));
+            if (slabs_[0][k].fillet > 0.0f) rims_.fillet = made.fillet(k);
+        }
     }
 
     /// A length in cells, at most the grid's reach: a plate is never larger.
@@ -363,7 +393,8 @@ private:
     stencil_bridges stencil_;
     layered_solid solids_[2];
     layered_solid::slab slabs_[2][2];
-    float bottom_[2] = {};
+    layered_base base_[2];
+    plate_rims rims_;
     std::uint32_t used_[2] = {};
     std::uint32_t outer_rim_ = 0, rim_ = 0, parted_ = 0;  // sources below outer_rim_ are the plate's outer loops,
                                                           // those below rim_ are all its loops

@@ -30,7 +30,12 @@ struct plate_options {
     float thickness = 0.1f;  ///< of the plate
     float depth = 0.05f;     ///< the height of standing letters above the plate, or the depth of engraved letters and
         ///< of inlays; at the plate's thickness or more, these go through it. Cut letters ignore it
-    bool mirrored = false;       ///< whether everything is mirrored from left to right: a stamp
+    float bevel = 0.0f;         ///< the width and depth of the bevels along the rims: of the plate, above and below, of
+                                ///< the faces of standing letters, and of the edges of engraved and cut letters, but
+                                ///< not of an inlay; 0: none. What does not fit becomes narrower: name_plate::rims()
+    float fillet = 0.0f;        ///< the radius of the fillet at the foot of standing letters, likewise; 0: none
+    bool round_bevels = false;  ///< whether bevels are quarters of a circle; otherwise they are chamfers of 45 degrees
+    bool mirrored = false;      ///< whether everything is mirrored from left to right: a stamp
     bool fill_counters = false;  ///< whether a plate that follows an outline has no holes
     float ring_hole = 0.0f;      ///< the radius of a keyring's hole at the left end of the plate; 0: no hole
     float ring_width = 0.06f;    ///< the width of the ring around this hole; the ring overlaps the plate by this width
@@ -50,6 +55,8 @@ struct plate_options {
         if (!is_length(radius)) return error::bad("radius");
         if (!is_length(thickness) || !(thickness > 0.0f)) return error::bad("thickness");
         if (!is_length(depth) || !(depth > 0.0f)) return error::bad("depth");
+        if (!is_length(bevel)) return error::bad("bevel");
+        if (!is_length(fillet)) return error::bad("fillet");
         if (!is_length(ring_hole)) return error::bad("ring_hole");
         if (!is_length(ring_width) || !(ring_width > 0.0f)) return error::bad("ring_width");
         if (!is_length(bridge_width)) return error::bad("bridge_width");
