@@ -5,6 +5,7 @@
 
 #include <typemesh/colour/colour_glyph.hpp>
 #include <typemesh/fill/boundary_curves.hpp>
+#include <typemesh/outline/draw_outline.hpp>
 
 #include <algorithm>
 #include <cstdio>
@@ -29,19 +30,7 @@ public:
     {
         const typemesh::outline& o = shapes_[id];
         rule_ = o.rule;
-        for (std::uint32_t k = 0; k < o.contour_count(); ++k) {
-            sink.move(o.curves[o.starts[k]].start());
-            for (std::uint32_t i = o.starts[k]; i < o.starts[k + 1]; ++i) {
-                const curve& c = o.curves[i];
-                if (c.degree == 1)
-                    sink.line(c.p[1]);
-                else if (c.degree == 2)
-                    sink.quadratic(c.p[1], c.p[2]);
-                else
-                    sink.cubic(c.p[1], c.p[2], c.p[3]);
-            }
-            sink.close();
-        }
+        draw_outline(o, sink);
         return {};
     }
 
