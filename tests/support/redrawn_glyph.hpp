@@ -106,7 +106,7 @@ public:
         const auto differ = fill(both, fill_rule::even_odd, space);
         if (!differ) return f.wrong = "not compared", f;
         const double area = doubled_area(*differ) / 2.0;
-        f.area = area / length / tolerance;
+        f.area = area > 0.0 ? area / length / tolerance : 0.0;
         if (area > (tolerance + 2.0) * length) f.wrong = "another area: " + std::to_string(f.area);
         if (f.moved > 4.0 + 4.0 / tolerance) f.wrong = "too far: " + std::to_string(f.moved);
         return f;

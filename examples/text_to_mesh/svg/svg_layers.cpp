@@ -128,7 +128,12 @@ std::string svg_layers::open(const std::string& path, double tolerance, layer_cu
         return path + " has more than 5000 layers of different colours: join the shapes of one colour.";
     is_stacked_ = cut == layer_cut::stacked;
     const auto built = build(tolerance, cut);
-    return built ? std::string{} : path + ": " + in_words(built.error());
+    if (built) return {};
+    const error& e = built.error();
+    if (e == error::too_many_points || e == error::too_many_pieces)
+        return path + " has more than " + std::to_string(default_max_pieces) +
+               " points at this quality: choose a coarser --quality, or divide the drawing.";
+    return path + ": " + in_words(e);
 }
 
 result<void> svg_layers::build(double tolerance, layer_cut cut)
