@@ -3,6 +3,7 @@
 #include "atomic_file.hpp"
 #include "colour_layers.hpp"
 #include "colour_names.hpp"
+#include "gradient_ramps.hpp"
 #include "letters.hpp"
 #include "marked_text.hpp"
 #include "model.hpp"
@@ -89,8 +90,14 @@ void add_part(const options& o, model& out, typemesh::part p, const typemesh::me
 typemesh::result<void> write_model(const options& o, const chosen_plan& plan, model& out)
 {
     if (const auto done = plan.write(typemesh::into(out.vertices, out.indices)); !done) return done.error();
+    gradient_ramps ramps{o, plan, out};
     for (const typemesh::part p : plan.parts())
-        for (const typemesh::style_id style : plan.styles()) add_part(o, out, p, plan.range(style, p), style);
+        for (const typemesh::style_id style : plan.styles()) {
+            const typemesh::mesh_range r = plan.range(style, p);
+            add_part(o, out, p, r, style);
+            if (r.index_count != 0) out.parts.back().ramp = ramps.ramp_of(style);
+        }
+    ramps.place_vertices();
     return {};
 }
 
@@ -205,8 +212,10 @@ void append(model& all, const model& some, float up)
     for (const std::uint32_t i : some.indices) all.indices.push_back(first + i);
     for (model::part p : some.parts) {
         p.first_index += first_index;
+        if (p.ramp) *p.ramp += all.ramps.size();
         all.parts.push_back(std::move(p));
     }
+    all.ramps.insert(all.ramps.end(), some.ramps.begin(), some.ramps.end());
 }
 
 /// Puts a thin solid of a level of colour layers on the front of the level below: the two planes are the same floats.

@@ -580,8 +580,8 @@ if "$program" --svg drawing.svg --output probe.glb >out 2>err; then
     expect 1 "bomb.svg draws more than 200000 elements" --svg bomb.svg --output no.glb
     awk 'BEGIN { printf "<svg>"; for (i = 0; i < 5000; ++i) printf "<g>"; for (i = 0; i < 5000; ++i) printf "</g>"; print "</svg>" }' >deep.svg
     expect 1 "deep.svg has elements in each other.*more than 200 levels deep" --svg deep.svg --output no.glb
-    awk 'BEGIN { printf "<svg>"; for (i = 0; i <= 5000; ++i) printf "<path d=\"M0 0h9v9z\" fill=\"#%06x\"/>", i; print "</svg>" }' >layers.svg
-    expect 1 "layers.svg has more than 5000 layers of different colours" --svg layers.svg --output no.glb
+    awk 'BEGIN { printf "<svg>"; for (i = 0; i <= 20000; ++i) printf "<path d=\"M0 0h9v9z\" fill=\"#%06x\"/>", i; print "</svg>" }' >layers.svg
+    expect 1 "layers.svg has more than 20000 layers of different colours" --svg layers.svg --output no.glb
     printf '\037\213' >packed.svg
     expect 1 "packed.svg is compressed: unpack it with gunzip" --svg packed.svg --output no.glb
     expect 1 "none.svg cannot be read: No such file" --svg none.svg --output no.glb

@@ -11,6 +11,8 @@
 #include <string>
 #include <vector>
 
+#include "fuzz/replay.hpp"
+#include "fuzz/svg.hpp"
 #include "scratch_folder.hpp"
 #include "support/catch.hpp"
 
@@ -354,4 +356,10 @@ TEST_CASE("curves of SVG keep the tolerance under transforms that stretch one di
             worst = std::max(worst, 500.0 * std::abs(std::hypot((p.x - 500.0) / 500.0, (p.y - 500.0) / 0.05) - 1.0));
         }
     CHECK(worst < 1e-3);
+}
+
+TEST_CASE("kept and random files of SVG are read, and their layers are their silhouette", "[examples][svg][fuzz]")
+{
+    if (!reads_svg()) return;
+    fuzz::replay("svg", fuzz::svg, 400, 400);
 }
