@@ -81,7 +81,7 @@ struct model {
 
     std::vector<model_vertex> vertices;
     std::vector<std::uint32_t> indices;
-    std::vector<part> parts;      ///< together all the indices; none at all stands for one nameless part
+    std::vector<part> parts;  ///< together all the indices; none at all stands for one nameless part
     std::vector<ramp> ramps;
     std::vector<letter> letters;  ///< none: the model is one mesh, and stands where its vertices say
     bool as_manifold = false;     ///< the file is to say how the mesh is a 2-manifold

@@ -74,7 +74,8 @@ int main(int argc, char** argv)
         "curves %zu, pieces %zu\n",
         glyphs, blank, refused, wrong, off, meetings, straight, before, after);
     std::printf(
-        "written and read: %zu, in tolerances: area between the boundaries, over their length, %.3f on average, %.3f at "
+        "written and read: %zu, in tolerances: area between the boundaries, over their length, %.3f on average, %.3f "
+        "at "
         "most; distance %.3f at most, beyond one tolerance and two cells in %zu\n",
         files, files != 0 ? area_sum / static_cast<double>(files) : 0.0, area, moved, over);
     return wrong + off + refused == 0 ? 0 : 1;

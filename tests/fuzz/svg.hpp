@@ -54,24 +54,60 @@ public:
 
 private:
     static constexpr std::string_view names[] = {
-        "path",     "rect",  "circle",         "ellipse",        "line",    "polyline", "polygon", "g",
-        "use",      "defs",  "symbol",         "svg",            "clipPath", "a",        "switch",  "title",
-        "style",    "mask",  "linearGradient", "radialGradient", "stop",    "text",     "svg:g",   "x:g"};
-    static constexpr std::string_view attributes[] = {
-        "d",       "x",     "y",      "width",        "height",           "cx",          "cy",
-        "r",       "rx",    "ry",     "x1",           "y1",               "x2",          "y2",
-        "points",  "fill",  "stroke", "stroke-width", "stroke-dasharray", "transform",   "style",
-        "class",   "id",    "href",   "clip-path",    "viewBox",          "opacity",     "offset",
-        "display", "color", "mask",   "fill-rule",    "stroke-linejoin",  "overflow",    "preserveAspectRatio",
-        "pathLength", "xlink:href", "clipPathUnits", "stop-color", "visibility", "stroke-dashoffset"};
+        "path",           "rect",           "circle", "ellipse",  "line",  "polyline", "polygon", "g",     "use",
+        "defs",           "symbol",         "svg",    "clipPath", "a",     "switch",   "title",   "style", "mask",
+        "linearGradient", "radialGradient", "stop",   "text",     "svg:g", "x:g"};
+    static constexpr std::string_view attributes[] = {"d",
+                                                      "x",
+                                                      "y",
+                                                      "width",
+                                                      "height",
+                                                      "cx",
+                                                      "cy",
+                                                      "r",
+                                                      "rx",
+                                                      "ry",
+                                                      "x1",
+                                                      "y1",
+                                                      "x2",
+                                                      "y2",
+                                                      "points",
+                                                      "fill",
+                                                      "stroke",
+                                                      "stroke-width",
+                                                      "stroke-dasharray",
+                                                      "transform",
+                                                      "style",
+                                                      "class",
+                                                      "id",
+                                                      "href",
+                                                      "clip-path",
+                                                      "viewBox",
+                                                      "opacity",
+                                                      "offset",
+                                                      "display",
+                                                      "color",
+                                                      "mask",
+                                                      "fill-rule",
+                                                      "stroke-linejoin",
+                                                      "overflow",
+                                                      "preserveAspectRatio",
+                                                      "pathLength",
+                                                      "xlink:href",
+                                                      "clipPathUnits",
+                                                      "stop-color",
+                                                      "visibility",
+                                                      "stroke-dashoffset"};
     static constexpr std::string_view pieces[] = {
         "10",   "0",     "50%",  "-5",        "1e9",     "1e-9",    "1e309",   "3mm",         " ",       ",",
         "red",  "none",  "#a",   "url(#a)",   "#b",      "url(#b)", "a",       "b",           "a b",     "currentColor",
         "#123", "#zz",   "rgb(", "1,2,3)",    "hsl(0 ",  "scale(",  "rotate(", "matrix(",     "2)",      "1 0 0 1 5 5)",
         "0 0 ", "9 9",   "20 7", "fill:red;", "stroke:", "inherit", "evenodd", "!important;", "visible", "hidden",
         "100",  "round", "1 2",  "skewX(89)", ";",       ":",       "nan",     "translate("};
-    static constexpr std::string_view loose[] = {"&amp;", "<!---->", "<![CDATA[", "]]>", "&#9;", "<?a?>", "<", ">", "\n"};
-    static constexpr std::string_view selectors[] = {"rect", "*", ".a", ".b", "#a", "#b", "path.a", ".a.b", "g#a", ",", " ", "@x"};
+    static constexpr std::string_view loose[] = {"&amp;", "<!---->", "<![CDATA[", "]]>", "&#9;",
+                                                 "<?a?>", "<",       ">",         "\n"};
+    static constexpr std::string_view selectors[] = {"rect",   "*",    ".a",  ".b", "#a", "#b",
+                                                     "path.a", ".a.b", "g#a", ",",  " ",  "@x"};
 
     void add_value(std::string_view name)
     {

@@ -70,9 +70,9 @@ public:
 
     /// What became of the curves in a file.
     struct file_findings {
-        std::string wrong;    ///< the first law that is broken, or nothing
-        double area = 0.0;    ///< between the two regions, over the boundary's length, in tolerances
-        double moved = 0.0;   ///< the farthest point of one boundary from the other one, in tolerances
+        std::string wrong;   ///< the first law that is broken, or nothing
+        double area = 0.0;   ///< between the two regions, over the boundary's length, in tolerances
+        double moved = 0.0;  ///< the farthest point of one boundary from the other one, in tolerances
     };
 
     /// Writes the curves as path data of SVG, reads and flattens these sixteen times as finely, and compares the region

@@ -3,7 +3,7 @@
 #
 # Does a browser draw the outlines in .svg files as it draws the font? Writes some hundred letters as SVG, each alone,
 # and has headless Chromium draw each file and the same letter of the font itself: drawn_alike.html. At 300 pixels an em no
-# pixel may differ by more than half a pixel's cover, and those of an outline by no more than 0.08 on average in a letter:
+# pixel may differ by more than 0.6 of its cover, and the pixels of an outline by no more than 0.08 on average in a letter:
 # Chromium takes outlines of that size from FreeType at 64 pixels an em, rounded to 1/64 of such a pixel, or 0.07 of
 # these. (Fonts of 2048 units an em are not rounded, and differ by 0.01.) Takes a minute; no part of tests/run.sh.
 #

@@ -494,8 +494,7 @@ std::string read_svg_text(const std::string& text, const svg_options& how, svg_d
     pugi::xml_document file;
     const pugi::xml_parse_result read = file.load_buffer(text.data(), text.size());
     if (read) return reader{file, how, out}.read();
-    const auto end =
-        text.begin() + std::min<std::ptrdiff_t>(read.offset, static_cast<std::ptrdiff_t>(text.size()));
+    const auto end = text.begin() + std::min<std::ptrdiff_t>(read.offset, static_cast<std::ptrdiff_t>(text.size()));
     return ", line " + std::to_string(1 + std::count(text.begin(), end, '\n')) +
            ": this is not XML: " + read.description() + ".";
 }

@@ -157,7 +157,7 @@ private:
 
     static constexpr std::size_t max_layers = 0x7FFF;
     static constexpr std::size_t max_one_by_one = 128;  // layers; then see_all() is faster
-    static constexpr std::size_t max_shining = 16;  // layers on each other through which others shine
+    static constexpr std::size_t max_shining = 16;      // layers on each other through which others shine
 
     void clear() noexcept
     {
