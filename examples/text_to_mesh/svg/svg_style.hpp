@@ -69,7 +69,7 @@ private:
         std::size_t bytes = 0;
     };
     std::vector<declarations> blocks_;
-    rule_index by_id_, by_class_, by_name_;  // each rule once; the empty name has those of any element
+    rule_index by_id_, by_class_, by_name_;  // each rule once; rules for any element have the empty name
 };
 
 /// What a shape is filled or stroked with.

@@ -10,10 +10,10 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// The texture coordinate of a point of a glyph (in font units) in the ramp of a gradient: 0 at its first stop, 1 at its
-/// last one, beyond them less than 0 or more than 1. A sampler that clamps, repeats or mirrors (by paint.extend: pad,
-/// repeat, reflect) then finds the colour in a texture of one row, which ramp_colour() fills. Empty: the gradient does
-/// not paint the point (see gradient_place()), or there are no stops.
+/// The texture coordinate of a point of a glyph (in font units) in the ramp of a gradient: 0 at its first stop, 1 at
+/// its last one, beyond them less than 0 or more than 1. A sampler that clamps, repeats or mirrors (by paint.extend:
+/// pad, repeat, reflect) then finds the colour in a texture of one row, which ramp_colour() fills. Empty: the gradient
+/// does not paint the point (see gradient_place()), or there are no stops.
 ///
 ///     if (auto u = ramp_coordinate(own->paint, colours.stops_of(*own), place)) vertex.u = *u;
 ///

@@ -71,8 +71,8 @@ public:
     /// Fails  as the source, grid::fitting(), discretise(), cut_where_met() and resolve() do; error::bad_tolerance;
     ///        error::bad_colours: more than 32,767 layers. There are then no layers
     /// Cost   one flattening and one cut of all outlines, then O(n log n) for each operation on shapes, and for four on
-    ///        each pair of a translucent layer and one that it lies on; n is the number of edges that take part. For all
-    ///        visible layers together O(n log n log^2 l), with l layers
+    ///        each pair of a translucent layer and one that it lies on; n is the number of edges that take part. For
+    ///        all l visible layers together O(n log n log^2 l)
     template <outline_source Source>
     [[nodiscard]] result<void> build(Source& source, std::uint32_t face, const colour_glyph& glyph, double tolerance,
                                      layer_cut cut, std::uint32_t max_pieces = default_max_pieces) noexcept
@@ -271,8 +271,8 @@ private:
         return made_.copy(pool_, all, silhouette_);
     }
 
-    /// Keeps what is seen of each layer, from the uppermost to the lowest. Fast for few layers: all that is above a layer
-    /// takes part in two operations.
+    /// Keeps what is seen of each layer, from the uppermost to the lowest. Fast for few layers: all that is above a
+    /// layer takes part in two operations.
     [[nodiscard]] error see_one_by_one(const colour_glyph& glyph, detail::pooled_region& all) noexcept
     {
         const detail::region_pool::mark shapes = pool_.here();
@@ -327,8 +327,9 @@ private:
         return {};
     }
 
-    /// Keeps what is seen of layers first to last - 1, from the uppermost to the lowest. It is divided between the upper
-    /// half of them and the lower half, and so on: each point takes part in few divisions, however many layers there are.
+    /// Keeps what is seen of layers first to last - 1, from the uppermost to the lowest. It is divided between the
+    /// upper half of them and the lower half, and so on: each point takes part in few divisions, however many layers
+    /// there are.
     ///
     ///     seen    what is seen of them together
     ///     whole   this is all that they cover
