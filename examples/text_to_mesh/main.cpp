@@ -18,6 +18,7 @@
 #include "statistics.hpp"
 #include "svg/svg_layers.hpp"
 #include "text_fonts.hpp"
+#include "text_icons.hpp"
 #include "text_source.hpp"
 #include "write_3mf.hpp"
 #include "write_curves.hpp"
@@ -304,6 +305,7 @@ void use_source(const options& o, chosen_mesher& mesher)
 {
     if (o.layers) mesher.use(o.layers->source());
     if (o.drawing) mesher.use(*o.drawing);
+    if (o.placed_icons) mesher.use(*o.placed_icons);
 }
 
 /// Gives an empty string, or one sentence.
@@ -404,6 +406,7 @@ std::string name_warnings(const options& o, const chosen_plan& plan, const font_
     bool warned = name_missing_features(fonts, o.features, o.who);
     if (o.layers) warned = name_colour_losses(o.layers->report(), o.who) || warned;
     if (o.drawing) warned = o.drawing->name_losses(o.who) || warned;
+    if (o.placed_icons) warned = o.placed_icons->name_losses(o.who) || warned;
     const std::u32string missing = missing_characters(plan.run(), o.text, fonts);
     warned = name_losses(plan.report(), o.family || !o.fallback.empty(), o.who, missing) || warned;
     if (!o.output.empty() && !o.instances && !o.plate.is_on) {
@@ -510,6 +513,9 @@ public:
         clock(typemesh::stage::idle);
         if (o_.layers)
             if (std::string trouble = o_.layers->split(page_); !trouble.empty()) return trouble;
+        if (o_.placed_icons)
+            if (const auto done = o_.placed_icons->place(page_, holds_colours(o_.kind)); !done)
+                return in_words(done.error());
         const std::vector<typemesh::glyph_style> glyph_styles(page_.glyph_styles.begin(), page_.glyph_styles.end());
         if (!holds_colours(o_.kind))  // else letters of different colours would not merge
             keep_only_solids(o_, page_);
@@ -672,6 +678,10 @@ int run_all(options& o)
                 o.drawing = std::make_shared<svg_layers>();
                 trouble = o.drawing->open(o.svg, o.tolerance, o.colour_layers.value_or(typemesh::layer_cut::visible),
                                           o.colour.value_or(rgb_colour{{0, 0, 0}}));
+            }
+            if (trouble.empty() && !o.icons.empty() && !o.placed_icons) {
+                o.placed_icons = std::make_shared<text_icons>(fonts.set());
+                trouble = o.placed_icons->open(o);
             }
             if (trouble.empty()) trouble = run(o, tell, fonts.set());
         }

@@ -6,6 +6,7 @@
 #include "report.hpp"
 #include "stages.hpp"
 #include "svg/svg_layers.hpp"
+#include "text_icons.hpp"
 
 #include <typemesh/extrude/flat_outline.hpp>
 #include <typemesh/outline/draw_outline.hpp>
@@ -135,6 +136,7 @@ result<void> curves_of_text(const options& o, font_set& font, const glyph_run& p
 {
     text_mesher mesher{font, flat_outline{}};
     if (o.layers) mesher.use(o.layers->source());
+    if (o.placed_icons) mesher.use(*o.placed_icons);
     use_stages(o, font.units_per_em(), mesher);
     if (o.path.curve) mesher.use(on_path{o.path.curve.get(), o.path.how});
     const auto plan = mesher.plan(page, how);
