@@ -90,12 +90,12 @@ struct inflate_options {
 struct options {
     std::string who = "text_to_mesh: ";  ///< begins a sentence on standard error; of a batch it names the line
     std::string text;
-    std::string text_file;  ///< instead of it, "-" is standard input; empty: none
-    std::string svg;        ///< a file of SVG instead of a text and fonts; empty: none
+    std::string text_file;           ///< instead of it, "-" is standard input; empty: none
+    std::string svg;                 ///< a file of SVG instead of a text and fonts; empty: none
     std::vector<std::string> icons;  ///< files of SVG for the boxes of mark-up
-    std::string batch;      ///< likewise, a text a line
-    std::string font;       ///< a file's name or a family's
-    bool family = false;    ///< it is the font of --family: other installed fonts stand in for it
+    std::string batch;               ///< likewise, a text a line
+    std::string font;                ///< a file's name or a family's
+    bool family = false;             ///< it is the font of --family: other installed fonts stand in for it
     std::vector<std::string> fallback;
     std::optional<unsigned> face;  ///< in a collection
     std::vector<typemesh::variation> variations;

@@ -16,7 +16,7 @@ namespace text_to_mesh {
 
 struct options;
 
-/// The drawings of --icon, which stand in the boxes of mark-up: an outline source whose faces are those of the text, and
+/// The drawings of --icon, which stand in the boxes of mark-up: an outline source with the faces of the text, and
 /// one more for each drawing.
 class text_icons {
 public:
@@ -64,7 +64,7 @@ public:
     }
 
 private:
-    // The styles of each drawing follow those of the one before.
+    // The styles of one drawing follow the styles of another.
     static constexpr std::uint32_t first_style = 0x2000'0000, styles_each = 0x1'0000;
 
     [[nodiscard]] const svg_layers* icon(std::uint32_t face) noexcept;
