@@ -326,7 +326,7 @@ TEST_CASE("a file of SVG with too many points for its quality is told so", "[exa
     const scratch_folder folder;
     const std::string path = folder.file("drawing.svg");
     std::ofstream{path} << "<svg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 100 100'><path d='"
-                        << repeated("M50 50q40 40 0 40q-40-40 0-40", 700) << "'/></svg>";
+                        << repeated("M50 50q40 40 0 40q-40-40 0-40", 7000) << "'/></svg>";
     svg_layers layers;
     CHECK(layers.open(path, 1e-9, typemesh::layer_cut::visible, {{0, 0, 0}}) ==
           path + " has more than 1000000 points at this quality: choose a coarser --quality, or divide the drawing.");

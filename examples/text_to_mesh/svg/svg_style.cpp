@@ -218,10 +218,16 @@ bool svg_stylesheet::finish()
     if (rules_.size() > max_rules) return false;
     std::stable_sort(rules_.begin(), rules_.end(),
                      [](const rule& a, const rule& b) { return a.specificity < b.specificity; });
+    std::map<std::string_view, std::size_t> uses;  // of classes, in rules
+    for (const rule& r : rules_)
+        for (const std::string& one : r.classes) ++uses[one];
     std::uint32_t number = 0;
     for (const rule& r : rules_) {
+        const auto rarest =
+            std::min_element(r.classes.begin(), r.classes.end(),
+                             [&](const std::string& a, const std::string& b) { return uses[a] < uses[b]; });
         std::vector<std::uint32_t>& named = !r.id.empty()        ? by_id_[r.id]
-                                            : !r.classes.empty() ? by_class_[r.classes.back()]
+                                            : !r.classes.empty() ? by_class_[*rarest]
                                                                  : by_name_[r.name];
         named.push_back(number++);
     }
