@@ -45,7 +45,7 @@ public:
     }
     [[nodiscard]] double units_per_em(std::uint32_t face) noexcept
     {
-        return icon(face) != nullptr ? svg_drawing::units_per_em : fonts_.units_per_em(face);
+        return icon(face) != nullptr ? fonts_.units_per_em() : fonts_.units_per_em(face);  // place() scales drawings
     }
     [[nodiscard]] typemesh::fill_rule fill(std::uint32_t face) noexcept
     {
