@@ -3,6 +3,7 @@
 #include "atomic_file.hpp"
 #include "colour_layers.hpp"
 #include "colour_names.hpp"
+#include "gradient_ramps.hpp"
 #include "letters.hpp"
 #include "marked_text.hpp"
 #include "model.hpp"
@@ -17,6 +18,7 @@
 #include "statistics.hpp"
 #include "svg/svg_layers.hpp"
 #include "text_fonts.hpp"
+#include "text_icons.hpp"
 #include "text_source.hpp"
 #include "write_3mf.hpp"
 #include "write_curves.hpp"
@@ -89,8 +91,14 @@ void add_part(const options& o, model& out, typemesh::part p, const typemesh::me
 typemesh::result<void> write_model(const options& o, const chosen_plan& plan, model& out)
 {
     if (const auto done = plan.write(typemesh::into(out.vertices, out.indices)); !done) return done.error();
+    gradient_ramps ramps{o, plan, out};
     for (const typemesh::part p : plan.parts())
-        for (const typemesh::style_id style : plan.styles()) add_part(o, out, p, plan.range(style, p), style);
+        for (const typemesh::style_id style : plan.styles()) {
+            const typemesh::mesh_range r = plan.range(style, p);
+            add_part(o, out, p, r, style);
+            if (r.index_count != 0) out.parts.back().ramp = ramps.ramp_of(style);
+        }
+    ramps.place_vertices();
     return {};
 }
 
@@ -205,8 +213,10 @@ void append(model& all, const model& some, float up)
     for (const std::uint32_t i : some.indices) all.indices.push_back(first + i);
     for (model::part p : some.parts) {
         p.first_index += first_index;
+        if (p.ramp) *p.ramp += all.ramps.size();
         all.parts.push_back(std::move(p));
     }
+    all.ramps.insert(all.ramps.end(), some.ramps.begin(), some.ramps.end());
 }
 
 /// Puts a thin solid of a level of colour layers on the front of the level below: the two planes are the same floats.
@@ -295,6 +305,7 @@ void use_source(const options& o, chosen_mesher& mesher)
 {
     if (o.layers) mesher.use(o.layers->source());
     if (o.drawing) mesher.use(*o.drawing);
+    if (o.placed_icons) mesher.use(*o.placed_icons);
 }
 
 /// Makes the parts of each colour a solid, so that they are sewn to no other colour's: in layers of colours each of them
@@ -407,6 +418,7 @@ std::string name_warnings(const options& o, const chosen_plan& plan, const font_
     bool warned = name_missing_features(fonts, o.features, o.who);
     if (o.layers) warned = name_colour_losses(o.layers->report(), o.who) || warned;
     if (o.drawing) warned = o.drawing->name_losses(o.who) || warned;
+    if (o.placed_icons) warned = o.placed_icons->name_losses(o.who) || warned;
     const std::u32string missing = missing_characters(plan.run(), o.text, fonts);
     warned = name_losses(plan.report(), o.family || !o.fallback.empty(), o.who, missing) || warned;
     if (!o.output.empty() && !o.instances && !o.plate.is_on) {
@@ -513,6 +525,9 @@ public:
         clock(typemesh::stage::idle);
         if (o_.layers)
             if (std::string trouble = o_.layers->split(page_); !trouble.empty()) return trouble;
+        if (o_.placed_icons)
+            if (const auto done = o_.placed_icons->place(page_, holds_colours(o_.kind)); !done)
+                return in_words(done.error());
         const std::vector<typemesh::glyph_style> glyph_styles(page_.glyph_styles.begin(), page_.glyph_styles.end());
         if (!holds_colours(o_.kind))  // else letters of different colours would not merge
             keep_only_solids(o_, page_);
@@ -675,6 +690,10 @@ int run_all(options& o)
                 o.drawing = std::make_shared<svg_layers>();
                 trouble = o.drawing->open(o.svg, o.tolerance, o.colour_layers.value_or(typemesh::layer_cut::visible),
                                           o.colour.value_or(rgb_colour{{0, 0, 0}}));
+            }
+            if (trouble.empty() && !o.icons.empty() && !o.placed_icons) {
+                o.placed_icons = std::make_shared<text_icons>(fonts.set());
+                trouble = o.placed_icons->open(o);
             }
             if (trouble.empty()) trouble = run(o, tell, fonts.set());
         }

@@ -6,6 +6,7 @@
 #include "options.hpp"
 #include "solids.hpp"
 #include "svg/svg_layers.hpp"
+#include "text_icons.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -100,6 +101,7 @@ std::optional<rgb_colour> colour_of_style(const options& o, typemesh::style_id s
         return own ? own : o.colour;
     }
     if (o.layers && o.layers->owns(style)) return o.layers->colour_of(style, o);
+    if (o.placed_icons && o.placed_icons->owns(style)) return o.placed_icons->colour_of(style);
     const auto number = static_cast<std::size_t>(style);
     if (number == 0) return o.colour;
     if (!o.marked) return o.styles[number - 1].colour;
@@ -112,6 +114,7 @@ std::optional<rgb_colour> colour_of_style(const options& o, typemesh::style_id s
 std::optional<std::uint32_t> tag_of_style(const options& o, typemesh::style_id style)
 {
     if (!o.marked || (o.layers && o.layers->owns(style))) return {};
+    if (o.placed_icons && o.placed_icons->owns(style)) return {};
     const typemesh::markup_paint& p = o.marked->styles.paints()[static_cast<std::size_t>(style)];
     if (!p.has(typemesh::markup_tag::style)) return {};
     return p.style;

@@ -40,12 +40,20 @@ struct model {
         unsigned solid = 0;                     ///< 1: the letter within a ring, or an inlay
         std::optional<rgb_colour> colour = {};  ///< of its own; else the usual one
         bool is_named = false;  ///< the name ends in one of its own, "front_style7", also without a colour
+        std::optional<std::size_t> ramp = {};  ///< the gradient that u runs along; `colour` is its mean
 
         /// The name without a colour's: "front".
         [[nodiscard]] std::string_view kind() const
         {
             return std::string_view{name}.substr(0, colour || is_named ? name.rfind('_') : name.size());
         }
+    };
+
+    /// The colours of a gradient, a texture of one row: u from 0 to 1.
+    struct ramp {
+        enum class wrap { clamp, repeat, mirror };
+        std::vector<rgb_colour> texels;
+        wrap beyond;
     };
 
     /// One of the different letters of an instanced model: consecutive vertices and consecutive parts.
@@ -75,7 +83,8 @@ struct model {
 
     std::vector<model_vertex> vertices;
     std::vector<std::uint32_t> indices;
-    std::vector<part> parts;      ///< together all the indices; none at all stands for one nameless part
+    std::vector<part> parts;  ///< together all the indices; none at all stands for one nameless part
+    std::vector<ramp> ramps;
     std::vector<letter> letters;  ///< none: the model is one mesh, and stands where its vertices say
     bool as_manifold = false;     ///< the file is to say how the mesh is a 2-manifold
     bool has_levels = false;  ///< the letters are levels of detail of one mesh, the finest first; there are no places

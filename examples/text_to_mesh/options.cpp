@@ -132,6 +132,8 @@ void add_text_options(CLI::App& app, options& out, raw_values& raw)
         ->type_name("FILE");
     app.add_option("--svg", out.svg, "instead of a text, the shapes of an SVG file, whose larger side is one em")
         ->type_name("FILE");
+    app.add_option("--icon", out.icons, "the SVG file that fills the next [box] of --markup; may be repeated")
+        ->type_name("FILE");
     app.add_option("-f,--font", out.font,
                    "a font file (TrueType, OpenType, collection) or an installed family: \"DejaVu Sans:bold\"")
         ->type_name("FONT");
@@ -1044,6 +1046,7 @@ std::string settle(options& out, const raw_values& raw)
     out.checker = shown("checker");
 
     if (out.markup && !out.styles.empty()) return "--style does not work with --markup: give its settings as tags";
+    if (!out.icons.empty() && !out.markup) return "--icon needs --markup, and a tag [box=W,H] for each file";
     if (!out.svg.empty()) {
         if (std::string trouble = settle_svg(out, raw); !trouble.empty()) return trouble;
     } else if (std::string trouble = settle_font(out, raw); !trouble.empty()) {

@@ -31,6 +31,7 @@ namespace text_to_mesh {
 
 class colour_layers;
 class svg_layers;
+class text_icons;
 
 enum class discretiser_name { certified, two_lines, adaptive };
 enum class triangulator_name { monotone, delaunay };
@@ -89,11 +90,12 @@ struct inflate_options {
 struct options {
     std::string who = "text_to_mesh: ";  ///< begins a sentence on standard error; of a batch it names the line
     std::string text;
-    std::string text_file;  ///< instead of it, "-" is standard input; empty: none
-    std::string svg;        ///< a file of SVG instead of a text and fonts; empty: none
-    std::string batch;      ///< likewise, a text a line
-    std::string font;       ///< a file's name or a family's
-    bool family = false;    ///< it is the font of --family: other installed fonts stand in for it
+    std::string text_file;           ///< instead of it, "-" is standard input; empty: none
+    std::string svg;                 ///< a file of SVG instead of a text and fonts; empty: none
+    std::vector<std::string> icons;  ///< files of SVG for the boxes of mark-up
+    std::string batch;               ///< likewise, a text a line
+    std::string font;                ///< a file's name or a family's
+    bool family = false;             ///< it is the font of --family: other installed fonts stand in for it
     std::vector<std::string> fallback;
     std::optional<unsigned> face;  ///< in a collection
     std::vector<typemesh::variation> variations;
@@ -112,6 +114,7 @@ struct options {
     std::optional<typemesh::layer_cut> colour_layers;     ///< colour glyphs are drawn as layers
     std::shared_ptr<text_to_mesh::colour_layers> layers;  ///< they have been read
     std::shared_ptr<svg_layers> drawing;                  ///< the file of --svg has been read
+    std::shared_ptr<text_icons> placed_icons;             ///< the files of `icons` have been read
     bool even_lines = false;                              ///< by total_fit, else by first_fit
     double fit_width = 0.0, fit_height = 0.0;             ///< of the box that gives the size; 0: none
 

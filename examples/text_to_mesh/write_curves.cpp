@@ -6,8 +6,10 @@
 #include "report.hpp"
 #include "stages.hpp"
 #include "svg/svg_layers.hpp"
+#include "text_icons.hpp"
 
 #include <typemesh/extrude/flat_outline.hpp>
+#include <typemesh/outline/draw_outline.hpp>
 #include <typemesh/outline/dxf_writer.hpp>
 #include <typemesh/outline/svg_path_writer.hpp>
 #include <typemesh/text/each_outline.hpp>
@@ -93,9 +95,7 @@ void draw(const coloured_curves& from, Sink& to)
         const auto& [c, begins] = from.pieces[i];
         const bool is_last = i + 1 == from.pieces.size() || from.pieces[i + 1].begins;
         if (begins) to.move(c.start());
-        if (c.degree == 2) to.quadratic(c.p[1], c.p[2]);
-        if (c.degree == 3) to.cubic(c.p[1], c.p[2], c.p[3]);
-        if (c.degree == 1 && !is_last) to.line(c.p[1]);
+        if (c.degree != 1 || !is_last) draw_curve(c, to);
         if (is_last) to.close();
     }
 }
@@ -136,6 +136,7 @@ result<void> curves_of_text(const options& o, font_set& font, const glyph_run& p
 {
     text_mesher mesher{font, flat_outline{}};
     if (o.layers) mesher.use(o.layers->source());
+    if (o.placed_icons) mesher.use(*o.placed_icons);
     use_stages(o, font.units_per_em(), mesher);
     if (o.path.curve) mesher.use(on_path{o.path.curve.get(), o.path.how});
     const auto plan = mesher.plan(page, how);

@@ -6,6 +6,7 @@
 #include "picture/srgb.hpp"
 #include "sewn.hpp"
 #include "well_formed.hpp"
+#include "write_png.hpp"
 
 #include <tiny_gltf.h>
 
@@ -42,15 +43,52 @@ int add_accessor(tinygltf::Model& file, int view, std::size_t offset, std::size_
     return static_cast<int>(file.accessors.size()) - 1;
 }
 
-/// The material of a part, made if it does not exist yet.
-int material_of(tinygltf::Model& file, const model::part& part)
+/// The texture of each ramp of a model, with the same number. Its bytes are behind the geometry.
+void add_ramps(tinygltf::Model& file, const model& mesh)
 {
-    const std::string& name = part.name;
+    for (const model::ramp& ramp : mesh.ramps) {
+        std::vector<unsigned char> pixels;
+        for (const rgb_colour& c : ramp.texels) pixels.insert(pixels.end(), {c.rgb[0], c.rgb[1], c.rgb[2], c.alpha});
+        const auto png = png_with_alpha(pixels, static_cast<int>(ramp.texels.size()), 1);
+        std::vector<unsigned char>& bytes = file.buffers[0].data;
+        bytes.resize((bytes.size() + 3) / 4 * 4);
+        tinygltf::Image image;
+        image.bufferView = add_view(file, bytes.size(), png.size(), 0, 0);
+        image.mimeType = "image/png";
+        bytes.insert(bytes.end(), png.begin(), png.end());
+        file.images.push_back(std::move(image));
+        tinygltf::Sampler sampler;
+        sampler.minFilter = sampler.magFilter = TINYGLTF_TEXTURE_FILTER_LINEAR;
+        sampler.wrapS = ramp.beyond == model::ramp::wrap::clamp    ? TINYGLTF_TEXTURE_WRAP_CLAMP_TO_EDGE
+                        : ramp.beyond == model::ramp::wrap::repeat ? TINYGLTF_TEXTURE_WRAP_REPEAT
+                                                                   : TINYGLTF_TEXTURE_WRAP_MIRRORED_REPEAT;
+        sampler.wrapT = TINYGLTF_TEXTURE_WRAP_CLAMP_TO_EDGE;
+        file.samplers.push_back(sampler);
+        tinygltf::Texture texture;
+        texture.source = static_cast<int>(file.images.size()) - 1;
+        texture.sampler = static_cast<int>(file.samplers.size()) - 1;
+        file.textures.push_back(std::move(texture));
+    }
+}
+
+/// The material of a part, made if it does not exist yet. A ramp has the part's colours, which its shade multiplies.
+int material_of(tinygltf::Model& file, const model& mesh, const model::part& part)
+{
+    const std::string name = part.ramp ? part.name + "-gradient" + std::to_string(*part.ramp) : part.name;
     for (std::size_t i = 0; i < file.materials.size(); ++i)
         if (file.materials[i].name == name) return static_cast<int>(i);
     tinygltf::Material material;
     material.name = name;
-    const rgb_colour own = colour_of(part);
+    rgb_colour own = colour_of(part);
+    if (part.ramp) {
+        model::part white = part;
+        white.colour = rgb_colour{{255, 255, 255}};
+        own = colour_of(white);
+        material.pbrMetallicRoughness.baseColorTexture.index = static_cast<int>(*part.ramp);
+        for (const rgb_colour& c : mesh.ramps[*part.ramp].texels) own.alpha = std::min(own.alpha, c.alpha);
+        if (own.alpha < 255) material.alphaMode = "BLEND";
+        own.alpha = 255;
+    }
     const vec3 colour = to_linear(own.rgb);
     material.pbrMetallicRoughness.baseColorFactor = {colour.x, colour.y, colour.z, own.alpha / 255.0};
     if (own.alpha < 255) material.alphaMode = "BLEND";
@@ -162,7 +200,7 @@ void add_mesh(tinygltf::Model& file, const model& mesh, const model::letter& l, 
             add_accessor(file, in.index_view, part.first_index * (in.wide ? 4 : 2), part.index_count,
                          in.wide ? TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT : TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT,
                          TINYGLTF_TYPE_SCALAR);
-        primitive.material = material_of(file, part);
+        primitive.material = material_of(file, mesh, part);
         made.primitives.push_back(std::move(primitive));
     }
     file.meshes.push_back(std::move(made));
@@ -277,6 +315,7 @@ void add_scene(tinygltf::Model& file, const model& mesh, const std::string& name
     std::vector<model::letter> letters = mesh.letters;
     if (letters.empty()) letters.push_back({name, 0, mesh.vertices.size(), 0, mesh.parts.size()});
     const geometry made = add_geometry(file, mesh, letters, merged.value_or(merged_indices{}));
+    add_ramps(file, mesh);
     for (const model::letter& l : letters) add_mesh(file, mesh, l, made);
     if (merged) add_manifold(file, mesh, made, *merged);
     if (mesh.has_levels) return add_levels(file, mesh);

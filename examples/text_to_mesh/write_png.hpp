@@ -5,6 +5,7 @@
 
 #include <span>
 #include <string>
+#include <vector>
 
 namespace text_to_mesh {
 
@@ -13,5 +14,8 @@ namespace text_to_mesh {
 /// Gives  an empty string, or one sentence for the user; see write_atomically.
 [[nodiscard]] std::string write_png(std::span<const unsigned char> rgb, int width, int height, const std::string& path,
                                     file_set& files);
+
+/// The bytes of a PNG whose pixels have alpha, 4 bytes each; empty if there is no memory.
+[[nodiscard]] std::vector<unsigned char> png_with_alpha(std::span<const unsigned char> rgba, int width, int height);
 
 }  // namespace text_to_mesh

@@ -113,6 +113,48 @@ TEST_CASE("each visible layer is what those above it leave of it", "[colour]")
     CHECK(are(blank.layers, {0.0, 0.0}));
 }
 
+TEST_CASE("of hundreds of layers each is what those above it leave of it", "[colour]")
+{
+    recorded_outlines outlines = squares();
+    for (const bool clipped : {false, true}) {
+        // Rectangles of whole squares of 50 units: the uppermost one that covers a square is seen there.
+        constexpr std::uint32_t count = 300, side = 12;
+        colour_glyph g;
+        std::vector<double> expected(count, 0.0);
+        std::vector<std::uint32_t> seen(side * side, count);
+        std::uint32_t state = 7;
+        const auto roll = [&state] { return state = state * 1'103'515'245u + 12'345u, state >> 20; };
+        for (std::uint32_t i = 0; i < count; ++i) {
+            const std::uint32_t x = roll() % side, y = roll() % side, w = 1 + roll() % (side - x),
+                                h = 1 + roll() % (i < count / 2 ? side - y : 1);
+            REQUIRE(g.shapes.push_back({.is = layer_shape::kind::rectangle,
+                                        .map = {.xx = 50.0 * w, .dx = 50.0 * x, .yy = 50.0 * h, .dy = 50.0 * y}}));
+            REQUIRE(g.layers.push_back({i, {}}));
+            for (std::uint32_t k = y; k < y + h; ++k)
+                for (std::uint32_t j = x; j < x + w; ++j) seen[k * side + j] = i;
+        }
+        if (clipped) g.clip = {{100.0, 100.0}, {500.0, 550.0}};
+        double whole = 0.0;
+        for (std::uint32_t k = 0; k < side * side; ++k) {
+            const std::uint32_t x = k % side, y = k / side;
+            if (seen[k] == count || (clipped && (x < 2 || x >= 10 || y < 2 || y >= 11))) continue;
+            expected[seen[k]] += 2500.0;
+            whole += 2500.0;
+        }
+        layer_regions regions;
+        REQUIRE(regions.build(outlines, 0, g, 1.0 / 800, layer_cut::visible));
+        REQUIRE(regions.layer_count() == count);
+        contours loops;
+        std::vector<double> found;
+        for (std::uint32_t i = 0; i < count; ++i) {
+            CHECK(regions.number_in_glyph(i) == i);
+            found.push_back(static_cast<double>(twice_area(*regions.layer(i, loops))) / 2.0 / cells);
+        }
+        CHECK(are(found, expected));
+        CHECK(are({static_cast<double>(twice_area(*regions.silhouette(loops))) / 2.0 / cells}, {whole}));
+    }
+}
+
 TEST_CASE("transforms, clips and composites give the areas of plane geometry", "[colour]")
 {
     recorded_outlines outlines = squares_and_disc();

@@ -3,14 +3,17 @@
 //     every_boundary [--quality low|normal|high|best]... [--step N] [NAME=]FILE_OR_FOLDER...
 //
 // Fills every glyph of every face of the fonts (variable ones also at each axis' ends and at mixed corners), gives its
-// boundary back as curves, flattens and fills these again, and compares: support/redrawn_glyph.hpp. Prints what is wrong
-// and a table; the status is 0 if nothing is.
+// boundary back as curves, flattens and fills these again, and compares: support/redrawn_glyph.hpp. The same after they
+// have been written as path data of SVG and read again. Prints what is wrong, and sums; the status is 0 if nothing is.
 
 #include "support/glyph_arguments.hpp"
 #include "support/redrawn_glyph.hpp"
 
 #include <typemesh/outline/outline_recorder.hpp>
 
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
 #include <cstdio>
 #include <string>
 
@@ -22,7 +25,8 @@ int main(int argc, char** argv)
     for (int i = 1; i < argc; ++i) understood = understood && arguments.take(argc, argv, i);
     if (const int status = arguments.start(understood, "every_boundary", 2, 3); status != 0) return status;
     std::size_t glyphs = 0, blank = 0, refused = 0, wrong = 0, meetings = 0, straight = 0, before = 0, after = 0,
-                off = 0;
+                off = 0, files = 0, over = 0;
+    double area = 0.0, area_sum = 0.0, moved = 0.0;
     for (const test::glyph_job& job : arguments.jobs()) {
         test::redrawn_glyph again;
         outline curves;
@@ -43,6 +47,16 @@ int main(int argc, char** argv)
                     ++wrong;
                     std::printf("%s at %g em: %s\n", name.c_str(), q.tolerance, broken.c_str());
                 }
+                const auto f = again.through_a_file();
+                if (!f.wrong.empty()) {
+                    ++wrong;
+                    std::printf("%s at %g em, written and read: %s\n", name.c_str(), q.tolerance, f.wrong.c_str());
+                }
+                ++files;
+                over += f.moved > 1.0 + 2.0 / again.filled.tolerance();
+                area = (std::max)(area, f.area);
+                area_sum += f.area;
+                moved = (std::max)(moved, f.moved);
                 const std::size_t places = again.wrong_places(curves, 20, again.filled.tolerance() + 4.0, glyphs);
                 if (places != 0) {
                     ++off;
@@ -59,5 +73,10 @@ int main(int argc, char** argv)
         "glyphs %zu (%zu blank), refused %zu, wrong %zu, with wrong places %zu; meetings %zu, straight edges %zu, "
         "curves %zu, pieces %zu\n",
         glyphs, blank, refused, wrong, off, meetings, straight, before, after);
+    std::printf(
+        "written and read: %zu, in tolerances: area between the boundaries, over their length, %.3f on average, %.3f "
+        "at "
+        "most; distance %.3f at most, beyond one tolerance and two cells in %zu\n",
+        files, files != 0 ? area_sum / static_cast<double>(files) : 0.0, area, moved, over);
     return wrong + off + refused == 0 ? 0 : 1;
 }

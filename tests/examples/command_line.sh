@@ -563,6 +563,13 @@ if "$program" --svg drawing.svg --output probe.glb >out 2>err; then
     expect 0 "" --svg drawing.svg --output stacked.glb --colour-layers=stacked --picture stacked.png
     expect 0 "" --svg drawing.svg --output bevelled.stl --bevel 0.01 --colour red --size 40 --anchor centre,middle
     expect 0 "" --svg - --stats <drawing.svg
+    printf '<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 20 10"><path fill="red" d="M0 0h10v10h-10z"/><path fill="blue" d="M10 0h10v10h-10z"/></svg>' >icon.svg
+    expect 0 "" "[box=4,1][box=2,2]" --markup --icon icon.svg --icon icon.svg --font $sans --depth 0 --output icons.obj
+    that "an icon is as large as its box allows, and in the middle" grep -q "^icons.obj: 5 x 1.5" out
+    that "each icon has its colours" [ "$(grep -c '^usemtl front_ff0000\|^usemtl front_0000ff' icons.obj)" = 2 ]
+    expect 0 "" "a[box=2,1]b" --markup --icon icon.svg --font $sans --output icons.stl --bend cylinder:2 --picture icons.png
+    expect 1 "--icon needs --markup" "ab" --icon icon.svg --font $sans --output no.glb
+    expect 1 "--icon: none.svg cannot be read" "a[box=1,1]" --markup --icon none.svg --font $sans --output no.glb
     printf '<svg xmlns="http://www.w3.org/2000/svg"><text>a</text><text>b</text><path fill="url(#g)" d="M0 0h9v9z"/><linearGradient id="g"><stop stop-color="red"/></linearGradient><path d="M0 0h9v9zx"/></svg>' >lossy.svg
     expect 0 "^text_to_mesh: warning: <text> is not drawn\.$" --svg lossy.svg --output lossy.glb
     that "each kind of loss is named once" lines 3
@@ -580,8 +587,8 @@ if "$program" --svg drawing.svg --output probe.glb >out 2>err; then
     expect 1 "bomb.svg draws more than 200000 elements" --svg bomb.svg --output no.glb
     awk 'BEGIN { printf "<svg>"; for (i = 0; i < 5000; ++i) printf "<g>"; for (i = 0; i < 5000; ++i) printf "</g>"; print "</svg>" }' >deep.svg
     expect 1 "deep.svg has elements in each other.*more than 200 levels deep" --svg deep.svg --output no.glb
-    awk 'BEGIN { printf "<svg>"; for (i = 0; i <= 5000; ++i) printf "<path d=\"M0 0h9v9z\" fill=\"#%06x\"/>", i; print "</svg>" }' >layers.svg
-    expect 1 "layers.svg has more than 5000 layers of different colours" --svg layers.svg --output no.glb
+    awk 'BEGIN { printf "<svg>"; for (i = 0; i <= 20000; ++i) printf "<path d=\"M0 0h9v9z\" fill=\"#%06x\"/>", i; print "</svg>" }' >layers.svg
+    expect 1 "layers.svg has more than 20000 layers of different colours" --svg layers.svg --output no.glb
     printf '\037\213' >packed.svg
     expect 1 "packed.svg is compressed: unpack it with gunzip" --svg packed.svg --output no.glb
     expect 1 "none.svg cannot be read: No such file" --svg none.svg --output no.glb

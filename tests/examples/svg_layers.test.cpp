@@ -11,6 +11,8 @@
 #include <string>
 #include <vector>
 
+#include "fuzz/replay.hpp"
+#include "fuzz/svg.hpp"
 #include "scratch_folder.hpp"
 #include "support/catch.hpp"
 
@@ -293,13 +295,41 @@ TEST_CASE("elements of SVG that are not drawn are work, and so are rules and das
     CHECK(drawing_of{used("<path d='" + repeated(" ", 10'000) + "'/>"), how}.says(much));
     CHECK(drawing_of{"<g stroke-dasharray='" + repeated("1 ", 1000) + "'>" + repeated("<g/>", 100) + "</g>", how}.says(
         much));
-    CHECK(drawing_of{"<style>" + repeated("a{fill:red}", 1000) + "</style>" + repeated("<g/>", 200), how}.says(much));
+    CHECK(drawing_of{"<style>" + repeated("*{fill:red}", 1000) + "</style>" + repeated("<g/>", 200), how}.says(much));
     CHECK(drawing_of{"<style>" + repeated("g,", 1000) + "g{" + repeated("fill:red;", 100) + "}</style><g/>", how}.says(
         much));
     CHECK(drawing_of{"<linearGradient id='s'>" + repeated("<stop/>", 100) + "</linearGradient>" +
                          repeated("<path fill='url(#s)' d='M0 0h9v9z'/>", 100),
                      how}
               .says(much));
+}
+
+TEST_CASE("only style rules that name an element of SVG are work for it", "[examples][svg]")
+{
+    if (!reads_svg()) return;
+    std::string rules, elements;
+    for (int i = 0; i < 1000; ++i) {
+        const std::string n = std::to_string(i);
+        rules += ".c" + n + ".d{fill:#123456}rect#i" + n + "{stroke:red}e" + n + "{fill:red}";
+        elements += "<rect class='d c" + n + "' id='j" + n + "' width='1' height='1'/>";
+    }
+    // Each of 1000 rectangles and each of 3000 rules, once compared with each other, which was refused.
+    const drawing_of file{"<style>" + rules + "rect.d{fill:blue}</style>" + elements, {.max_steps = 1'000'000}};
+    CHECK(file.trouble.empty());
+    REQUIRE(file.drawing.items.size() == 1000);
+    for (const svg_drawing::item& one : file.drawing.items) REQUIRE(one.colour.rgb[0] == 0x12);
+}
+
+TEST_CASE("a file of SVG with too many points for its quality is told so", "[examples][svg]")
+{
+    if (!reads_svg()) return;
+    const scratch_folder folder;
+    const std::string path = folder.file("drawing.svg");
+    std::ofstream{path} << "<svg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 100 100'><path d='"
+                        << repeated("M50 50q40 40 0 40q-40-40 0-40", 7000) << "'/></svg>";
+    svg_layers layers;
+    CHECK(layers.open(path, 1e-9, typemesh::layer_cut::visible, {{0, 0, 0}}) ==
+          path + " has more than 1000000 points at this quality: choose a coarser --quality, or divide the drawing.");
 }
 
 TEST_CASE("style sheets of SVG take memory in proportion to the file", "[examples][svg]")
@@ -326,4 +356,10 @@ TEST_CASE("curves of SVG keep the tolerance under transforms that stretch one di
             worst = std::max(worst, 500.0 * std::abs(std::hypot((p.x - 500.0) / 500.0, (p.y - 500.0) / 0.05) - 1.0));
         }
     CHECK(worst < 1e-3);
+}
+
+TEST_CASE("kept and random files of SVG are read, and their layers are their silhouette", "[examples][svg][fuzz]")
+{
+    if (!reads_svg()) return;
+    fuzz::replay("svg", fuzz::svg, 400, 400);
 }

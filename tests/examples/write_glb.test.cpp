@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <fstream>
 #include <iterator>
 #include <string>
 #include <utility>
@@ -313,4 +314,30 @@ TEST_CASE("a GLB that is a manifold says which indices become others", "[write_g
     ring.indices.resize(ring.indices.size() - 3);
     ring.parts.back().index_count -= 3;
     CHECK(written_alone(write_glb, ring, folder.file("open.glb")).find("--manifold") != std::string::npos);
+}
+
+TEST_CASE("a gradient is a texture of one row, which its parts share", "[write_glb]")
+{
+    scratch_folder folder;
+    model ring = extruded_ring(4);
+    ring.ramps.push_back({{{{255, 0, 0}}, {{0, 0, 255}, 128}}, model::ramp::wrap::mirror});
+    for (model::part& p : ring.parts) {
+        p.colour = rgb_colour{{128, 0, 128}};
+        p.name += "_800080";
+        p.ramp = 0;
+    }
+    REQUIRE(written_alone(write_glb, ring, folder.file("ramp.glb")) == "");
+    std::ifstream in{folder.file("ramp.glb"), std::ios::binary};
+    const std::string bytes{std::istreambuf_iterator<char>{in}, {}};
+    const auto count = [&bytes](const std::string& what) {
+        std::size_t n = 0;
+        for (auto at = bytes.find(what); at != std::string::npos; at = bytes.find(what, at + 1)) ++n;
+        return n;
+    };
+    CHECK(count("\x89PNG") == 1);
+    CHECK(count("\"image/png\"") == 1);
+    CHECK(count("\"wrapS\":33648") == 1);  // mirrored
+    CHECK(count("\"baseColorTexture\"") == 3);
+    CHECK(count("\"alphaMode\":\"BLEND\"") == 3);
+    CHECK(count("-gradient0\"") == 3);
 }

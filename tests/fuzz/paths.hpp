@@ -3,6 +3,7 @@
 
 #include "values.hpp"
 
+#include <typemesh/outline/draw_outline.hpp>
 #include <typemesh/outline/outline_recorder.hpp>
 #include <typemesh/outline/stroked_outlines.hpp>
 #include <typemesh/outline/svg_path.hpp>
@@ -66,19 +67,7 @@ inline broken_law of_written(const outline& drawn)
             farthest = (std::max)({farthest, std::fabs(c.p[i].x), std::fabs(c.p[i].y)});
     if (!(farthest < 1e5)) return {};
     svg_path_writer text{affine{}, 9};
-    for (std::uint32_t k = 0; k < drawn.contour_count(); ++k) {
-        text.move(drawn.curves[drawn.starts[k]].start());
-        for (std::uint32_t i = drawn.starts[k]; i < drawn.starts[k + 1]; ++i) {
-            const curve& c = drawn.curves[i];
-            if (c.degree == 1)
-                text.line(c.p[1]);
-            else if (c.degree == 2)
-                text.quadratic(c.p[1], c.p[2]);
-            else
-                text.cubic(c.p[1], c.p[2], c.p[3]);
-        }
-        text.close();
-    }
+    draw_outline(drawn, text);
     if (!text.finish()) return "a path cannot be written";
     std::size_t next = 0;
     broken_law broken;

@@ -27,11 +27,14 @@ status=0
 
 targets() {
     local test
-    for test in "$typemesh_root"/tests/fuzz/*.test.cpp; do basename "$test" .test.cpp; done
+    {
+        for test in "$typemesh_root"/tests/fuzz/*.test.cpp; do basename "$test" .test.cpp; done
+        echo svg  # tests/examples/svg_layers.test.cpp replays it
+    } | LC_ALL=C sort
 }
 
 compile() {  # compile TARGET, if anything that it includes has changed
-    local libraries=
+    local libraries= file
     if [ -x "$build/$1" ] && ! sed -e 's/^[^:]*://' -e 's/\\$//' "$build/$1.d" | tr -s ' ' '\n' | sed '/^$/d' |
         xargs -d '\n' sh -c 'for f; do [ "$f" -ot "$0" ] || echo "$f"; done' "$build/$1" | grep . >/dev/null; then
         return
@@ -39,6 +42,12 @@ compile() {  # compile TARGET, if anything that it includes has changed
     echo "$1: compiling"
     if grep -q 'typemesh/adapt/' "$typemesh_root/tests/fuzz/$1.hpp"; then
         libraries=$(pkg-config --cflags --libs harfbuzz freetype2)
+    fi
+    if grep -q 'text_to_mesh/svg' "$typemesh_root/tests/fuzz/$1.hpp"; then  # the program's reader, in the same unit
+        libraries="-I$typemesh_root/examples -DTEXT_TO_MESH_PUGIXML -lpugixml"
+        for file in values colour pen shapes style glyph reader; do
+            libraries="$libraries -include $typemesh_root/examples/text_to_mesh/svg/svg_$file.cpp"
+        done
     fi
     git -C "$typemesh_root" rev-parse --short=7 HEAD >"$build/$1.revision" 2>/dev/null || echo unknown >"$build/$1.revision"
     # shellcheck disable=SC2086  # several words
@@ -140,6 +149,7 @@ case $minutes in
     '' | *[!0-9]* | 0*) stop "$minutes is no number of minutes." ;;
 esac
 install_missing clang++ asan pkg-config harfbuzz freetype
+case $target in all | svg) install_missing pugixml ;; esac
 mkdir -p "$build"
 grep -E '^\| target \| minutes ' "$page"
 for name in $(targets); do

@@ -7,6 +7,7 @@
 #include <typemesh/extrude/bevelled.hpp>
 #include <typemesh/extrude/embolden.hpp>
 #include <typemesh/extrude/outlined.hpp>
+#include <typemesh/outline/draw_outline.hpp>
 #include <typemesh/outline/outline_recorder.hpp>
 #include <typemesh/typemesh.hpp>
 
@@ -59,19 +60,7 @@ struct held_glyph {
     template <class Sink>
     [[nodiscard]] error outline(glyph_id, Sink& sink) const noexcept
     {
-        for (std::uint32_t k = 0; k < shape.contour_count(); ++k) {
-            sink.move(shape.curves[shape.starts[k]].start());
-            for (std::uint32_t i = shape.starts[k]; i < shape.starts[k + 1]; ++i) {
-                const curve& c = shape.curves[i];
-                if (c.degree == 1)
-                    sink.line(c.p[1]);
-                else if (c.degree == 2)
-                    sink.quadratic(c.p[1], c.p[2]);
-                else
-                    sink.cubic(c.p[1], c.p[2], c.p[3]);
-            }
-            sink.close();
-        }
+        draw_outline(shape, sink);
         return {};
     }
 };

@@ -10,6 +10,11 @@
 #include <typemesh/fill/boundary_curves.hpp>
 #include <typemesh/fill/fill.hpp>
 #include <typemesh/inspect/impl/curve_chords.hpp>
+#include <typemesh/outline/draw_outline.hpp>
+#include <typemesh/outline/outline_recorder.hpp>
+#include <typemesh/outline/svg_path.hpp>
+#include <typemesh/outline/svg_path_writer.hpp>
+#include <typemesh/outline/transformed_outlines.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -23,7 +28,7 @@ namespace test {
 class redrawn_glyph {
 public:
     explicit redrawn_glyph(typemesh::memory source = typemesh::heap())
-        : drawn{source}, loops_{source}, again_{source}, space_{source}, curves_{source}
+        : drawn{source}, loops_{source}, again_{source}, read_{source}, space_{source}, curves_{source}
     {
     }
 
@@ -63,6 +68,50 @@ public:
         return "";
     }
 
+    /// What became of the curves in a file.
+    struct file_findings {
+        std::string wrong;   ///< the first law that is broken, or nothing
+        double area = 0.0;   ///< between the two regions, over the boundary's length, in tolerances
+        double moved = 0.0;  ///< the farthest point of one boundary from the other one, in tolerances
+    };
+
+    /// Writes the curves as path data of SVG, reads and flattens these sixteen times as finely, and compares the region
+    /// with the one that the curves were found in. Laws: it is a region without crossings; the area that only one of
+    /// both covers is at most one tolerance and two cells wide on average; no boundary is farther from the other than
+    /// four tolerances and four cells, as boundary_curves promises.
+    [[nodiscard]] file_findings through_a_file()
+    {
+        using namespace typemesh;
+        file_findings f;
+        svg_path_writer text{{.yy = -1.0}, 4};
+        draw_outline(drawn, text);
+        if (!text.finish()) return f.wrong = "not written", f;
+        outline_recorder recorder{read_};
+        const affine turned{.yy = -1.0};
+        detail::mapping_sink<outline_recorder> upright{recorder, turned};
+        if (!draw_svg_path(text.text(), 1e-6, upright) || recorder.finish()) return f.wrong = "not read", f;
+        const double tolerance = filled.tolerance(), cells = filled.grid().cells;
+        if (!discretise(read_, certified{}, tolerance / 16.0 / cells, filled.grid(), again_))
+            return f.wrong = "not flattened", f;
+        const auto second = fill(again_, fill_rule::non_zero, space_);
+        if (!second) return f.wrong = "not filled", f;
+        f.moved = (std::max)(farthest(*second, filled), farthest(filled, *second)) / tolerance;
+        contours both;
+        both.grid = filled.grid();
+        both.tolerance = tolerance;
+        double length = 0.0, again = 0.0;
+        if (!both.starts.push_back(0) || !add_loops(filled, both, length) || !add_loops(*second, both, again))
+            return f.wrong = "no memory", f;
+        workspace space;
+        const auto differ = fill(both, fill_rule::even_odd, space);
+        if (!differ) return f.wrong = "not compared", f;
+        const double area = doubled_area(*differ) / 2.0;
+        f.area = area > 0.0 ? area / length / tolerance : 0.0;
+        if (area > (tolerance + 2.0) * length) f.wrong = "another area: " + std::to_string(f.area);
+        if (f.moved > 4.0 + 4.0 / tolerance) f.wrong = "too far: " + std::to_string(f.moved);
+        return f;
+    }
+
     /// How many of `places` next to the given curves are on another side than the font's fill says, though farther
     /// from all curves than `allowed` cells.
     [[nodiscard]] std::size_t wrong_places(const typemesh::outline& given, std::size_t places, double allowed,
@@ -91,6 +140,37 @@ public:
     }
 
 private:
+    /// Adds a region's loops as plain polygons, and gives their length in cells.
+    static bool add_loops(const typemesh::region& from, typemesh::contours& to, double& length)
+    {
+        using namespace typemesh;
+        bool ok = true;
+        for (std::uint32_t k = 0; k < from.loop_count(); ++k) {
+            const std::uint32_t begin = from.starts()[k], end = from.starts()[k + 1];
+            for (std::uint32_t i = begin; i < end; ++i) {
+                const grid_point a = from.points()[i], b = from.points()[i + 1 < end ? i + 1 : begin];
+                length += std::hypot(double(b.x) - a.x, double(b.y) - a.y);
+                ok = ok && to.points.push_back(a) && to.edges.push_back({});
+            }
+            ok = ok && to.starts.push_back(static_cast<std::uint32_t>(to.points.size()));
+        }
+        return ok;
+    }
+
+    [[nodiscard]] static double doubled_area(const typemesh::region& of)
+    {
+        std::int64_t sum = 0;
+        for (std::uint32_t k = 0; k < of.loop_count(); ++k) {
+            typemesh::grid_point a = of.points()[of.starts()[k + 1] - 1];
+            for (std::uint32_t i = of.starts()[k]; i < of.starts()[k + 1]; ++i) {
+                const typemesh::grid_point b = of.points()[i];
+                sum += std::int64_t{a.x} * b.y - std::int64_t{a.y} * b.x;
+                a = b;
+            }
+        }
+        return static_cast<double>(sum);
+    }
+
     /// The farthest point of a region's boundary from another region's, in cells.
     [[nodiscard]] static double farthest(const typemesh::region& from, const typemesh::region& to)
     {
@@ -111,6 +191,7 @@ private:
     }
 
     typemesh::contours loops_, again_;
+    typemesh::outline read_;
     typemesh::workspace space_;
     typemesh::boundary_curves curves_;
 };

@@ -51,6 +51,9 @@ struct svg_options {
     std::size_t max_steps = 500'000'000;                    ///< of work, about a byte that is read each
 };
 
+/// Parses the text of a file of SVG. Gives an empty string, or the end of a sentence that begins with the file's name.
+[[nodiscard]] std::string read_svg_text(const std::string& text, const svg_options& how, svg_drawing& out);
+
 /// Reads a file of SVG; "-" is standard input. Gives an empty string, or one sentence.
 [[nodiscard]] std::string read_svg(const std::string& path, const svg_options& how, svg_drawing& out);
 

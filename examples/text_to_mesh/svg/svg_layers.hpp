@@ -40,6 +40,13 @@ public:
     /// The boundary of a glyph as the curves of the file.
     [[nodiscard]] typemesh::result<void> boundary(typemesh::glyph_id glyph, typemesh::outline& out) const;
 
+    /// The width and the height of what the file shows; its lower left corner is at 0, 0.
+    [[nodiscard]] typemesh::point view_size() const noexcept
+    {
+        const typemesh::box& view = drawing_.view;
+        return view.empty() ? typemesh::point{units_per_em(), units_per_em()} : view.high - view.low;
+    }
+
     [[nodiscard]] double units_per_em() const noexcept { return svg_drawing::units_per_em; }
     [[nodiscard]] typemesh::fill_rule fill() const noexcept { return typemesh::fill_rule::non_zero; }
     template <typemesh::outline_sink Sink>

@@ -14,58 +14,38 @@ namespace {
 
 using namespace typemesh;
 
-/// Maps what is drawn, as long as it may be drawn.
+/// Maps what is drawn, as long as passes() says that it may be drawn.
+template <outline_sink Sink, class Passes>
 struct mapped_pen {
-    outline_recorder& to;
+    Sink& to;
     affine map;
-    svg_allowance& left;
+    Passes passes;
 
     void move(point p) noexcept
     {
-        if (left.take()) to.move(map(p));
+        if (passes()) to.move(map(p));
     }
     void line(point p) noexcept
     {
-        if (left.take()) to.line(map(p));
+        if (passes()) to.line(map(p));
     }
     void quadratic(point c, point p) noexcept
     {
-        if (left.take()) to.quadratic(map(c), map(p));
+        if (passes()) to.quadratic(map(c), map(p));
     }
     void cubic(point a, point b, point p) noexcept
     {
-        if (left.take()) to.cubic(map(a), map(b), map(p));
+        if (passes()) to.cubic(map(a), map(b), map(p));
     }
     void close() noexcept { to.close(); }
 };
 
-/// Passes on nothing after the allowance has been used up.
-template <outline_sink Sink>
-struct ending_sink {
-    Sink& to;
-    const svg_allowance& left;
-
-    void move(point p) noexcept
-    {
-        if (!left.is_over) to.move(p);
-    }
-    void line(point p) noexcept
-    {
-        if (!left.is_over) to.line(p);
-    }
-    void quadratic(point c, point p) noexcept
-    {
-        if (!left.is_over) to.quadratic(c, p);
-    }
-    void cubic(point a, point b, point p) noexcept
-    {
-        if (!left.is_over) to.cubic(a, b, p);
-    }
-    void close() noexcept
-    {
-        if (!left.is_over) to.close();
-    }
-};
+/// A pen that takes each piece from the allowance.
+auto taking_pen(outline_recorder& to, const affine& map, svg_allowance& left)
+{
+    const auto passes = [&left]() noexcept { return left.take(); };
+    return mapped_pen<outline_recorder, decltype(passes)>{to, map, passes};
+}
 
 /// Path data as a source of one glyph, as far as they can be read.
 struct data_source {
@@ -78,7 +58,8 @@ struct data_source {
     template <outline_sink Sink>
     error outline(glyph_id, Sink& sink) const noexcept
     {
-        ending_sink<Sink> to{sink, left};
+        const auto passes = [this]() noexcept { return !left.is_over; };
+        mapped_pen<Sink, decltype(passes)> to{sink, {}, passes};
         (void)draw_svg_path(data, tolerance, to);
         return {};
     }
@@ -98,7 +79,7 @@ error svg_pen::fill(std::string_view data, const affine& map, fill_rule rule)
 {
     outline made;
     outline_recorder recorder{made};
-    mapped_pen pen{recorder, map, left_};
+    auto pen = taking_pen(recorder, map, left_);
     if (!is_flat(map) && !draw_svg_path(data, tolerance_ / stretch_of(map), pen)) has_mistake_ = true;
     if (error e = recorder.finish()) return e;
     return keep(made, rule);
@@ -118,7 +99,7 @@ error svg_pen::stroke(std::string_view data, const affine& map, const svg_look& 
     data_source source{data, tolerance, left_};
     const auto draw = [&]() -> error {
         outline_recorder recorder{made};
-        mapped_pen pen{recorder, map, left_};
+        auto pen = taking_pen(recorder, map, left_);
         stroked_outlines lines{source, style, tolerance};
         if (error e = lines.outline(0, pen)) return e;
         return recorder.finish();

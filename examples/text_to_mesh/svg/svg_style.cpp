@@ -60,12 +60,13 @@ bool is_name_character(char c)
            static_cast<unsigned char>(c) >= 0x80;
 }
 
-bool has_class(std::string_view classes, std::string_view name)
+/// Calls each(name) for the names of a list of classes, until it returns true. Whether it did.
+template <class Each>
+bool any_class(std::string_view classes, const Each& each)
 {
-    while (!classes.empty()) {
-        classes = trimmed(classes);
+    for (classes = trimmed(classes); !classes.empty(); classes = trimmed(classes)) {
         const auto end = std::min(classes.find_first_of(" \t\r\n\f"), classes.size());
-        if (classes.substr(0, end) == name) return true;
+        if (each(classes.substr(0, end))) return true;
         classes.remove_prefix(end);
     }
     return false;
@@ -201,7 +202,6 @@ bool svg_stylesheet::read(std::string_view css)
             rule made;
             if (read_selector(selectors.substr(0, comma), made)) {
                 made.block = blocks_.size() - 1;
-                test_count_ += 1 + made.classes.size();
                 rules_.push_back(std::move(made));
             } else {
                 all_read = false;
@@ -215,19 +215,56 @@ bool svg_stylesheet::read(std::string_view css)
 
 bool svg_stylesheet::finish()
 {
+    if (rules_.size() > max_rules) return false;
     std::stable_sort(rules_.begin(), rules_.end(),
                      [](const rule& a, const rule& b) { return a.specificity < b.specificity; });
-    return rules_.size() <= max_rules;
+    std::map<std::string_view, std::size_t> uses;  // of classes, in rules
+    for (const rule& r : rules_)
+        for (const std::string& one : r.classes) ++uses[one];
+    std::uint32_t number = 0;
+    for (const rule& r : rules_) {
+        const auto rarest =
+            std::min_element(r.classes.begin(), r.classes.end(),
+                             [&](const std::string& a, const std::string& b) { return uses[a] < uses[b]; });
+        std::vector<std::uint32_t>& named = !r.id.empty()        ? by_id_[r.id]
+                                            : !r.classes.empty() ? by_class_[*rarest]
+                                                                 : by_name_[r.name];
+        named.push_back(number++);
+    }
+    return true;
+}
+
+bool svg_stylesheet::fits(const rule& r, const svg_identity& of)
+{
+    if (!r.name.empty() && r.name != of.name) return false;
+    if (!r.id.empty() && r.id != of.id) return false;
+    return std::all_of(r.classes.begin(), r.classes.end(), [&](const std::string& name) {
+        return any_class(of.classes, [&](std::string_view own) { return own == name; });
+    });
 }
 
 void svg_stylesheet::add(const svg_identity& of, svg_properties& out,
                          const std::function<bool(std::size_t)>& spend) const
 {
-    for (const rule& r : rules_) {
-        if (!r.name.empty() && r.name != of.name) continue;
-        if (!r.id.empty() && r.id != of.id) continue;
-        const auto is_there = [&](const std::string& name) { return has_class(of.classes, name); };
-        if (!std::all_of(r.classes.begin(), r.classes.end(), is_there)) continue;
+    if (rules_.empty()) return;
+    std::vector<std::uint32_t> candidates;
+    bool goes_on = spend(of.classes.size());
+    const auto take = [&](const rule_index& from, std::string_view name) {
+        const auto found = from.find(name);
+        if (found == from.end() || !goes_on) return;
+        goes_on = spend(8 * found->second.size());
+        candidates.insert(candidates.end(), found->second.begin(), found->second.end());
+    };
+    if (!of.id.empty()) take(by_id_, of.id);
+    any_class(of.classes, [&](std::string_view name) { return take(by_class_, name), !goes_on; });
+    take(by_name_, of.name);
+    if (!of.name.empty()) take(by_name_, "");
+    std::sort(candidates.begin(), candidates.end());
+    candidates.erase(std::unique(candidates.begin(), candidates.end()), candidates.end());
+    for (const std::uint32_t number : candidates) {
+        const rule& r = rules_[number];
+        if (!goes_on || !spend(r.classes.size() * (1 + of.classes.size()))) return;
+        if (!fits(r, of)) continue;
         const declarations& block = blocks_[r.block];
         if (!spend(block.bytes)) return;
         out.insert(out.end(), block.all.begin(), block.all.end());

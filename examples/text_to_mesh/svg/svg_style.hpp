@@ -7,7 +7,9 @@
 #include <typemesh/outline/stroke_style.hpp>
 
 #include <cstddef>
+#include <cstdint>
 #include <functional>
+#include <map>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -41,10 +43,8 @@ public:
     /// Sorts the rules by their specificity, after all of them are read. False if there are more than 100,000.
     [[nodiscard]] bool finish();
 
-    /// How much add() compares.
-    [[nodiscard]] std::size_t test_count() const { return test_count_; }
-
-    /// Adds what the rules say of an element, by specificity. Stops when `spend`, which gets the bytes that are added,
+    /// Adds what the rules say of an element, by specificity. Only rules that name its id, one of its classes or its
+    /// name are compared, and those that name nothing. Stops when `spend`, which gets the work, about a byte each,
     /// refuses.
     void add(const svg_identity& of, svg_properties& out, const std::function<bool(std::size_t)>& spend) const;
 
@@ -56,6 +56,10 @@ private:
         std::size_t block = 0;  ///< its declarations, which several selectors share
     };
     [[nodiscard]] static bool read_selector(std::string_view text, rule& out);
+    [[nodiscard]] static bool fits(const rule& r, const svg_identity& of);
+
+    /// The numbers of the rules that name something, in ascending order.
+    using rule_index = std::map<std::string, std::vector<std::uint32_t>, std::less<>>;
 
     static constexpr std::size_t max_rules = 100'000;
 
@@ -65,7 +69,7 @@ private:
         std::size_t bytes = 0;
     };
     std::vector<declarations> blocks_;
-    std::size_t test_count_ = 0;
+    rule_index by_id_, by_class_, by_name_;  // each rule once; rules for any element have the empty name
 };
 
 /// What a shape is filled or stroked with.

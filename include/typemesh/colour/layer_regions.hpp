@@ -70,9 +70,9 @@ public:
     ///
     /// Fails  as the source, grid::fitting(), discretise(), cut_where_met() and resolve() do; error::bad_tolerance;
     ///        error::bad_colours: more than 32,767 layers. There are then no layers
-    /// Cost   one flattening and one cut of all outlines, then O(n log n) for each operation on shapes, for two
-    ///        operations on each layer, and for four on each pair of a translucent layer and one that it lies on; n is
-    ///        the number of edges that take part
+    /// Cost   one flattening and one cut of all outlines, then O(n log n) for each operation on shapes, and for four on
+    ///        each pair of a translucent layer and one that it lies on; n is the number of edges that take part. For
+    ///        all l visible layers together O(n log n log^2 l)
     template <outline_source Source>
     [[nodiscard]] result<void> build(Source& source, std::uint32_t face, const colour_glyph& glyph, double tolerance,
                                      layer_cut cut, std::uint32_t max_pieces = default_max_pieces) noexcept
@@ -156,7 +156,8 @@ private:
     };
 
     static constexpr std::size_t max_layers = 0x7FFF;
-    static constexpr std::size_t max_shining = 16;  // layers on each other through which others shine
+    static constexpr std::size_t max_one_by_one = 128;  // layers; then see_all() is faster
+    static constexpr std::size_t max_shining = 16;      // layers on each other through which others shine
 
     void clear() noexcept
     {
@@ -247,34 +248,113 @@ private:
 
     [[nodiscard]] error build_layers(const colour_glyph& glyph, layer_cut cut) noexcept
     {
-        const detail::region_pool::mark shapes = pool_.here();
-        detail::pooled_region above;  // all that is above the layer, the only region behind the shapes
-        for (std::size_t i = glyph.layers.size(); i-- > 0;) {
-            const auto number = static_cast<std::uint32_t>(i);
-            detail::pooled_region own = shapes_[glyph.layers[i].shape], all, seen;
-            if (clipped_)
-                if (error e = pool_.both(shapes_[glyph.layers[i].shape], clip_, space_, own)) return e;
-            error e;
-            if (cut == layer_cut::stacked) {
-                e = keep_layer({own, number, false, {}});
-            } else {
-                e = pool_.join(own, above, fill_rule::non_zero, space_, all);
-                if (!e) e = pool_.join(all, above, fill_rule::even_odd, space_, seen);
-                shining_[0] = number;
-                if (!e)
-                    e = seen.points == 0 || detail::hides(glyph.layers[i]) ? keep_layer({seen, number, false, {}})
-                                                                           : divide(glyph, seen, i, 1);
+        const std::size_t count = glyph.layers.size();
+        if (cut == layer_cut::stacked) {
+            const detail::region_pool::mark shapes = pool_.here();
+            for (std::size_t i = 0; i < count; ++i) {
+                detail::pooled_region own = shapes_[glyph.layers[i].shape];
+                if (clipped_)
+                    if (error e = pool_.both(shapes_[glyph.layers[i].shape], clip_, space_, own)) return e;
+                if (error e = keep_layer({own, static_cast<std::uint32_t>(i), false, {}})) return e;
+                detail::pooled_region none;
+                pool_.rewind(shapes, none);
             }
-            if (e) return e;
-            above = all;
-            pool_.rewind(shapes, above);
+            return {};
         }
+        detail::pooled_region all;
+        if (error e = count <= max_one_by_one ? see_one_by_one(glyph, all) : see_all(glyph, all)) return e;
         for (std::size_t i = 0, k = layers_.size(); i + 1 < k; ++i) {  // the lowest first
             const built lower = layers_[--k];
             layers_[k] = layers_[i];
             layers_[i] = lower;
         }
-        return made_.copy(pool_, above, silhouette_);
+        return made_.copy(pool_, all, silhouette_);
+    }
+
+    /// Keeps what is seen of each layer, from the uppermost to the lowest. Fast for few layers: all that is above a
+    /// layer takes part in two operations.
+    [[nodiscard]] error see_one_by_one(const colour_glyph& glyph, detail::pooled_region& all) noexcept
+    {
+        const detail::region_pool::mark shapes = pool_.here();
+        detail::pooled_region above;  // the only region behind the shapes
+        for (std::size_t i = glyph.layers.size(); i-- > 0;) {
+            detail::pooled_region own = shapes_[glyph.layers[i].shape], seen;
+            if (clipped_)
+                if (error e = pool_.both(shapes_[glyph.layers[i].shape], clip_, space_, own)) return e;
+            if (error e = pool_.join(own, above, fill_rule::non_zero, space_, all)) return e;
+            if (error e = pool_.join(all, above, fill_rule::even_odd, space_, seen)) return e;
+            if (error e = keep_seen(glyph, i, seen)) return e;
+            above = all;
+            pool_.rewind(shapes, above);
+        }
+        all = above;
+        return {};
+    }
+
+    /// The same for many layers.
+    [[nodiscard]] error see_all(const colour_glyph& glyph, detail::pooled_region& all) noexcept
+    {
+        if (error e = unite(glyph, 0, glyph.layers.size(), all)) return e;
+        if (clipped_) {
+            const detail::pooled_region whole = all;
+            if (error e = pool_.both(whole, clip_, space_, all)) return e;
+        }
+        return see(glyph, 0, glyph.layers.size(), all, !clipped_);
+    }
+
+    /// Keeps what is seen of a layer, or its parts.
+    [[nodiscard]] error keep_seen(const colour_glyph& glyph, std::size_t layer,
+                                  const detail::pooled_region& seen) noexcept
+    {
+        shining_[0] = static_cast<std::uint32_t>(layer);
+        if (seen.points == 0 || detail::hides(glyph.layers[layer])) return keep_layer({seen, shining_[0], false, {}});
+        return divide(glyph, seen, layer, 1);
+    }
+
+    /// What layers first to last - 1 cover together. They are joined in pairs, so that each point takes part in few
+    /// joins.
+    [[nodiscard]] error unite(const colour_glyph& glyph, std::size_t first, std::size_t last,
+                              detail::pooled_region& out) noexcept
+    {
+        if (last - first == 1) return out = shapes_[glyph.layers[first].shape], error{};
+        const detail::region_pool::mark before = pool_.here();
+        const std::size_t middle = first + (last - first) / 2;
+        detail::pooled_region lower, upper;
+        if (error e = unite(glyph, first, middle, lower)) return e;
+        if (error e = unite(glyph, middle, last, upper)) return e;
+        if (error e = pool_.join(lower, upper, fill_rule::non_zero, space_, out)) return e;
+        pool_.rewind(before, out);
+        return {};
+    }
+
+    /// Keeps what is seen of layers first to last - 1, from the uppermost to the lowest. It is divided between the
+    /// upper half of them and the lower half, and so on: each point takes part in few divisions, however many layers
+    /// there are.
+    ///
+    ///     seen    what is seen of them together
+    ///     whole   this is all that they cover
+    [[nodiscard]] error see(const colour_glyph& glyph, std::size_t first, std::size_t last,
+                            const detail::pooled_region& seen, bool whole) noexcept
+    {
+        if (seen.points == 0 || last - first == 1) {
+            for (std::size_t i = last; i-- > first;)
+                if (error e = keep_seen(glyph, i, seen)) return e;
+            return {};
+        }
+        const detail::region_pool::mark before = pool_.here();
+        const std::size_t middle = first + (last - first) / 2;
+        detail::pooled_region upper, lower, none;
+        if (error e = unite(glyph, middle, last, upper)) return e;
+        if (!whole) {
+            const detail::pooled_region all = upper;
+            if (error e = pool_.both(seen, all, space_, upper)) return e;
+            pool_.rewind(before, upper);
+        }
+        if (error e = pool_.join(seen, upper, fill_rule::even_odd, space_, lower)) return e;
+        if (error e = see(glyph, middle, last, upper, whole)) return e;
+        if (error e = see(glyph, first, middle, lower, false)) return e;
+        pool_.rewind(before, none);
+        return {};
     }
 
     /// Divides what is seen of layers through which others shine by the layers below them, the uppermost first.

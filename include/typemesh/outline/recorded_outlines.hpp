@@ -3,6 +3,7 @@
 
 #include <typemesh/core/buffer.hpp>
 #include <typemesh/core/result.hpp>
+#include <typemesh/outline/draw_outline.hpp>
 #include <typemesh/outline/outline_recorder.hpp>
 #include <typemesh/outline/outline_source.hpp>
 
@@ -44,7 +45,7 @@ public:
         }
         if (error e = recorder.finish()) return e;
 
-        const glyph kept{contours_.size(), scratch_.contour_count(), curves_.size()};
+        const glyph kept{contours_.size(), scratch_.starts.size(), curves_.size()};
         if (!contours_.append(scratch_.starts.view()) || !curves_.append(scratch_.curves.view()) ||
             !glyphs_.push_back(kept)) {
             contours_.truncate(kept.first_start);
@@ -63,28 +64,16 @@ public:
     {
         if (id >= glyphs_.size()) return error{error::unknown_glyph}.at(id, no_cluster);
         const glyph& g = glyphs_[id];
-        for (std::size_t k = 0; k < g.contour_count; ++k) {
-            const std::size_t first = g.first_curve + contours_[g.first_start + k],
-                              last = g.first_curve + contours_[g.first_start + k + 1];
-            sink.move(curves_[first].start());
-            for (std::size_t i = first; i < last; ++i) {
-                const curve& c = curves_[i];
-                if (c.degree == 1)
-                    sink.line(c.p[1]);
-                else if (c.degree == 2)
-                    sink.quadratic(c.p[1], c.p[2]);
-                else
-                    sink.cubic(c.p[1], c.p[2], c.p[3]);
-            }
-            sink.close();
-        }
+        if (g.start_count != 0)
+            draw_outline(curves_.view().subspan(g.first_curve), contours_.view().subspan(g.first_start, g.start_count),
+                         sink);
         return {};
     }
 
 private:
     struct glyph {
         std::size_t first_start;
-        std::size_t contour_count;
+        std::size_t start_count;  // one more than contours, or 0
         std::size_t first_curve;
     };
 

@@ -5,10 +5,12 @@
 #include <typemesh/core/point.hpp>
 #include <typemesh/extrude/flat_outline.hpp>
 #include <typemesh/extrude/placement.hpp>
+#include <typemesh/outline/draw_outline.hpp>
 #include <typemesh/outline/outline_sink.hpp>
 #include <typemesh/text/text_plan.hpp>
 
 #include <cstddef>
+#include <cstdint>
 
 namespace typemesh::inline TYPEMESH_ABI {
 
@@ -37,18 +39,14 @@ void each_outline(const text_plan<flat_outline>& plan, std::size_t glyph, Sink&&
     };
     bool open = false;
     for (const boundary_piece& piece : pieces) {
-        const curve& c = piece.shape;
+        curve c = piece.shape;
+        for (std::uint32_t i = 0; i <= c.degree; ++i) c.p[i] = placed(c.p[i]);
         if (piece.begins != 0) {
             if (open) sink.close();
-            sink.move(placed(c.p[0]));
+            sink.move(c.start());
             open = true;
         }
-        if (c.degree == 1)
-            sink.line(placed(c.p[1]));
-        else if (c.degree == 2)
-            sink.quadratic(placed(c.p[1]), placed(c.p[2]));
-        else
-            sink.cubic(placed(c.p[1]), placed(c.p[2]), placed(c.p[3]));
+        draw_curve(c, sink);
     }
     if (open) sink.close();
 }

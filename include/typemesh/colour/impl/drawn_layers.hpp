@@ -14,6 +14,7 @@
 #include <typemesh/core/outline.hpp>
 #include <typemesh/core/result.hpp>
 #include <typemesh/layout/impl/value_index.hpp>
+#include <typemesh/outline/draw_outline.hpp>
 #include <typemesh/outline/outline_recorder.hpp>
 
 #include <cstddef>
@@ -139,19 +140,9 @@ public:
     {
         if (number >= glyphs_[g].count) return false;
         const drawn& layer = layers_[glyphs_[g].first + number];
-        for (std::size_t c = 0; c + 1 < layer.starts; ++c) {
-            const std::size_t begin = layer.first_curve + starts_[layer.first_start + c],
-                              end = layer.first_curve + starts_[layer.first_start + c + 1];
-            sink.move(curves_[begin].start());
-            for (std::size_t i = begin; i < end; ++i) {
-                const curve& piece = curves_[i];
-                if (piece.degree == 1)
-                    sink.line(piece.p[1]);
-                else
-                    sink.cubic(piece.p[1], piece.p[2], piece.p[3]);
-            }
-            sink.close();
-        }
+        if (layer.starts != 0)
+            draw_outline(curves_.view().subspan(layer.first_curve),
+                         starts_.view().subspan(layer.first_start, layer.starts), sink);
         return true;
     }
 

@@ -5,6 +5,7 @@
 #include <typemesh/core/impl/tangent.hpp>
 #include <typemesh/core/point.hpp>
 #include <typemesh/core/region.hpp>
+#include <typemesh/outline/draw_outline.hpp>
 #include <typemesh/outline/outline_sink.hpp>
 
 #include <cstddef>
@@ -43,11 +44,8 @@ void draw_region(const region& r, Sink& sink) noexcept
         const std::uint32_t begin = r.starts()[loop], end = r.starts()[loop + 1];
         sink.move(r.grid().place(r.points()[begin]));
         for (std::uint32_t i = begin; i < end; ++i) {
-            const curve c = piece_of(r, r.edges()[i], r.points()[i], r.points()[i + 1 < end ? i + 1 : begin]);
-            if (c.degree == 1)
-                sink.line(c.p[1]);
-            else
-                sink.cubic(c.p[1], c.p[2], c.p[3]);
+            const grid_point next = r.points()[i + 1 < end ? i + 1 : begin];
+            draw_curve(piece_of(r, r.edges()[i], r.points()[i], next), sink);
         }
         sink.close();
     }
