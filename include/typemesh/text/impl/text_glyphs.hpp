@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <typemesh/core/affine.hpp>
 #include <typemesh/core/array_view.hpp>
 #include <typemesh/core/buffer.hpp>
 #include <typemesh/core/impl/first_where.hpp>
@@ -18,6 +19,7 @@
 #include <typemesh/text/instances.hpp>
 #include <typemesh/text/text_options.hpp>
 #include <typemesh/text/text_report.hpp>
+#include <typemesh/vertex/affine3.hpp>
 #include <typemesh/vertex/bounds3.hpp>
 
 #include <cstddef>
@@ -37,6 +39,19 @@ struct text_placement {
     point texture_per_font_unit;  ///< growth of u and v over the whole text's box, with texture_box::text
     texture_box texture_over = texture_box::text;
     typemesh::frame frame;
+
+    /// The map of the unit square to a box that is given in em of a run; see lettered_plan::each_moved_box().
+    [[nodiscard]] affine3 map_of(const affine& box, double run_units_per_em) const noexcept
+    {
+        const double em = run_units_per_em > 0.0 ? run_units_per_em : 1.0;
+        const auto direction = [&](point p) noexcept {
+            const point v = em * unit_per_font_unit * p;
+            return frame(static_cast<float>(v.x), static_cast<float>(v.y), 0.0f);
+        };
+        const point from = unit_per_font_unit * (em * point{box.dx, box.dy} - centre);
+        return {direction({box.xx, box.yx}), direction({box.xy, box.yy}), frame.toward,
+                frame(static_cast<float>(from.x), static_cast<float>(from.y), 0.0f)};
+    }
 };
 
 /// Detects whether the text_glyphs of a plan still hold the same content: every clear() and every move, out of them or
