@@ -439,3 +439,51 @@ TEST_CASE("backgrounds move with their lines, and with the word that they stand 
     CHECK(off < 2e-6);
     CHECK(tilted == 0);
 }
+
+TEMPLATE_TEST_CASE("every vertex of a letter is where its map puts it, with its normal and its tangent", "[letters]",
+                   flat, extruded<>, bevelled)
+{
+    const auto axes = GENERATE(right_handed_y_up, left_handed_z_up);
+    const affine3 turn = turned({0.6f, 0.0f, 0.8f}, 1.1);
+    const affine3 maps[] = {turn,
+                            shifted({0.25f, -1.0f, 2.0f}),
+                            turned({0, 0, 1}, 2.0) * scaled(3.0f),
+                            scaled(0.125f) * turn,
+                            affine3{{-1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {}} * turn,
+                            affine3{{2, 0, 0}, {0, 1, 0}, {0, 0.5f, 1}, {}}};
+    test::toy_font font;
+    text_mesher mesher{font, TestType{}};
+    const auto plan = test::required(mesher.plan(moving_text, {.frame = axes}));
+    REQUIRE(plan->find_letters(moving_text));
+    const test::lit_mesh still = test::written(*plan);
+    for (const affine3& map : maps) {
+        const letter_move exact{map};
+        const bool mirrors = exact.mirrors();
+        const test::lit_mesh is = moved_mesh(
+            *plan, [&](const letter_place& l) noexcept { return map.about(l.letter.pivot); });
+        double off = 0.0, tilted = 0.0, slid = 0.0;
+        std::size_t other = 0;
+        for (std::size_t g = 0; g < plan->glyphs().size(); ++g)
+            for (const part p : plan->parts()) {
+                const affine3 own = map.about(plan->row_of(g).pivot);
+                const mesh_range r = plan->range(g, p);
+                for (std::size_t i = r.first_vertex; i < r.first_vertex + r.vertex_count; ++i) {
+                    const test::lit_vertex &a = still.vertices[i], &b = is.vertices[i];
+                    const auto unit = [](vec3 v) noexcept {
+                        const auto by = static_cast<float>(1.0 / std::hypot(double(v.x), double(v.y), double(v.z)));
+                        return vec3{by * v.x, by * v.y, by * v.z};
+                    };
+                    off = std::fmax(off, distance(b.place, own(a.place)));
+                    const vec3 n = exact.is_shift() ? a.normal : exact.normals().direction(a.normal);
+                    tilted = std::fmax(tilted, distance(b.normal, unit(n)));
+                    slid = std::fmax(slid, distance({b.tangent.x, b.tangent.y, b.tangent.z},
+                                                    unit(own.direction({a.tangent.x, a.tangent.y, a.tangent.z}))));
+                    other += !same(b.tangent.w, mirrors ? -a.tangent.w : a.tangent.w) || !(b.uv == a.uv) ? 1u : 0u;
+                }
+            }
+        CHECK(off < 8e-6);
+        CHECK(tilted < 2e-6);
+        CHECK(slid < 2e-6);
+        CHECK(other == 0);
+    }
+}
