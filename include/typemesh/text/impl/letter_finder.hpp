@@ -343,7 +343,7 @@ private:
             at.unit_per_cell = all_.placed.unit_per_font_unit * s.built->font_units_per_cell();
             at.frame = all_.placed.frame;
             turn(at, s.right);
-            is_off_line_ = is_off_line_ || is_turned(s.right) || !(s.origin == s.flat);
+            is_off_line_ = is_off_line_ || is_turned(s.right) || !(s.origin == s.flat) || all_.is_warped(s.glyph);
             const vec3 corner = at.position(at.foot(s.built->around().low), back);
             if (row.ink.empty()) row.bounds = {corner, corner};
             add_placed(row.bounds, s.built->around(), back, front, at, at.frame.is_along_axes());

@@ -89,12 +89,12 @@ struct text_glyphs {
         std::uint32_t glyph;  ///< its index in the run
     };
 
-    buffer<glyph_place> places;  ///< of the different glyphs, if they differ from place to place
+    buffer<glyph_place> places;  ///< of the different glyphs that differ from place to place: the last ones
     double em_per_depth = 1.0;   ///< for these places
     double em_per_font_unit = 0.0;
-    bool in_place = false;            ///< whether they do; then no glyph is drawn twice
+    bool in_place = false;            ///< whether all do; then no glyph is drawn twice
     buffer<glyph_stand> stands;       ///< of the run's glyphs, if an outline step places them
-    bool turned = false;              ///< whether it only moves and turns them
+    bool turned = false;              ///< whether it moves and turns those that it does not warp
     glyph_store store;                ///< holds the glyphs that neither a cache nor a glyph_workers keeps
     lent_glyphs lent;                 ///< the glyphs that a glyph_workers keeps
     merged_glyphs merged;             ///< glyphs that are drawn together
@@ -129,6 +129,16 @@ struct text_glyphs {
           line_boxes{source},
           letters{source}
     {
+    }
+
+    /// Whether an outline step warps a glyph of the run, which then stands where it was laid out.
+    [[nodiscard]] bool is_warped(std::size_t glyph) const noexcept { return !stands.empty() && stands[glyph].warped; }
+
+    /// The place of one of the different glyphs, if it has one.
+    [[nodiscard]] const glyph_place* place_of(std::size_t number) const noexcept
+    {
+        const std::size_t first = different.keys().size() - places.size();
+        return number < first ? nullptr : &places[number - first];
     }
 
     /// Whether `letters` belongs to these glyphs.
