@@ -459,8 +459,8 @@ TEMPLATE_TEST_CASE("every vertex of a letter is where its map puts it, with its 
     for (const affine3& map : maps) {
         const letter_move exact{map};
         const bool mirrors = exact.mirrors();
-        const test::lit_mesh is = moved_mesh(
-            *plan, [&](const letter_place& l) noexcept { return map.about(l.letter.pivot); });
+        const test::lit_mesh is =
+            moved_mesh(*plan, [&](const letter_place& l) noexcept { return map.about(l.letter.pivot); });
         double off = 0.0, tilted = 0.0, slid = 0.0;
         std::size_t other = 0;
         for (std::size_t g = 0; g < plan->glyphs().size(); ++g)

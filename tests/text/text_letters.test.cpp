@@ -7,7 +7,8 @@
 
 using namespace typemesh;
 
-TEST_CASE("a bar has a line and the word that it goes with, and its motion comes after those of the letters", "[letters]")
+TEST_CASE("a bar has a line and the word that it goes with, and its motion comes after those of the letters",
+          "[letters]")
 {
     const glyph_run run = test::run_of({{2, no_cluster, {0, -300}}, {5, 0, {0, 0}}, {5, 1, {600, 0}}});
     test::toy_font font;

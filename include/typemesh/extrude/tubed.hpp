@@ -51,8 +51,9 @@ public:
 ///     clearance    seen from above, the tubes do not meet
 ///
 /// Sharp corners beside short edges would make most tubes thin. So points next to them are left out: see corner_cut.
-/// They stay where the path without them would meet itself or another one, and the tube is then as thin as they make it.
-/// A tube cannot follow curves that are narrower than its radius: for thick tubes, choose a font without rounded corners.
+/// They stay where the path without them would meet itself or another one, and the tube is then as thin as they make
+/// it. A tube cannot follow curves that are narrower than its radius: for thick tubes, choose a font without rounded
+/// corners.
 /// If less than four cells of the grid are left of the radius, the loop has no tube.
 ///
 /// Letters whose tubes would meet are kept apart, too, if they are merged (text_options::merge). Two loops that touch

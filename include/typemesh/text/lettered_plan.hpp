@@ -122,8 +122,8 @@ public:
 
     /// Gives put(const inline_box_place&, const affine3&) each inline box of the text, and the map of a mesh of the
     /// caller's to its moved place, in the output's unit: the square from (0, 0, 0) to (1, 1, 0) to the box, and
-    /// (0, 0, 1) to one unit toward the viewer. A box is a letter of its own for the motion. Boxes stand where a path puts
-    /// them; other warps and bends leave them where they are in the flat text. Needs find_letters().
+    /// (0, 0, 1) to one unit toward the viewer. A box is a letter of its own for the motion. Boxes stand where a path
+    /// puts them; other warps and bends leave them where they are in the flat text. Needs find_letters().
     template <letter_motion Motion, class Put>
     void each_moved_box(Motion&& motion, Put&& put) const noexcept
     {

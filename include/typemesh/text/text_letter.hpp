@@ -71,14 +71,14 @@ struct letter_box {
 ///     letters      012   3 45 6      in reading order; spaces have no outline, so they are no letters
 ///     graphemes    012   4 67 9      in the text, spaces included
 ///
-/// An inline box is a letter, too, as deep as the whole text. A bar goes with the letters of its line that stand over or
-/// under it, from the first one to the last one in reading order.
+/// An inline box is a letter, too, as deep as the whole text. A bar goes with the letters of its line that stand over
+/// or under it, from the first one to the last one in reading order.
 struct text_letter : letter_box {
     text_range text = {};               ///< in units of the text; for a bar, the letters that it goes with
     std::uint32_t grapheme = 0;         ///< the number of its first grapheme, counted in the whole text
     std::uint32_t graphemes = 0;        ///< the number of its graphemes
     std::uint32_t grapheme_end = 0;     ///< one past the number of its last one; merged letters may have gaps
-    std::uint32_t first_letter = 0;     ///< its own number; for a bar, that of the first letter that it goes with
+    std::uint32_t first_letter = 0;     ///< its own number; for a bar, of the first letter that it goes with
     std::uint32_t letters = 0;          ///< 1; for a bar, the number of letters that it goes with
     std::uint32_t word = not_a_letter;  ///< the number of its word: only words with letters count; not_a_letter for a
                                         ///< bar that goes with several words, or with none
@@ -113,7 +113,7 @@ struct letter_rows {
 ///     l.index - l.word.first, l.word.count        in its word; likewise in its line and paragraph
 ///     l.letter.word, l.words                      the number of its word, and of how many
 ///
-/// A motion that depends on l.line alone moves bars with their lines, and one that depends on l.word moves those that go
+/// A motion that depends on l.line alone moves bars with their lines, and one that depends on l.word moves bars that go
 /// with one word. What a motion of letters does to a bar over several letters is for the motion to decide.
 struct letter_place {
     const text_letter& letter;

@@ -286,7 +286,8 @@ private:
                     reduce(allowed[s.path], share * smaller / kept);
                 } else if (of_corner > smaller || of_strip > smaller) {
                     const double to = (of_corner > smaller ? of_corner : of_strip) / kept;
-                    const growth grow{{smaller, of_corner > smaller ? to : smaller}, {smaller, of_strip > smaller ? to : smaller}};
+                    const growth grow{{smaller, of_corner > smaller ? to : smaller},
+                                      {smaller, of_strip > smaller ? to : smaller}};
                     const double share = first_contact(c, s, grow);
                     if (share > 1.0) return;
                     reduce(allowed[of_corner > smaller ? c.path : s.path], share * to + (1.0 - share) * smaller);

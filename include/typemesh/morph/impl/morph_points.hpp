@@ -113,7 +113,7 @@ struct morph_points {
 
 private:
     static constexpr std::uint32_t max_points = 100000;  // points of one glyph
-    static constexpr float chord = -1.0f;          // instead of t1
+    static constexpr float chord = -1.0f;                // instead of t1
 
     static std::uint32_t pieces(const keyed_outlines& outlines, std::uint32_t i, double tolerance) noexcept
     {

@@ -201,8 +201,8 @@ private:
         }
         each_box_on_stand(run_, all_.stands.view(), [this](const inline_box_place& b) noexcept {
             grapheme& g = found_.graphemes[grapheme_at(b.unit)];
-            g.bonds = g.bonds | (g.drawn ? letter_bond::inline_box | letter_bond::several_glyphs
-                                         : letter_bond::inline_box);
+            g.bonds =
+                g.bonds | (g.drawn ? letter_bond::inline_box | letter_bond::several_glyphs : letter_bond::inline_box);
             g.line = b.line;
             g.drawn = true;
         });

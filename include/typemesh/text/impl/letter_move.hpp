@@ -42,8 +42,8 @@ public:
     /// Whether two corners of each triangle must be swapped.
     [[nodiscard]] bool mirrors() const noexcept { return mirrors_; }
 
-    /// Moves the placement of a glyph, if the map only shifts, turns and scales: then points are not moved one by one. A
-    /// shift in the text's plane costs nothing for each point. Returns false if the map does more, or mirrors.
+    /// Moves the placement of a glyph, if the map only shifts, turns and scales: then points are not moved one by one.
+    /// A shift in the text's plane costs nothing for each point. Returns false if the map does more, or mirrors.
     [[nodiscard]] bool move_placement(placement& at) const noexcept
     {
         if (how_ == kind::any || mirrors_) return false;

@@ -348,8 +348,7 @@ inline error text_planner::collect_placed(const glyph_run& run, const text_optio
         if (!glyphs_.in_place && !glyphs_.is_warped(i)) continue;
         if (!is_drawn(run, i, options)) continue;
         if (!glyphs_.places.push_back({glyphs_.place_at(glyph.origin), glyph.cluster, i})) return error::out_of_memory;
-        glyphs_.numbers[i] =
-            glyphs_.different.append({glyph.id, glyphs_.glyph_styles.outlines_of(glyph.glyph_style)});
+        glyphs_.numbers[i] = glyphs_.different.append({glyph.id, glyphs_.glyph_styles.outlines_of(glyph.glyph_style)});
         if (glyphs_.numbers[i] == glyph_set::no_room) return error::out_of_memory;
     }
     return {};
