@@ -61,7 +61,7 @@ int main(int, char** argv)
     });
 
     const direction way = down ? direction::top_to_bottom : direction::automatic;
-    const ruby_options how{.shape = {.direction = way}};
+    const ruby_options how{.overhang = 0.25, .shape = {.direction = way}};
     ruby_writer rubies;
     highlight_writer backgrounds;
     paragraph words{*font};

@@ -215,6 +215,10 @@ convert -size 910x160 xc:white -draw "$("$scratch/selection" /usr/share/fonts/tr
 g++ -std=c++20 -O2 -I../../include curved.cpp -o "$scratch/curved" $(pkg-config --cflags --libs harfbuzz)
 "$scratch/curved" /usr/share/fonts/truetype/dejavu/DejaVuSerif.ttf 'g&' | convert ppm:- curved.png
 
+# One word at five weights: its triangles stay the same.
+g++ -std=c++20 -O2 -I../../include morphing.cpp -o "$scratch/morphing" $(pkg-config --cflags --libs harfbuzz)
+convert -size 960x890 xc:white -draw "$("$scratch/morphing" "$inter")" morph.png
+
 # Letters that move, drawn by a program of their own.
 g++ -std=c++20 -O2 -I../../include -I../../examples/text_to_mesh -I../../examples moving.cpp "$typemesh_root"/examples/text_to_mesh/picture/*.cpp \
     -o "$scratch/moving" $(pkg-config --cflags --libs harfbuzz)
@@ -226,5 +230,5 @@ for motion in wave ring score breathe; do
     convert -delay 6 -loop 0 "$scratch/$motion"/*.ppm +dither -colors 96 -layers optimize $motion.gif
 done
 
-pngquant --quality 90-100 --speed 1 --force --ext .png beside.png paragraph.png normals.png bevels.png bevelled_scripts.png bent.png carved.png inflated.png markup.png meshing.png neon.png path.png warped.png bold_and_hollow.png refined.png styles.png textures.png
+pngquant --quality 90-100 --speed 1 --force --ext .png beside.png paragraph.png normals.png bevels.png bevelled_scripts.png bent.png carved.png inflated.png markup.png meshing.png morph.png neon.png path.png warped.png bold_and_hollow.png refined.png styles.png textures.png
 pngquant --quality 60-92 --speed 1 --force --ext .png plates.png rims.png tapered.png

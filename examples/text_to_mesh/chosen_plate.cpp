@@ -14,7 +14,7 @@ namespace {
 
 /// A number of an option, and its range.
 struct number {
-    double least, most;
+    double low, high;
     float* to;
 };
 
@@ -25,7 +25,7 @@ bool read_numbers(std::string_view written, const number (&wanted)[N])
     for (const number& n : wanted) {
         const auto comma = written.find(',');
         const auto value = decimal(written.substr(0, comma));
-        if (!value || *value < n.least || *value > n.most) return false;
+        if (!value || *value < n.low || *value > n.high) return false;
         *n.to = static_cast<float>(*value);
         if (comma == std::string_view::npos) return true;
         written.remove_prefix(comma + 1);
@@ -33,7 +33,7 @@ bool read_numbers(std::string_view written, const number (&wanted)[N])
     return false;
 }
 
-constexpr double least = 1e-4;  // of what must not be 0, in em
+constexpr double min_size = 1e-4;  // of what must not be 0, in em
 
 /// Which option of two is given that do not work together, or that needs another one; empty if all is well.
 std::string refused_words(const plate_words& words)
@@ -84,7 +84,7 @@ std::string read_style(const plate_words& words, std::optional<float> depth, typ
     if (cut) how.depth = how.thickness;
     if (!words.fillet.empty() && !read_numbers(words.fillet, {{0.0, 1000.0, &how.fillet}}))
         return "--fillet must be a radius from 0 to 1000, not " + words.fillet;
-    if (!words.engrave.empty() && !read_numbers(words.engrave, {{least, 1000.0, &how.depth}}))
+    if (!words.engrave.empty() && !read_numbers(words.engrave, {{min_size, 1000.0, &how.depth}}))
         return "--engrave must be a number from 0.0001 to 1000, not " + words.engrave;
     return {};
 }
@@ -95,13 +95,13 @@ std::string read_outline(const plate_words& words, chosen_plate& out)
     typemesh::plate_options& how = out.how;
     if (!words.plate.empty() &&
         !read_numbers(words.plate,
-                      {{-1000.0, 1000.0, &how.margin}, {0.0, 1000.0, &how.radius}, {least, 1000.0, &how.thickness}}))
+                      {{-1000.0, 1000.0, &how.margin}, {0.0, 1000.0, &how.radius}, {min_size, 1000.0, &how.thickness}}))
         return "--plate must be a margin, a radius and a thickness, such as 0.2 or 0.2,0.1,0.1, not " + words.plate;
     if (!words.backing.empty() &&
-        !read_numbers(words.backing, {{0.0, 1.0, &out.growth}, {least, 1000.0, &how.thickness}}))
+        !read_numbers(words.backing, {{0.0, 1.0, &out.growth}, {min_size, 1000.0, &how.thickness}}))
         return "--backing must be a growth up to 1 and a thickness, such as 0.1 or 0.1,0.05, not " + words.backing;
     if (!words.keyring.empty() &&
-        !read_numbers(words.keyring, {{least, 1000.0, &how.ring_hole}, {least, 1000.0, &how.ring_width}}))
+        !read_numbers(words.keyring, {{min_size, 1000.0, &how.ring_hole}, {min_size, 1000.0, &how.ring_width}}))
         return "--keyring must be the radius of a hole and the width of its ring, such as 0.1 or 0.1,0.06, not " +
                words.keyring;
     return {};
@@ -112,7 +112,7 @@ std::string read_stencil(const plate_words& words, typemesh::plate_options& how)
 {
     if (words.stencil.empty()) return {};
     auto bridges = static_cast<float>(how.bridges);
-    if (!read_numbers(words.stencil, {{least, 1000.0, &how.bridge_width}, {1.0, 8.0, &bridges}}) ||
+    if (!read_numbers(words.stencil, {{min_size, 1000.0, &how.bridge_width}, {1.0, 8.0, &bridges}}) ||
         bridges != std::floor(bridges))
         return "--stencil must be the width of the bridges, and perhaps how many an island gets, 1 to 8, such as 0.05 "
                "or 0.05,3, not " +

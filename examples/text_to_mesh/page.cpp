@@ -163,7 +163,7 @@ private:
     font_set& font_;
     std::vector<typemesh::ruby_span> rubies_;
     std::span<const typemesh::text_highlight> marks_;
-    typemesh::ruby_options how_;
+    typemesh::ruby_options how_{.overhang = 0.25};  // as browsers have it
     typemesh::ruby_writer writer_;
 };
 

@@ -51,7 +51,7 @@ private:
     typemesh::basic_markup<char16_t> read_;
     typemesh::markup_styles styles_;
     std::vector<typemesh::ruby_span> rubies_;
-    typemesh::ruby_options ruby_options_;
+    typemesh::ruby_options ruby_options_{.overhang = 0.25};  // as browsers have it
     typemesh::ruby_writer ruby_writer_;
     typemesh::highlight_writer backgrounds_;
 };

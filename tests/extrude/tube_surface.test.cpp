@@ -16,7 +16,7 @@ using namespace typemesh;
 
 TEST_CASE("the section of a tube is a regular polygon with exact corners on its axes", "[extrude]")
 {
-    for (std::uint32_t sides = detail::tube_section::least; sides <= detail::tube_section::most; ++sides) {
+    for (std::uint32_t sides = detail::tube_section::min_sides; sides <= detail::tube_section::max_sides; ++sides) {
         const detail::tube_section around{sides};
         CHECK(around.right(0) == 1.0);                              // NOLINT
         CHECK(around.up(0) == 0.0);                                 // NOLINT

@@ -40,7 +40,7 @@ TEST_CASE("every pin is returned once: by release, by another text, or at the en
     {
         pinned_glyphs held;
         for (int round = 0; round < 3; ++round) {
-            REQUIRE(held.reserve(5, cache));  // gives back what the round before has left
+            REQUIRE(held.reserve(5, cache, 5));  // gives back what the round before has left
             CHECK(cache.statistics().pinned == 0);
             for (std::size_t i = 0; i < 5; ++i) CHECK(held[i] == nullptr);
             for (std::size_t i = 0; i < 4; ++i) held.set(i, pinned(cache, static_cast<glyph_id>(i)));
@@ -64,7 +64,7 @@ TEST_CASE("unpinned glyphs are not returned to a cache", "[glyph][pinned_glyphs]
     cache_type cache;
     pinned_glyphs held;
     calls();
-    REQUIRE(held.reserve(3, cache));
+    REQUIRE(held.reserve(3, cache, 3));
     REQUIRE(held.reserve(3));
     CHECK(calls() == 1);
     const built_glyph* one = pinned(cache, 1);
@@ -82,7 +82,7 @@ TEST_CASE("nothing is pinned if memory has run out", "[glyph][pinned_glyphs]")
     calls();
     {
         pinned_glyphs held{failing.source()};
-        CHECK_FALSE(held.reserve(1000, cache));
+        CHECK_FALSE(held.reserve(1000, cache, 1000));
     }
     CHECK(calls() == 0);
 }

@@ -209,6 +209,23 @@ TEST_CASE("a ruby may reach over kana without rubies, and keeps to its line", "[
     CHECK(parted.ruby(0).middle() == Approx(parted.base(wide).middle()));
 }
 
+TEST_CASE("in a font that is higher than an em, a ruby stands on the em", "[paragraph][ruby]")
+{
+    ruby_page p{u"abcdef"};
+    p.font.lines = {1100.0, -400.0, 0.0};  // 1.5 em, as M+ has
+    const ruby_span spans[] = {ruby_on(1, 3, u"xy")};
+    ruby_writer rubies;
+    const auto rooms = rubies.rooms(p.font, u"abcdef", spans, {});
+    REQUIRE(rooms);
+    const double top = (1100.0 + 0.5 * 1500.0) / 1.5;  // of the ruby
+    CHECK((*rooms)[0].above == Approx((top - 1100.0) / 1000.0));
+    REQUIRE(p.words.set(u"abcdef", {.rooms = *rooms}));
+    p.again({});
+    REQUIRE(rubies.write(p.font, p.laid(), spans, {}, p.run));
+    CHECK(p.run.glyphs.back().origin.y == Approx((1100.0 + 0.5 * 400.0) / 1.5));
+    CHECK(p.words.lines()[0].metrics.ascender == Approx(top));
+}
+
 TEST_CASE("a ruby stands on its own text, whatever is higher in the line", "[paragraph][ruby]")
 {
     const style_span styles[] = {{0, 1, {.size = 3.0}}, {2, 3, {.size = 2.0, .rise = 0.1}}};

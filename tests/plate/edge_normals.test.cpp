@@ -13,7 +13,7 @@ using namespace typemesh;
 
 namespace {
 
-layer_arrangement polygon(const std::vector<grid_point>& p)
+layer_arrangement lone_polygon(const std::vector<grid_point>& p)
 {
     layer_arrangement cells;
     cells.begin({});
@@ -34,7 +34,7 @@ TEST_CASE("the walls of a fine circle have the circle's normals, those of a squa
         circle.push_back(
             {static_cast<std::int32_t>(1e6 * std::cos(angle)), static_cast<std::int32_t>(1e6 * std::sin(angle))});
     }
-    const layer_arrangement round = polygon(circle);
+    const layer_arrangement round = lone_polygon(circle);
     detail::edge_normals normals;
     REQUIRE_FALSE(normals.find(round));
     for (std::size_t i = 0; i < round.piece_count(); ++i) {
@@ -48,7 +48,7 @@ TEST_CASE("the walls of a fine circle have the circle's normals, those of a squa
         CHECK(hole.x == Catch::Approx(-s.to.x / 1e6).margin(1e-4));
         CHECK(hole.y == Catch::Approx(-s.to.y / 1e6).margin(1e-4));
     }
-    const layer_arrangement square = polygon({{0, 0}, {10, 0}, {10, 10}, {0, 10}});
+    const layer_arrangement square = lone_polygon({{0, 0}, {10, 0}, {10, 10}, {0, 10}});
     REQUIRE_FALSE(normals.find(square));
     for (std::size_t i = 0; i < square.piece_count(); ++i) {
         const auto s = square[i];

@@ -18,7 +18,7 @@ using namespace typemesh;
 
 namespace {
 
-constexpr cell_set a = cells_of_layer(0), b = cells_of_layer(1), c = cells_of_layer(2);
+constexpr cell_set layer_a = cells_of_layer(0), layer_b = cells_of_layer(1), layer_c = cells_of_layer(2);
 
 struct mesh {
     std::vector<vec3> vertices;
@@ -95,7 +95,7 @@ TEST_CASE("a wall has a point at each level at which others end beside it, and n
     add_box(cells, 0, 0, 10, 10, 1);
     add_box(cells, 2, 2, 4, 4, 0);  // a pocket inside: the rim is not divided
     REQUIRE(cells.cut(space));
-    const layered_solid::slab inside[] = {{b, 1.0f}, {b & ~a, 2.0f}};
+    const layered_solid::slab inside[] = {{layer_b, 1.0f}, {layer_b & ~layer_a, 2.0f}};
     REQUIRE(solid.plan(cells, 0.0f, {inside, 2}, 4, monotone{}, space));
     CHECK(solid.size(plate_part::rim) == mesh_size{16, 8});
     CHECK(solid.size(plate_part::wall) == mesh_size{16, 8});
@@ -123,7 +123,7 @@ TEST_CASE("slabs that touch in a point or hang in an edge are counted", "[layere
     add_box(cells, 10, 0, 10, 10, 1);
     add_box(cells, 20, 10, 10, 10, 2);
     REQUIRE(cells.cut(space));
-    const layered_solid::slab stairs[] = {{a, 1.0f}, {b | c, 2.0f}};
+    const layered_solid::slab stairs[] = {{layer_a, 1.0f}, {layer_b | layer_c, 2.0f}};
     REQUIRE(solid.plan(cells, 0.0f, {stairs, 2}, 0, monotone{}, space));
     CHECK(solid.hanging() == 1);
     CHECK(solid.touching() == 1);
@@ -146,16 +146,16 @@ TEST_CASE("slabs that cannot be are refused, and the solid is empty", "[layered_
         return std::string{done.error().option};
     };
     CHECK(refusal({}) == "slabs");
-    CHECK(refusal(std::vector<layered_solid::slab>(9, {a, 1.0f})) == "slabs");
-    CHECK(refusal({{a, 0.0f}}) == "top");
-    CHECK(refusal({{a, 1.0f}, {a, 1.0f}}) == "top");
-    CHECK(refusal({{a, std::numeric_limits<float>::infinity()}}) == "top");
-    CHECK(refusal({{~a, 1.0f}}) == "cells");
-    CHECK(refusal({{a, 1.0f}}, std::numeric_limits<float>::quiet_NaN()) == "bottom");
-    CHECK(refusal({{a, 1.0f, -0.1f}}) == "bevel");
-    CHECK(refusal({{a, 1.0f}, {a, 2.0f, 0.0f, std::numeric_limits<float>::infinity()}}) == "bevel");
-    CHECK(refusal({{a, 1.0f, 0.1f, 0.0f, a}, {a, 2.0f}}) == "rim");
-    CHECK(refusal({{a, 1.0f, 0.1f, 0.0f, ~a}}) == "rim");
+    CHECK(refusal(std::vector<layered_solid::slab>(9, {layer_a, 1.0f})) == "slabs");
+    CHECK(refusal({{layer_a, 0.0f}}) == "top");
+    CHECK(refusal({{layer_a, 1.0f}, {layer_a, 1.0f}}) == "top");
+    CHECK(refusal({{layer_a, std::numeric_limits<float>::infinity()}}) == "top");
+    CHECK(refusal({{~layer_a, 1.0f}}) == "cells");
+    CHECK(refusal({{layer_a, 1.0f}}, std::numeric_limits<float>::quiet_NaN()) == "bottom");
+    CHECK(refusal({{layer_a, 1.0f, -0.1f}}) == "bevel");
+    CHECK(refusal({{layer_a, 1.0f}, {layer_a, 2.0f, 0.0f, std::numeric_limits<float>::infinity()}}) == "bevel");
+    CHECK(refusal({{layer_a, 1.0f, 0.1f, 0.0f, layer_a}, {layer_a, 2.0f}}) == "rim");
+    CHECK(refusal({{layer_a, 1.0f, 0.1f, 0.0f, ~layer_a}}) == "rim");
 }
 
 TEST_CASE("boxes with bevels and fillets in a grid of their own are closed, wherever the upper one stands",
@@ -179,7 +179,7 @@ TEST_CASE("boxes with bevels and fillets in a grid of their own are closed, wher
         if (!cells.cut(space)) continue;
         const auto some = [&] { return 0.1f * static_cast<float>(tenths(random)); };
         const layered_base base{.height = 0.5f, .bevel = some(), .round = run % 2 != 0, .unit_per_em = 2.0};
-        const layered_solid::slab slabs[] = {{a | b, 2.0f, some()}, {b, 3.0f, some(), some()}};
+        const layered_solid::slab slabs[] = {{layer_a | layer_b, 2.0f, some()}, {layer_b, 3.0f, some(), some()}};
         REQUIRE(solid.plan(cells, base, {slabs, 2}, 4, monotone{}, space));
         const mesh m = written(solid);
         CHECK(m.vertices.size() == solid.size().vertices);

@@ -2,12 +2,14 @@
 #include "support/catch.hpp"
 #include "support/counting_memory.hpp"
 #include "support/executors.hpp"
+#include "support/laid_paragraph.hpp"
 #include "support/lit_mesh.hpp"
 #include "support/required.hpp"
 #include "support/toy_font.hpp"
 
 #include <typemesh/bend/plane_path.hpp>
 #include <typemesh/extrude/bevelled.hpp>
+#include <typemesh/paragraph/highlight_writer.hpp>
 #include <typemesh/text/on_path.hpp>
 #include <typemesh/typemesh.hpp>
 
@@ -60,6 +62,22 @@ test::lit_mesh moved_mesh(const Plan& plan, auto motion)
     REQUIRE(plan.write(into(m.vertices, m.indices), motion));
     return m;
 }
+
+/// Two lines: a word with a background, an inline box, and a background over both words of the second line.
+struct boxed_page {
+    std::u16string text = u"oE \uFFFC xi oo EE";
+    inline_box icon{.unit = 3, .width = 1.5, .ascent = 1.0, .descent = 0.25};
+    test::laid_paragraph<test::toy_font> p;
+
+    explicit boxed_page(bool with_backgrounds = true)
+        : p{text, {.width = 5.5, .align = alignment::left}, {.boxes = {&icon, 1}}}
+    {
+        REQUIRE(p.run.lines.size() == 2);
+        const text_highlight spans[] = {{0, 2, style_id{1}}, {8, 13, style_id{1}}};
+        highlight_writer backgrounds;
+        if (with_backgrounds) REQUIRE(backgrounds.write(p.font, p.laid(), spans, {.pad_along = 0.1}, p.run));
+    }
+};
 
 double distance(vec3 a, vec3 b)
 {
@@ -284,4 +302,188 @@ TEST_CASE("the bounds of letters that are magnified far from the origin hold the
     for (const test::lit_vertex& v : m.vertices) outside += !around.holds(v.place);
     CHECK(outside == 0);
     CHECK(m.vertices.size() > 20);
+}
+
+TEST_CASE("an inline box is a letter, whose map moves with it", "[letters]")
+{
+    boxed_page page{false};
+    text_mesher mesher{page.p.font};
+    const text_options twice{.unit = output_unit::em, .size = 2.0};
+    const auto plan = test::required(mesher.plan(page.p.run, twice));
+    REQUIRE(plan->find_letters(page.text));
+    const letter_rows rows = plan->letters();
+    REQUIRE(rows.letters.size() == 9);
+    const text_letter& icon = rows.letters[2];
+    CHECK(icon.bonds == letter_bond::inline_box);
+    CHECK(icon.text.first == 3);
+    CHECK(icon.text.last == 4);
+    CHECK(icon.word == 1);
+    CHECK(rows.words[1].count == 1);
+    CHECK(rows.words.size() == 5);
+    CHECK(double(icon.extent.x) == Approx(2.0 * 1.5));
+    CHECK(double(icon.extent.y) == Approx(2.0 * 1.25));
+    CHECK(same(icon.extent.z, rows.letters[0].extent.z));
+
+    const auto map_of = [&](auto motion) {
+        affine3 found;
+        std::size_t boxes = 0;
+        plan->each_moved_box(motion, [&](const inline_box_place& b, const affine3& map) noexcept {
+            boxes += b.index == 0 && b.unit == 3 ? 1u : 0u;
+            found = map;
+        });
+        CHECK(boxes == 1);
+        return found;
+    };
+    const affine3 still = map_of(no_motion{});
+    each_inline_box(page.p.run, [&](const inline_box_place& b) {
+        for (const point corner : {point{0, 0}, point{1, 0}, point{0.25, 1}}) {
+            const point em = b.map(corner);
+            const vec3 placed{static_cast<float>(2.0 * em.x), static_cast<float>(2.0 * em.y), 0.0f};
+            CHECK(distance(still({static_cast<float>(corner.x), static_cast<float>(corner.y), 0.0f}), placed) < 1e-6);
+        }
+    });
+    CHECK(still.z == vec3{0, 0, 1});
+    const affine3 turn = turned({0.6f, 0.0f, 0.8f}, 0.9).about(icon.pivot);
+    const affine3 moved = map_of([&](const letter_place& l) noexcept { return l.index == 2 ? turn : affine3{}; });
+    CHECK(moved == turn * still);
+    const affine3 back = turned({0.6f, 0.0f, 0.8f}, -0.9).about(icon.pivot) * moved;
+    for (const vec3 corner : {vec3{0, 0, 0}, vec3{1, 0, 0}, vec3{1, 1, 1}})
+        CHECK(distance(back(corner), still(corner)) < 1e-6);
+    CHECK(map_of(reveal{.graphemes = 3}).x == vec3{});
+    CHECK(map_of(reveal{.graphemes = 4}) == still);
+
+    // It has no vertices, so it does not count for the bounds, and where it stands no vertex is changed.
+    CHECK(plan->moved_bounds(no_motion{}).high == plan->bounds().high);
+    const auto far_away = [](const letter_place& l) noexcept { return l.index == 2 ? shifted({99, 0, 0}) : affine3{}; };
+    CHECK(plan->moved_bounds(far_away).high == plan->bounds().high);
+    CHECK(moved_mesh(*plan, far_away) == test::written(*plan));
+}
+
+TEST_CASE("an inline box on a path moves from where the path puts it", "[letters][path]")
+{
+    boxed_page page{false};
+    plane_path ring;
+    ring.circle({0, 0}, 2.0);
+    const on_path around{&ring};
+    text_mesher mesher{page.p.font, extruded<>{}, around};
+    const auto plan = test::required(mesher.plan(page.p.run));
+    REQUIRE(plan->find_letters(page.text));
+    std::vector<glyph_stand> stands(page.p.run.glyphs.size());
+    REQUIRE_FALSE(around.place(page.p.run, 1000.0, stands.data()));
+    const affine3 up = shifted({0, 0, 3});
+    std::size_t boxes = 0;
+    const auto motion = [&](const letter_place&) noexcept { return up; };
+    plan->each_moved_box(motion, [&](const inline_box_place& b, const affine3& map) noexcept {
+        ++boxes;
+        each_inline_box(page.p.run, [&](const inline_box_place& flat_box) noexcept {
+            const affine stood = box_on_stand(flat_box, page.p.run, stands[b.glyph]);
+            for (const point corner : {point{0, 0}, point{1, 0}, point{1, 1}}) {
+                const point em = stood(corner);
+                const vec3 wanted{static_cast<float>(em.x), static_cast<float>(em.y), 3.0f};
+                CHECK(distance(map({static_cast<float>(corner.x), static_cast<float>(corner.y), 0.0f}), wanted) < 2e-6);
+            }
+        });
+        const text_letter& icon = plan->letters().letters[2];
+        CHECK(icon.bounds.holds(icon.pivot));
+        CHECK(std::hypot(double(icon.pivot.x), double(icon.pivot.y)) == Approx(2.0 + 0.375).epsilon(0.05));
+    });
+    CHECK(boxes == 1);
+}
+
+TEST_CASE("backgrounds move with their lines, and with the word that they stand behind", "[letters]")
+{
+    boxed_page page;
+    text_mesher mesher{page.p.font};
+    const auto plan = test::required(mesher.plan(page.p.run));
+    REQUIRE(plan->find_letters(page.text));
+    const letter_rows rows = plan->letters();
+    REQUIRE(rows.bars.size() == 2);
+    CHECK(rows.bars[0].word == 0);
+    CHECK(rows.bars[0].first_letter == 0);
+    CHECK(rows.bars[0].letters == 2);
+    CHECK(rows.bars[1].word == not_a_letter);  // of two words
+    CHECK(rows.bars[1].first_letter == 5);
+    CHECK(rows.bars[1].letters == 4);
+    CHECK(rows.bars[1].line == 1);
+
+    // All that stands in a line, or in a word, moves as one: its bounds are moved by the same map.
+    const test::lit_mesh still = test::written(*plan);
+    CHECK(moved_mesh(*plan, no_motion{}) == still);
+    const auto by_line = [](const letter_place& l) noexcept {
+        return turned({0.0f, 0.6f, 0.8f}, 1.0 + l.letter.line).about(l.line.pivot);
+    };
+    const auto by_word = [](const letter_place& l) noexcept {
+        return l.word.count == 0 ? affine3{} : shifted({0.0f, 1.0f + static_cast<float>(l.letter.word), 0.0f});
+    };
+    const test::lit_mesh lines = moved_mesh(*plan, by_line), words = moved_mesh(*plan, by_word);
+    double off = 0.0;
+    std::size_t bars = 0, tilted = 0;
+    for (std::size_t g = 0; g < plan->glyphs().size(); ++g) {
+        const text_letter& row = plan->row_of(g);
+        bars += has(row.bonds, letter_bond::bar) ? 1u : 0u;
+        const affine3 turn = turned({0.0f, 0.6f, 0.8f}, 1.0 + row.line).about(rows.lines[row.line].pivot);
+        const affine3 back = turned({0.0f, 0.6f, 0.8f}, -1.0 - row.line).about(rows.lines[row.line].pivot);
+        const float lift = row.word == not_a_letter ? 0.0f : 1.0f + static_cast<float>(row.word);
+        for (const part p : plan->parts()) {
+            const mesh_range r = plan->range(g, p);
+            for (std::size_t i = r.first_vertex; i < r.first_vertex + r.vertex_count; ++i) {
+                const vec3 was = still.vertices[i].place;
+                off = std::fmax(off, distance(lines.vertices[i].place, turn(was)));
+                off = std::fmax(off, distance(back(lines.vertices[i].place), was));
+                off = std::fmax(off, distance(words.vertices[i].place, {was.x, was.y + lift, was.z}));
+                tilted += distance(back.direction(lines.vertices[i].normal), still.vertices[i].normal) > 1e-6;
+            }
+        }
+    }
+    CHECK(bars == 2);
+    CHECK(off < 2e-6);
+    CHECK(tilted == 0);
+}
+
+TEMPLATE_TEST_CASE("every vertex of a letter is where its map puts it, with its normal and its tangent", "[letters]",
+                   flat, extruded<>, bevelled)
+{
+    const auto axes = GENERATE(right_handed_y_up, left_handed_z_up);
+    const affine3 turn = turned({0.6f, 0.0f, 0.8f}, 1.1);
+    const affine3 maps[] = {turn,
+                            shifted({0.25f, -1.0f, 2.0f}),
+                            turned({0, 0, 1}, 2.0) * scaled(3.0f),
+                            scaled(0.125f) * turn,
+                            affine3{{-1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {}} * turn,
+                            affine3{{2, 0, 0}, {0, 1, 0}, {0, 0.5f, 1}, {}}};
+    test::toy_font font;
+    text_mesher mesher{font, TestType{}};
+    const auto plan = test::required(mesher.plan(moving_text, {.frame = axes}));
+    REQUIRE(plan->find_letters(moving_text));
+    const test::lit_mesh still = test::written(*plan);
+    for (const affine3& map : maps) {
+        const letter_move exact{map};
+        const bool mirrors = exact.mirrors();
+        const test::lit_mesh is =
+            moved_mesh(*plan, [&](const letter_place& l) noexcept { return map.about(l.letter.pivot); });
+        double off = 0.0, tilted = 0.0, slid = 0.0;
+        std::size_t other = 0;
+        for (std::size_t g = 0; g < plan->glyphs().size(); ++g)
+            for (const part p : plan->parts()) {
+                const affine3 own = map.about(plan->row_of(g).pivot);
+                const mesh_range r = plan->range(g, p);
+                for (std::size_t i = r.first_vertex; i < r.first_vertex + r.vertex_count; ++i) {
+                    const test::lit_vertex &a = still.vertices[i], &b = is.vertices[i];
+                    const auto unit = [](vec3 v) noexcept {
+                        const auto by = static_cast<float>(1.0 / std::hypot(double(v.x), double(v.y), double(v.z)));
+                        return vec3{by * v.x, by * v.y, by * v.z};
+                    };
+                    off = std::fmax(off, distance(b.place, own(a.place)));
+                    const vec3 n = exact.is_shift() ? a.normal : exact.normals().direction(a.normal);
+                    tilted = std::fmax(tilted, distance(b.normal, unit(n)));
+                    slid = std::fmax(slid, distance({b.tangent.x, b.tangent.y, b.tangent.z},
+                                                    unit(own.direction({a.tangent.x, a.tangent.y, a.tangent.z}))));
+                    other += !same(b.tangent.w, mirrors ? -a.tangent.w : a.tangent.w) || !(b.uv == a.uv) ? 1u : 0u;
+                }
+            }
+        CHECK(off < 8e-6);
+        CHECK(tilted < 2e-6);
+        CHECK(slid < 2e-6);
+        CHECK(other == 0);
+    }
 }

@@ -383,3 +383,54 @@ TEST_CASE("text on a path fails without memory, and holds nothing then", "[text]
                   return plan ? error{} : plan.error();
               }) > 10);
 }
+
+TEST_CASE("in a text with turned and warped letters the turned ones are cached, and all are those of their own texts",
+          "[text][path]")
+{
+    plane_path ring;
+    draw_ring(ring);
+    test::toy_font font;
+    glyph_run run = test::run_of({{1, 0, {0, 0}}, {2, 1, {600, 0}}, {1, 2, {1200, 0}}, {2, 3, {1800, 0}}});
+    for (placed_glyph& g : run.glyphs) g.to_middle = 300.0f;
+    run.glyphs[1].joined = true;
+    const on_path way{&ring, {.anchor = path_anchor::middle}};
+    text_mesher mesher{font, way};
+    const auto plan = test::required(mesher.plan(run));
+    const test::lit_mesh mixed = lawful_on_path(*plan);
+    REQUIRE(plan->meshes().size() == 3);  // the first and the third letter, the second, the fourth
+    CHECK(plan->meshes()[0].glyph_count == 2);
+    std::vector<test::lit_mesh> alone;
+    for (const path_warp warp : {path_warp::never, path_warp::always}) {
+        text_mesher one{font, on_path{&ring, {.anchor = path_anchor::middle, .warp = warp}}};
+        const auto all = test::required(one.plan(run));
+        const test::lit_mesh m = test::written(*all);
+        for (std::size_t g = 0; g < 4; ++g) {
+            if ((g == 1) != (warp == path_warp::always)) continue;
+            for (const part p : plan->parts()) {
+                const mesh_range to = plan->range(g, p), from = all->range(g, p);
+                REQUIRE(to.vertex_count == from.vertex_count);
+                std::size_t others = 0;
+                for (std::uint32_t k = 0; k < to.vertex_count; ++k) {
+                    const test::lit_vertex &a = mixed.vertices[to.first_vertex + k],
+                                           &b = m.vertices[from.first_vertex + k];
+                    const vec3 d{a.place.x - b.place.x, a.place.y - b.place.y, a.place.z - b.place.z};
+                    others += !(std::hypot(d.x, d.y, d.z) < 1e-6f) || !(a.normal == b.normal) ? 1u : 0u;
+                }
+                CHECK(others == 0);
+            }
+        }
+    }
+    glyph_cache<> cache;
+    {
+        text_mesher cached{font, way, cached_in{cache, 1}};
+        CHECK(test::written(*test::required(cached.plan(run))) == mixed);
+        const auto before = cache.statistics();
+        CHECK(before.entries == 2);  // the warped one is not among them
+        CHECK(test::written(*test::required(cached.plan(run))) == mixed);
+        CHECK(cache.statistics().hits >= before.hits + 2);
+        test::scrambled_workers pool;
+        auto team = test::toy_team(pool);
+        CHECK(test::written(*test::required(mesher.plan(run, {}, *team))) == mixed);
+    }
+    CHECK(cache.statistics().pinned == 0);
+}

@@ -269,7 +269,7 @@ export interface Mesh {
     readonly index: Uint32Array;
     /** With the option `letters` the number of each vertex's letter in `letters`; else empty. */
     readonly letter: Uint32Array;
-    /** With the option `letters` what can move alone: graphemes, ligatures, letters that are written together or were merged, in reading order. Then underlines and other bars, whose word is -1. */
+    /** With the option `letters` what can move alone: graphemes, ligatures, letters that are written together or were merged, in reading order. Then underlines and other bars, whose word is -1 unless they go with one word. */
     readonly letters: readonly { readonly pivot: readonly [number, number, number]; readonly word: number; readonly line: number }[];
     /** With the option `markup`: red, green, blue of each vertex, and 0, or 255 where no tag gives a colour; else empty. */
     readonly tint: Uint8Array;

@@ -40,6 +40,7 @@ struct placement {
     };
 
     point pen = {};               ///< the glyph's origin, in cells
+    double rise = 0.0;            ///< added to the heights of positions, in output units
     double unit_per_cell = 1.0;   ///< output units per cell
     double unit_per_depth = 1.0;  ///< output units per unit of depths (that unit is an em, unless
                                   ///< text_options::depth_in says otherwise)
@@ -68,7 +69,7 @@ struct placement {
     /// The position of a foot lifted to height z, in output units.
     [[nodiscard]] vec3 position(footprint f, float z) const noexcept
     {
-        const double height = as_double(z);
+        const double height = to_24_bits(as_double(z) + rise);
         const vec3 t = frame.toward;
         return {static_cast<float>(f.x + as_double(t.x) * height), static_cast<float>(f.y + as_double(t.y) * height),
                 static_cast<float>(f.z + as_double(t.z) * height)};
@@ -83,7 +84,7 @@ struct placement {
         return position(foot(point{p.x, p.y}), height(p.z));
     }
 
-    /// An extruder's height, in output units.
+    /// An extruder's height, in output units, without `rise`.
     [[nodiscard]] float height(double depth) const noexcept { return static_cast<float>(depth * unit_per_depth); }
 
     /// Cells per unit of heights.

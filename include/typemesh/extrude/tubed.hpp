@@ -50,8 +50,10 @@ public:
 ///                  side at both ends, the sum of both fits, too
 ///     clearance    seen from above, the tubes do not meet
 ///
-/// Sharp corners beside short edges would make most tubes thin. So points next to them are left out: see corner_cut. A
-/// tube cannot follow curves that are narrower than its radius: for thick tubes, choose a font without rounded corners.
+/// Sharp corners beside short edges would make most tubes thin. So points next to them are left out: see corner_cut.
+/// They stay where the path without them would meet itself or another one, and the tube is then as thin as they make
+/// it. A tube cannot follow curves that are narrower than its radius: for thick tubes, choose a font without rounded
+/// corners.
 /// If less than four cells of the grid are left of the radius, the loop has no tube.
 ///
 /// Letters whose tubes would meet are kept apart, too, if they are merged (text_options::merge). Two loops that touch
@@ -90,11 +92,7 @@ struct tubed {
 
     [[nodiscard]] result<solid_plan> plan(const region& filled, plan_data& data) const noexcept
     {
-        if (!is_finite(as_double(radius)) || !(radius > 0.0f)) return error::bad("radius");
-        if (sides < detail::tube_section::least || sides > detail::tube_section::most) return error::bad("sides");
-        if (!is_crease_angle(crease_degrees)) return error::bad("crease_degrees");
-        if (!is_finite(as_double(corner_cut)) || !(corner_cut >= 0.0f && corner_cut <= 1.0f))
-            return error::bad("corner_cut");
+        if (error e = detail::tube_section::refused(*this)) return e;
         solid_plan made;
         if (filled.points().empty()) return made;
         const double em = filled.grid().cells * filled.grid().units_per_em;
@@ -150,9 +148,10 @@ struct tubed {
     /// The smallest radius of the tubes of a planned solid, in em; 0 if a loop has no tube.
     [[nodiscard]] float smallest_radius(const solid_with<plan_data>& s) const noexcept
     {
-        float least = radius;
-        for (const detail::tube_path& p : s.data.of<detail::tube_path>()) least = p.radius < least ? p.radius : least;
-        return least;
+        float smallest = radius;
+        for (const detail::tube_path& p : s.data.of<detail::tube_path>())
+            smallest = p.radius < smallest ? p.radius : smallest;
+        return smallest;
     }
 
 private:

@@ -24,9 +24,10 @@ struct glyph_run;  // of the room layout, which this room does not see
 ///                            or none
 ///     s.place(run, units_per_em, stands)
 ///                            optional, returns an error: where the glyphs of a run stand. Fills in `stands`, one for
-///                            each glyph. If no glyph is warped, glyphs are only moved and turned: they are built
-///                            once and cached as without the step. Otherwise the step draws each glyph at its place
-///                            in the run, turned ones as well, and drawn_place::stand is the glyph's own
+///                            each glyph. Glyphs that are not warped are only moved and turned: they are built once
+///                            and cached as without the step. The step draws the warped ones at their places in the
+///                            run, and drawn_place::stand is the glyph's own. In texts that are merged, whose corners
+///                            are changed, or whose solids are bent, it draws the turned ones as well
 ///     s.cache_key()          not needed: glyphs with such a step are built at their places and not cached
 template <class S>
 concept outline_step =

@@ -294,7 +294,7 @@ private:
     error finish(const morph_options& o, morph_plan& made) noexcept
     {
         made.form_ = {axis_->font().units_per_em(), o.size, static_cast<float>(as_double(o.depth) * o.size), o.frame};
-        std::size_t most = 0;
+        std::size_t max_points = 0;
         for (morph_section& s : made.sections_) {
             std::uint64_t points = 0, sides = 0, caps = 0;
             for (std::size_t j = s.first_letter; j < s.first_letter + s.letters; ++j) {
@@ -312,9 +312,9 @@ private:
                 s.ranges[1] = {n(points), n(points), n(3 * caps), n(3 * caps)};
                 s.ranges[2] = {n(2 * points), n(sides), n(6 * caps), n(6 * points)};
             }
-            most = (std::max)(most, std::size_t{n(points)});
+            max_points = (std::max)(max_points, std::size_t{n(points)});
         }
-        if (made.feet_.append(2 * most) == nullptr && most != 0) return error::out_of_memory;
+        if (made.feet_.append(2 * max_points) == nullptr && max_points != 0) return error::out_of_memory;
         for (const morph_glyph& g : made.glyphs_.glyphs)
             if (g.normal_error > made.report_.normal_error) made.report_.normal_error = g.normal_error;
         return {};
@@ -335,12 +335,12 @@ private:
             here.refused += g.refused ? 1u : 0u;
             here.pinched += g.pinched ? 1u : 0u;
         }
-        morph_report& most = made.report_;
-        most.letters = (std::max)(most.letters, here.letters);
-        most.split = (std::max)(most.split, here.split);
-        most.overlapping = (std::max)(most.overlapping, here.overlapping);
-        most.refused = (std::max)(most.refused, here.refused);
-        most.pinched = (std::max)(most.pinched, here.pinched);
+        morph_report& counted = made.report_;
+        counted.letters = (std::max)(counted.letters, here.letters);
+        counted.split = (std::max)(counted.split, here.split);
+        counted.overlapping = (std::max)(counted.overlapping, here.overlapping);
+        counted.refused = (std::max)(counted.refused, here.refused);
+        counted.pinched = (std::max)(counted.pinched, here.pinched);
     }
 
     Axis* axis_;

@@ -23,8 +23,8 @@ namespace detail {
 template <outline_sink Sink>
 class stroking_sink {
 public:
-    stroking_sink(const stroker<Sink>& draw, std::uint32_t most, buffer<curve>& path) noexcept
-        : draw_{draw}, most_{most}, path_{path}
+    stroking_sink(const stroker<Sink>& draw, std::uint32_t max_points, buffer<curve>& path) noexcept
+        : draw_{draw}, max_points_{max_points}, path_{path}
     {
     }
 
@@ -87,8 +87,8 @@ private:
     {
         if (!begun_)
             refuse(error::bad_outline);
-        else if (path_.size() >= most_)
-            refuse({error::too_many_points, most_});
+        else if (path_.size() >= max_points_)
+            refuse({error::too_many_points, max_points_});
         else if (!error_ && !path_.push_back(c))
             refuse(error::out_of_memory);
     }
@@ -105,7 +105,7 @@ private:
     }
 
     stroker<Sink> draw_;
-    std::uint32_t most_;
+    std::uint32_t max_points_;
     buffer<curve>& path_;
     point start_, current_;
     bool begun_ = false, drawn_ = false;

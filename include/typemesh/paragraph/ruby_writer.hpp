@@ -59,6 +59,9 @@ struct ruby_options {
 /// ruby then keeps to the line if the kana on its other side allows this. Without rooms, a ruby that is wider reaches
 /// beyond its text on both sides, `overhanging` counts it, and line_spacing must leave space for it.
 ///
+/// Text and ruby are taken to be as high as their fonts' ascenders and descenders say, but together at most one em, as
+/// browsers do: many fonts have more, and their rubies would stand too high.
+///
 /// A text that has several boxes, because of its directions or of line breaks in it, has its ruby above the first one,
 /// and `divided` counts it. A ruby whose text is dropped or blank is not drawn.
 ///
@@ -141,6 +144,13 @@ private:
     }
     [[nodiscard]] double own_length() const noexcept { return own_.lines.empty() ? 0.0 : own_.lines[0].advance; }
 
+    /// The part of a font's ascender and descender that counts.
+    [[nodiscard]] static double share_of(const line_metrics& m, double em) noexcept
+    {
+        const double high = m.ascender - m.descender;
+        return high > em && is_finite(high) ? em / high : 1.0;
+    }
+
     template <shaper Shaper>
     error measure(Shaper& shaper, text_view text, const ruby_span& span, const ruby_options& options) noexcept
     {
@@ -150,8 +160,9 @@ private:
         if (error e = lay_out(shaper, span, options, down)) return e;
         const double em = shaper.units_per_em();
         const line_metrics m = shaper.metrics(down ? direction::top_to_bottom : direction::left_to_right);
-        const text_room room{span.first, span.last, own_length() * options.size / em,
-                             options.gap + (m.ascender - m.descender) * options.size / em};
+        const double share = share_of(m, em), lower = (1.0 - share) * m.ascender;  // than the text's own ascender
+        const double above = options.gap + (share * (m.ascender - m.descender) * options.size - lower) / em;
+        const text_room room{span.first, span.last, own_length() * options.size / em, above > 0.0 ? above : 0.0};
         return rooms_.push_back(room) ? error{} : error{error::out_of_memory};
     }
 
@@ -178,7 +189,9 @@ private:
             constexpr double rounding = 1.0 + 1e-9;
             if (own > width * rounding + before + behind) ++overhanging;
         }
-        const double across = high.ascender + options.gap * em - shaper.metrics(way).descender * options.size;
+        const line_metrics m = shaper.metrics(way);
+        const double share = share_of(m, em);
+        const double across = share * (high.ascender - m.descender * options.size) + options.gap * em;
         const point origin = line.origin + (down ? point{across, 0.0 - left} : point{left, across});
         const std::uint32_t count = own < width && is_spread(span.text) ? clusters() : 0;
         const double space = count != 0 ? (width - own) / count : 0.0;

@@ -2,9 +2,12 @@
 #pragma once
 
 #include <typemesh/core/affine.hpp>
+#include <typemesh/core/array_view.hpp>
 #include <typemesh/core/outline.hpp>
 #include <typemesh/layout/glyph_run.hpp>
 #include <typemesh/layout/inline_box_place.hpp>
+
+#include <cstddef>
 
 namespace typemesh::inline TYPEMESH_ABI {
 
@@ -29,6 +32,22 @@ namespace typemesh::inline TYPEMESH_ABI {
             .yx = m.xx * right.y + m.yx * up.y,
             .yy = m.xy * right.y + m.yy * up.y,
             .dy = from.y};
+}
+
+/// Calls put(const inline_box_place&) for each box of a run, like each_inline_box(), with the map of box_on_stand().
+/// Boxes that are left out have no place.
+///
+///     stands    of the run's glyphs; empty: the text stands as it was laid out
+template <class Put>
+void each_box_on_stand(const glyph_run& run, array_view<const glyph_stand> stands, const Put& put) noexcept
+{
+    each_inline_box(run, [&](inline_box_place box) noexcept {
+        if (!stands.empty()) {
+            if (stands[box.glyph].left_out) return;
+            box.map = box_on_stand(box, run, stands[box.glyph]);
+        }
+        put(box);
+    });
 }
 
 }  // namespace typemesh::inline TYPEMESH_ABI

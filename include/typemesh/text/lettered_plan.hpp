@@ -4,6 +4,8 @@
 #include <typemesh/core/assert.hpp>
 #include <typemesh/core/executor.hpp>
 #include <typemesh/core/result.hpp>
+#include <typemesh/layout/inline_box_place.hpp>
+#include <typemesh/text/box_on_stand.hpp>
 #include <typemesh/text/impl/letter_finder.hpp>
 #include <typemesh/text/impl/lettered_sink.hpp>
 #include <typemesh/text/text_letter.hpp>
@@ -118,6 +120,21 @@ public:
         });
     }
 
+    /// Gives put(const inline_box_place&, const affine3&) each inline box of the text, and the map of a mesh of the
+    /// caller's to its moved place, in the output's unit: the square from (0, 0, 0) to (1, 1, 0) to the box, and
+    /// (0, 0, 1) to one unit toward the viewer. A box is a letter of its own for the motion. Boxes stand where a path
+    /// puts them; other warps and bends leave them where they are in the flat text. Needs find_letters().
+    template <letter_motion Motion, class Put>
+    void each_moved_box(Motion&& motion, Put&& put) const noexcept
+    {
+        const text_letters& found = move_all(motion);
+        each_box_on_stand(*self().run_, self().glyphs_->stands.view(), [&](const inline_box_place& box) noexcept {
+            const letter_move& move = found.moves[found.row_at(box.unit)];
+            const affine3 placed = self().glyphs_->placed.map_of(box.map, self().run_->units_per_em);
+            put(box, move.is_identity() ? placed : move.map() * placed);
+        });
+    }
+
     /// The box of all moved vertices. Zero for an empty mesh. It may be larger than the vertices need: it holds the
     /// moved box of each letter.
     template <letter_motion Motion>
@@ -125,9 +142,12 @@ public:
     {
         const text_letters& found = move_all(motion);
         bounds3 all;
+        bool is_first = true;
         for (std::size_t i = 0; i < found.rows.size(); ++i) {
+            if (found.rows[i].bonds == letter_bond::inline_box) continue;
             const bounds3 own = found.moves[i](found.rows[i].bounds);
-            if (i == 0) all = own;
+            if (is_first) all = own;
+            is_first = false;
             all.add(own.low);
             all.add(own.high);
         }

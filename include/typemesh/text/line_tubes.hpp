@@ -39,14 +39,7 @@ struct tube_style {
     float corner_cut = 0.5f;  ///< how far tubes may leave curves beside sharp corners, in radii, 0 to 1: see tubed
 
     /// The error for options out of range, or none.
-    [[nodiscard]] error refused() const noexcept
-    {
-        if (!is_finite(as_double(radius)) || !(radius > 0.0f)) return error::bad("radius");
-        if (sides < detail::tube_section::least || sides > detail::tube_section::most) return error::bad("sides");
-        if (!is_finite(as_double(corner_cut)) || !(corner_cut >= 0.0f && corner_cut <= 1.0f))
-            return error::bad("corner_cut");
-        return is_crease_angle(crease_degrees) ? error{} : error::bad("crease_degrees");
-    }
+    [[nodiscard]] error refused() const noexcept { return detail::tube_section::refused(*this); }
 };
 
 /// The result of planning tubes along lines.

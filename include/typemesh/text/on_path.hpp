@@ -57,8 +57,9 @@ struct path_options {
 ///         .-~-----~-.          Letters are built once and cached, and instances gain a rotation.
 ///
 /// Letters of joined scripts are warped instead, outline by outline, as warped{along_path} does, and so are underlines
-/// and other bars. If a text has any of these, each of its glyphs is built at its own place, without a cache. The same
-/// is true with text_options::merge or corners, and in bent solids. On a path that is one line, nothing is warped.
+/// and other bars. Each of these is built at its own place, without a cache; the turned letters beside them are cached
+/// all the same. With text_options::merge or corners, and in bent solids, every glyph is built at its place. On a path
+/// that is one line, nothing is warped.
 ///
 /// Joins of warped letters hold where their outlines overlap or share corners. Edges along the line that only abut,
 /// such as a vowel sign's on a headline, meet within the tolerance.

@@ -22,7 +22,8 @@ enum class letter_bond : std::uint8_t {
     ligature = 1u << 1,        ///< one glyph or cluster shows several graphemes
     merged = 1u << 2,          ///< text_options::merge has made one solid of several letters
     joined = 1u << 3,          ///< letters of a script such as Arabic, which are written together
-    bar = 1u << 4,             ///< no letter: an underline or another bar
+    bar = 1u << 4,             ///< no letter: an underline, a background or another bar
+    inline_box = 1u << 5,      ///< an inline box stands here: the letter has no glyph of its own
 };
 
 [[nodiscard]] constexpr letter_bond operator|(letter_bond a, letter_bond b) noexcept
@@ -69,17 +70,23 @@ struct letter_box {
 ///     text         The [fi]sh e'     the ligature [fi] is one letter of two graphemes; e' is one, of two glyphs
 ///     letters      012   3 45 6      in reading order; spaces have no outline, so they are no letters
 ///     graphemes    012   4 67 9      in the text, spaces included
+///
+/// An inline box is a letter, too, as deep as the whole text. A bar goes with the letters of its line that stand over
+/// or under it, from the first one to the last one in reading order.
 struct text_letter : letter_box {
     text_range text = {};               ///< in units of the text; for a bar, the letters that it goes with
     std::uint32_t grapheme = 0;         ///< the number of its first grapheme, counted in the whole text
     std::uint32_t graphemes = 0;        ///< the number of its graphemes
     std::uint32_t grapheme_end = 0;     ///< one past the number of its last one; merged letters may have gaps
-    std::uint32_t word = not_a_letter;  ///< the number of its word: only words with letters count
+    std::uint32_t first_letter = 0;     ///< its own number; for a bar, of the first letter that it goes with
+    std::uint32_t letters = 0;          ///< 1; for a bar, the number of letters that it goes with
+    std::uint32_t word = not_a_letter;  ///< the number of its word: only words with letters count; not_a_letter for a
+                                        ///< bar that goes with several words, or with none
     std::uint32_t line = 0;             ///< the number of its line in the run
     std::uint32_t paragraph = 0;        ///< the number of its paragraph in the text
     style_id style = {};                ///< of its first glyph
     letter_bond bonds = letter_bond::none;
-    bounds3 bounds = {};  ///< of its vertices, like text_plan::bounds()
+    bounds3 bounds = {};  ///< of its vertices, like text_plan::bounds(); of an inline box, the box
 };
 
 /// A word, line or paragraph of letters, or all of them: letters [first, first + count) in reading order. Lines and
@@ -105,11 +112,14 @@ struct letter_rows {
 ///     l.index, l.whole.count                      the number of the letter in the text, and of how many
 ///     l.index - l.word.first, l.word.count        in its word; likewise in its line and paragraph
 ///     l.letter.word, l.words                      the number of its word, and of how many
+///
+/// A motion that depends on l.line alone moves bars with their lines, and one that depends on l.word moves bars that go
+/// with one word. What a motion of letters does to a bar over several letters is for the motion to decide.
 struct letter_place {
     const text_letter& letter;
-    const letter_group& word;  ///< empty for a bar
+    const letter_group& word;  ///< empty for a bar that goes with several words, or with none
     const letter_group& line;
-    const letter_group& paragraph;  ///< empty for a bar
+    const letter_group& paragraph;  ///< empty for a bar that goes with no letter
     const letter_group& whole;
     std::uint32_t index = not_a_letter;  ///< not_a_letter for a bar
     std::uint32_t words = 0;
@@ -118,7 +128,7 @@ struct letter_place {
     std::uint32_t graphemes = 0;
     typemesh::frame frame = {};  ///< the output's: frame.up is the direction of the text's height
 
-    /// Whether it is an underline or another bar.
+    /// Whether it is an underline, a background or another bar.
     [[nodiscard]] constexpr bool is_bar() const noexcept { return index == not_a_letter; }
 };
 

@@ -181,7 +181,8 @@ struct with_part<Wants, false> : with_letter_data<Wants> {
 ///     part       part         front, back, side, or a further part of the extruder
 ///     style      style_id     the glyph's style (layout/glyph_style.hpp); no_style if unknown
 ///     letter     uint32_t     the number of its letter in reading order; not_a_letter for underlines, and if unknown
-///     word, line uint32_t     the numbers of the letter's word and of its line; not_a_letter likewise
+///     word, line uint32_t     the numbers of the letter's word and of its line; not_a_letter if unknown, and the word
+///                             also for an underline that does not go with exactly one word
 ///     pivot      vec3         the place about which its letter turns, in the output's unit and frame
 ///     extent     vec3         the width, height and depth of its letter, in the output's unit (text/text_letter.hpp)
 ///

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <typemesh/core/impl/same.hpp>
 #include <typemesh/extrude/placement.hpp>
 
 #include <cstdint>
@@ -31,6 +32,9 @@ public:
         : pen_{at.pen}, scale_{at.unit_per_cell}, toward_{at.frame.toward.z}
     {
     }
+
+    /// Whether they suit a placement.
+    [[nodiscard]] static bool fit(const placement& at) noexcept { return fit(at.frame) && is_zero(at.rise); }
 
     /// Compares bits, because this runs for each part of each glyph; a frame with a -0 uses free_axes.
     [[nodiscard]] static bool fit(const frame& f) noexcept
@@ -65,7 +69,7 @@ private:
 template <class F>
 void with_axes(const placement& at, F&& f) noexcept
 {
-    if (upright_axes::fit(at.frame))
+    if (upright_axes::fit(at))
         f(upright_axes{at});
     else
         f(free_axes{at});

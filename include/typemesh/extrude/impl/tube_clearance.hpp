@@ -185,8 +185,8 @@ private:
         for (std::size_t i = first_strip; i < strips_.size(); ++i) {
             const strip& s = strips_[i];
             const double a = std::fabs(s.shift[0]), b = std::fabs(s.shift[1]), sum = std::fabs(s.shift[1] - s.shift[0]);
-            const double most = a > b ? (a > sum ? a : sum) : (b > sum ? b : sum);
-            if (most * radius > kept * s.length) radius = kept * s.length / most;
+            const double largest = a > b ? (a > sum ? a : sum) : (b > sum ? b : sum);
+            if (largest * radius > kept * s.length) radius = kept * s.length / largest;
         }
     }
 
@@ -278,18 +278,19 @@ private:
                 if (s.joint[0] == c.joint || s.joint[1] == c.joint) return;
                 if (meets_[s.path] != 0 && meets_[c.path] != 0 && pairs_.has(s.path, c.path)) return;
                 const double of_corner = radii_[c.path], of_strip = radii_[s.path];
-                const double least = of_corner < of_strip ? of_corner : of_strip;
+                const double smaller = of_corner < of_strip ? of_corner : of_strip;
                 if (both) {
-                    const double share = first_contact(c, s, {{0.0, least / kept}, {0.0, least / kept}});
+                    const double share = first_contact(c, s, {{0.0, smaller / kept}, {0.0, smaller / kept}});
                     if (share > 1.0) return;
-                    reduce(allowed[c.path], share * least / kept);
-                    reduce(allowed[s.path], share * least / kept);
-                } else if (of_corner > least || of_strip > least) {
-                    const double to = (of_corner > least ? of_corner : of_strip) / kept;
-                    const growth grow{{least, of_corner > least ? to : least}, {least, of_strip > least ? to : least}};
+                    reduce(allowed[c.path], share * smaller / kept);
+                    reduce(allowed[s.path], share * smaller / kept);
+                } else if (of_corner > smaller || of_strip > smaller) {
+                    const double to = (of_corner > smaller ? of_corner : of_strip) / kept;
+                    const growth grow{{smaller, of_corner > smaller ? to : smaller},
+                                      {smaller, of_strip > smaller ? to : smaller}};
                     const double share = first_contact(c, s, grow);
                     if (share > 1.0) return;
-                    reduce(allowed[of_corner > least ? c.path : s.path], share * to + (1.0 - share) * least);
+                    reduce(allowed[of_corner > smaller ? c.path : s.path], share * to + (1.0 - share) * smaller);
                 }
             });
         }

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <typemesh/core/array_view.hpp>
+#include <typemesh/core/error.hpp>
+#include <typemesh/core/finite.hpp>
 #include <typemesh/core/point.hpp>
 #include <typemesh/extrude/placement.hpp>
 #include <typemesh/extrude/side_point.hpp>
@@ -43,7 +45,18 @@ struct tube_path {
 /// float is exact.
 class tube_section {
 public:
-    static constexpr std::uint32_t least = 3, most = 128;  ///< sides
+    static constexpr std::uint32_t min_sides = 3, max_sides = 128;
+
+    /// The error for options of tubes that are out of range, or none: of a tubed or a tube_style.
+    template <class Options>
+    [[nodiscard]] static error refused(const Options& of) noexcept
+    {
+        if (!is_finite(as_double(of.radius)) || !(of.radius > 0.0f)) return error::bad("radius");
+        if (of.sides < min_sides || of.sides > max_sides) return error::bad("sides");
+        if (!is_crease_angle(of.crease_degrees)) return error::bad("crease_degrees");
+        const bool cuts = is_finite(as_double(of.corner_cut)) && of.corner_cut >= 0.0f && of.corner_cut <= 1.0f;
+        return cuts ? error{} : error::bad("corner_cut");
+    }
 
     explicit tube_section(std::uint32_t sides) noexcept : sides_{sides}
     {
@@ -74,8 +87,8 @@ private:
     [[nodiscard]] static double steady(double v) noexcept { return std::floor(v * 0x1p22 + 0.5) * 0x1p-22; }
 
     std::uint32_t sides_;
-    double right_[most + 1];
-    double up_[most + 1];
+    double right_[max_sides + 1];
+    double up_[max_sides + 1];
 };
 
 /// The tubes along paths: rings of vertices around the points, and triangles between them.

@@ -157,18 +157,18 @@ private:
     /// The largest radius for the edges between consecutive points; the outer points may be none.
     [[nodiscard]] double least_radius(const std::uint32_t* at, int count) const noexcept
     {
-        double least = 0x1p60;
+        double smallest = 0x1p60;
         for (int i = 0; i + 1 < count; ++i) {
             if (at[i] == none || at[i + 1] == none) continue;
             const std::uint32_t previous = i > 0 ? at[i - 1] : before_[at[i]],
                                 next = i + 2 < count ? at[i + 2] : after_[at[i + 1]];
             const double a = half_turn(previous, at[i], at[i + 1]), b = half_turn(at[i], at[i + 1], next);
-            double most = std::fabs(a) > std::fabs(b) ? std::fabs(a) : std::fabs(b);
-            most = std::fabs(a + b) > most ? std::fabs(a + b) : most;
+            double largest = std::fabs(a) > std::fabs(b) ? std::fabs(a) : std::fabs(b);
+            largest = std::fabs(a + b) > largest ? std::fabs(a + b) : largest;
             const double l = length(delta(points_[at[i]], points_[at[i + 1]]));
-            if (most * least > l) least = l / most;
+            if (largest * smallest > l) smallest = l / largest;
         }
-        return least;
+        return smallest;
     }
 
     /// Whether all points between a and b are close enough to their chord, and not too many.

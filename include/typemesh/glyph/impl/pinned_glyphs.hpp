@@ -15,21 +15,26 @@ namespace typemesh::inline TYPEMESH_ABI {
 class pinned_glyphs {
 public:
     explicit pinned_glyphs(memory source = heap()) noexcept : glyphs_{source} {}
-    pinned_glyphs(pinned_glyphs&& other) noexcept : glyphs_{std::move(other.glyphs_)}, cache_{taken(other.cache_)} {}
+    pinned_glyphs(pinned_glyphs&& other) noexcept
+        : glyphs_{std::move(other.glyphs_)}, cache_{taken(other.cache_)}, pinned_{other.pinned_}
+    {
+    }
     pinned_glyphs& operator=(pinned_glyphs&& other) noexcept
     {
         glyphs_.swap(other.glyphs_);
         swap_values(cache_, other.cache_);
+        swap_values(pinned_, other.pinned_);
         return *this;
     }
     ~pinned_glyphs() { release(); }
 
-    /// Reserves `count` entries, all null at first. Entries that are set must be pinned in `cache`, which outlives
-    /// this. False if out of memory.
-    [[nodiscard]] bool reserve(std::size_t count, cache_ref cache) noexcept
+    /// Reserves `count` entries, all null at first. Those of the first `pinned` entries that are set must be pinned in
+    /// `cache`, which outlives this. False if out of memory.
+    [[nodiscard]] bool reserve(std::size_t count, cache_ref cache, std::size_t pinned) noexcept
     {
         if (!reserve(count)) return false;
         cache_ = cache;
+        pinned_ = pinned;
         return true;
     }
     /// The same for glyphs that are not pinned.
@@ -47,7 +52,7 @@ public:
     /// Releases the pins; the glyphs must no longer be read.
     void release() noexcept
     {
-        if (cache_) taken(cache_).release(glyphs_.view());
+        if (cache_) taken(cache_).release(glyphs_.view().first(pinned_));
     }
 
     void clear() noexcept
@@ -59,6 +64,7 @@ public:
 private:
     buffer<const built_glyph*> glyphs_;
     cache_ref cache_;
+    std::size_t pinned_ = 0;
 };
 
 }  // namespace typemesh::inline TYPEMESH_ABI

@@ -126,8 +126,8 @@ private:
     [[nodiscard]] bool is_within(double share) const noexcept
     {
         const box& b = outlines_.bounds();
-        const double most = share * area_path::reach / grid_.cells;
-        return b.empty() || (b.low.x >= -most && b.low.y >= -most && b.high.x <= most && b.high.y <= most);
+        const double limit = share * area_path::reach / grid_.cells;
+        return b.empty() || (b.low.x >= -limit && b.low.y >= -limit && b.high.x <= limit && b.high.y <= limit);
     }
 
     /// The sum of the areas of a contour at all keys, doubled.

@@ -109,13 +109,13 @@ public:
     {
         const double s = static_cast<double>(c - coordinates_[before]) /
                          static_cast<double>(coordinates_[after] - coordinates_[before]);
-        double most = 0.0;
+        double largest = 0.0;
         for (std::size_t i = 0; i < count_; ++i)
             for (std::uint32_t k = 0; k <= at[i].degree; ++k) {
                 const point way = at[i].p[k] - lerp(curves(before)[i].p[k], curves(after)[i].p[k], s);
-                for (const double d : {way.x, way.y}) most = d > most ? d : -d > most ? -d : most;
+                for (const double d : {way.x, way.y}) largest = d > largest ? d : -d > largest ? -d : largest;
             }
-        return most;
+        return largest;
     }
 
     static constexpr std::size_t max_curves = 1u << 18;
@@ -205,9 +205,9 @@ private:
         for (const recording& r : recorded_)
             if (r.ends != contours) return error::bad_outline;
         for (std::size_t c = 0; c < contours; ++c) {
-            std::size_t most = 0;
-            for (const recording& r : recorded_) most = contour_size(r, c) > most ? contour_size(r, c) : most;
-            if (!starts_.push_back(starts_.back() + static_cast<std::uint32_t>(most))) return error::out_of_memory;
+            std::size_t largest = 0;
+            for (const recording& r : recorded_) largest = contour_size(r, c) > largest ? contour_size(r, c) : largest;
+            if (!starts_.push_back(starts_.back() + static_cast<std::uint32_t>(largest))) return error::out_of_memory;
         }
         count_ = starts_.back();
         return {};

@@ -112,8 +112,8 @@ struct morph_points {
     [[nodiscard]] bool is_chord(std::uint32_t edge) const noexcept { return edges[edge].t1 < 0.0f; }
 
 private:
-    static constexpr std::uint32_t most = 100000;  // points of one glyph
-    static constexpr float chord = -1.0f;          // instead of t1
+    static constexpr std::uint32_t max_points = 100000;  // points of one glyph
+    static constexpr float chord = -1.0f;                // instead of t1
 
     static std::uint32_t pieces(const keyed_outlines& outlines, std::uint32_t i, double tolerance) noexcept
     {
@@ -161,7 +161,7 @@ private:
                     edges.back() = {i, t0, t1};  // the point before has the edge that leaves the last of them
                     continue;
                 }
-                if (edges.size() >= most) return {error::too_many_points, most};
+                if (edges.size() >= max_points) return {error::too_many_points, max_points};
                 if (!edges.push_back({i, t0, t1}) || !kept_.append(from_.view())) return error::out_of_memory;
             }
         }

@@ -61,10 +61,10 @@ public:
     /// Whether a path has no more dashes than anyone can want.
     [[nodiscard]] bool is_possible(array_view<const curve> path) const noexcept
     {
-        constexpr double most = 1e4;
+        constexpr double max_dashes = 1e4;
         double all = 0.0;
         for (const curve& c : path) all += length_between(c, 0.0, 1.0);
-        return all / period_ * static_cast<double>(dashes_.size()) <= most;
+        return all / period_ * static_cast<double>(dashes_.size()) <= max_dashes;
     }
 
     /// put(stretch) for each dash.

@@ -26,16 +26,16 @@ inline constexpr double half_turn = 3.14159265358979323846;  // radians
 /// 2/27 sin^6(a/4) / cos^2(a/4).
 [[nodiscard]] inline std::uint32_t cubics_for(double sweep, double radius, double tolerance) noexcept
 {
-    constexpr std::uint32_t most = 4096;
+    constexpr std::uint32_t max_pieces = 4096;
     const double turn = std::fabs(sweep);
     if (!(turn <= 3.0 * half_turn)) return 1;  // no number
     auto count = static_cast<std::uint32_t>(std::ceil(turn / (0.5 * half_turn) - 1e-9));
     if (count == 0) count = 1;
-    for (; count < most; count += 1 + count / 4) {
+    for (; count < max_pieces; count += 1 + count / 4) {
         const double s = steady_sine(0.25 * turn / count), c = steady_cosine(0.25 * turn / count);
         if (!(radius * (2.0 / 27.0) * s * s * s * s * s * s > tolerance * c * c)) break;
     }
-    return count < most ? count : most;
+    return count < max_pieces ? count : max_pieces;
 }
 
 /// An arc as SVG gives it, from its end points: SVG 2, appendix B.2. Its points are map((cos a, sin a)) for the angles

@@ -7,6 +7,7 @@
 #include <typemesh/glyph/impl/solid_ref.hpp>
 #include <typemesh/layout/glyph_run.hpp>
 #include <typemesh/layout/plain_text.hpp>
+#include <typemesh/text/box_on_stand.hpp>
 #include <typemesh/text/impl/text_glyphs.hpp>
 #include <typemesh/unicode/impl/character.hpp>
 #include <typemesh/unicode/impl/grapheme_boundaries.hpp>
@@ -198,6 +199,13 @@ private:
                 join(first, k, letter_bond::merged);
             });
         }
+        each_box_on_stand(run_, all_.stands.view(), [this](const inline_box_place& b) noexcept {
+            grapheme& g = found_.graphemes[grapheme_at(b.unit)];
+            g.bonds =
+                g.bonds | (g.drawn ? letter_bond::inline_box | letter_bond::several_glyphs : letter_bond::inline_box);
+            g.line = b.line;
+            g.drawn = true;
+        });
         unite_ligatures();
         unite_joined();
         return {};
@@ -284,6 +292,8 @@ private:
         const grapheme& g = found_.graphemes[k];
         text_letter row;
         row.text = {g.first, g.first};
+        row.first_letter = g.letter;
+        row.letters = 1;
         row.grapheme = k;
         row.word = static_cast<std::uint32_t>(found_.words.size() - 1);
         row.line = g.line;
@@ -321,6 +331,7 @@ private:
 
     void measure(solid_ref solid) noexcept
     {
+        letter_box drawn;  // of all letters
         placement at;
         at.unit_per_depth = all_.placed.unit_per_depth;
         for (std::size_t i = 0; i < all_.records.size(); ++i) {
@@ -332,12 +343,14 @@ private:
             at.unit_per_cell = all_.placed.unit_per_font_unit * s.built->font_units_per_cell();
             at.frame = all_.placed.frame;
             turn(at, s.right);
-            is_off_line_ = is_off_line_ || is_turned(s.right) || !(s.origin == s.flat);
+            is_off_line_ = is_off_line_ || is_turned(s.right) || !(s.origin == s.flat) || all_.is_warped(s.glyph);
             const vec3 corner = at.position(at.foot(s.built->around().low), back);
             if (row.ink.empty()) row.bounds = {corner, corner};
             add_placed(row.bounds, s.built->around(), back, front, at, at.frame.is_along_axes());
             grow(row, {{}, {}, {}, text_glyphs::ink_of(s), back, front});
+            if (!has(row.bonds, letter_bond::bar)) grow(drawn, row);
         }
+        measure_boxes(drawn);
         for (std::size_t i = found_.letters; i < found_.rows.size(); ++i) cover(found_.rows[i]);
         for (std::uint32_t i = 0; i < found_.letters; ++i) {
             const text_letter& row = found_.rows[i];
@@ -350,6 +363,30 @@ private:
         for (letter_group& group : found_.lines) finish_group(group);
         for (letter_group& group : found_.paragraphs) finish_group(group);
         finish_group(found_.whole);
+    }
+
+    /// Inline boxes are as deep as all letters.
+    void measure_boxes(const letter_box& drawn) noexcept
+    {
+        const double em = run_.units_per_em > 0.0 ? run_.units_per_em : 1.0;
+        placement at;
+        at.frame = all_.placed.frame;
+        at.unit_per_cell = all_.placed.unit_per_font_unit;
+        at.pen = {0.0 - all_.placed.centre.x, 0.0 - all_.placed.centre.y};
+        each_box_on_stand(run_, all_.stands.view(), [&](const inline_box_place& b) noexcept {
+            text_letter& row = found_.rows[found_.row_at(b.unit)];
+            if (row.style == no_style) row.style = run_.glyph_styles[run_.glyphs[b.glyph].glyph_style].style;
+            is_off_line_ = is_off_line_ || !all_.stands.empty();
+            for (const point corner : {point{0.0, 0.0}, point{1.0, 0.0}, point{0.0, 1.0}, point{1.0, 1.0}}) {
+                const point p = em * b.map(corner);
+                for (const float height : {drawn.back, drawn.front}) {
+                    const vec3 place = at.position(at.foot(p), height);
+                    if (row.ink.empty()) row.bounds = {place, place};
+                    row.bounds.add(place);
+                }
+                grow(row, {{}, {}, {}, {p, p}, drawn.back, drawn.front});
+            }
+        });
     }
 
     static void grow(letter_box& all, const letter_box& by) noexcept
@@ -366,19 +403,21 @@ private:
         const auto apart = [down = how_.down](const box& a, const box& b) noexcept {
             return down ? a.high.y <= b.low.y || b.high.y <= a.low.y : a.high.x <= b.low.x || b.high.x <= a.low.x;
         };
-        std::uint32_t end = 0;
         const letter_group line = bar.line < found_.lines.size() ? found_.lines[bar.line] : letter_group{};
         for (const text_letter& l : found_.rows.view().subspan(line.first, line.count)) {
             if (l.line != bar.line || apart(l.ink, bar.ink)) continue;
-            if (end == 0) {
+            if (bar.letters == 0) {
                 bar.grapheme = l.grapheme;
                 bar.paragraph = l.paragraph;
                 bar.text.first = l.text.first;
+                bar.first_letter = l.first_letter;
+                bar.word = l.word;
             }
-            end = l.grapheme_end;
+            if (bar.word != l.word) bar.word = not_a_letter;
+            bar.letters = l.first_letter + 1 - bar.first_letter;
             bar.text.last = l.text.last;
-            bar.graphemes = end - bar.grapheme;
-            bar.grapheme_end = end;
+            bar.grapheme_end = l.grapheme_end;
+            bar.graphemes = bar.grapheme_end - bar.grapheme;
         }
     }
 

@@ -42,12 +42,16 @@ public:
     /// Whether two corners of each triangle must be swapped.
     [[nodiscard]] bool mirrors() const noexcept { return mirrors_; }
 
-    /// Moves the pen of a glyph, if that is the whole move: if it is a shift in the text's plane. It then costs nothing
-    /// for each point. Returns false if it is more.
-    [[nodiscard]] bool move_pen(placement& at) const noexcept
+    /// Moves the placement of a glyph, if the map only shifts, turns and scales: then points are not moved one by one.
+    /// A shift in the text's plane costs nothing for each point. Returns false if the map does more, or mirrors.
+    [[nodiscard]] bool move_placement(placement& at) const noexcept
     {
-        if (!is_shift() || !is_zero(along(at.frame.toward))) return false;
-        if (!is_identity()) at.pen = at.pen + 1.0 / at.unit_per_cell * point{along(at.frame.right), along(at.frame.up)};
+        if (how_ == kind::any || mirrors_) return false;
+        if (is_identity()) return true;
+        if (is_shift() && is_zero(along(at.frame.toward)))
+            at.pen = at.pen + 1.0 / at.unit_per_cell * point{along(at.frame.right), along(at.frame.up)};
+        else
+            turn_placement(at);
         return true;
     }
 
@@ -105,6 +109,30 @@ private:
         return a.x * b.x + a.y * b.y + a.z * b.z;
     }
 
+    /// Turns the axes of a placement, and writes its origin in the turned axes. They are floats, and not quite at right
+    /// angles: the pen knows.
+    void turn_placement(placement& at) const noexcept
+    {
+        typemesh::frame& f = at.frame;
+        const column pen = sum(at.unit_per_cell * at.pen.x, column{f.right}, at.unit_per_cell * at.pen.y, column{f.up});
+        const column moved = sum(1.0, sum(pen.x, column{map_.x}, pen.y, column{map_.y}), 1.0,
+                                 sum(pen.z, column{map_.z}, 1.0, column{map_.origin}));
+        if (!is_shift()) {
+            for (vec3* axis : {&f.right, &f.up, &f.toward}) *axis = normals_.direction(*axis);
+            at.unit_per_cell *= scale_;
+            at.unit_per_depth *= scale_;
+        }
+        const column x{f.right}, y{f.up}, z{f.toward}, yz = cross(y, z);
+        const double by = 1.0 / dot(x, yz), per_unit = by / at.unit_per_cell;
+        at.pen = {per_unit * dot(moved, yz), per_unit * dot(moved, cross(z, x))};
+        at.rise = by * dot(moved, cross(x, y));
+    }
+
+    [[nodiscard]] static column sum(double a, const column& v, double b, const column& w) noexcept
+    {
+        return {a * v.x + b * w.x, a * v.y + b * w.y, a * v.z + b * w.z};
+    }
+
     /// The part of a shift along an axis.
     [[nodiscard]] double along(vec3 axis) const noexcept { return dot(column{axis}, column{map_.origin}); }
 
@@ -124,7 +152,8 @@ private:
         if (xx > 0.0 && is(dot(y, y), xx) && is(dot(z, z), xx) && is(dot(x, y), 0.0) && is(dot(y, z), 0.0) &&
             is(dot(z, x), 0.0)) {
             how_ = kind::similar;
-            const double by = std::fabs(xx - 1.0) <= 0x1p-20 ? 1.0 : 1.0 / std::sqrt(xx);
+            if (std::fabs(xx - 1.0) > 0x1p-20) scale_ = std::sqrt(xx);
+            const double by = 1.0 / scale_;
             normals_ = {x.times(by), y.times(by), z.times(by), {}};
             return;
         }
@@ -139,6 +168,7 @@ private:
 
     affine3 map_ = {};
     affine3 normals_ = {};
+    double scale_ = 1.0;  // of a similar map
     kind how_ = kind::as_it_is;
     bool mirrors_ = false;
 };

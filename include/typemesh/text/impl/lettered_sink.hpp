@@ -132,7 +132,7 @@ public:
         mirrors_ = found != nullptr && found->mirrors();
         if (found == nullptr) return false;
         const letter_move& move = *found;
-        if (move.is_identity() || (!all.in_place && move.move_pen(at))) return false;
+        if (move.is_identity() || (!all.in_place && move.move_placement(at))) return false;
         if (all.in_place) {
             points_.start(move, move.map());
         } else {

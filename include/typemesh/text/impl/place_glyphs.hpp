@@ -122,7 +122,7 @@ inline error place_glyphs(text_glyphs& all, const glyph_run& run, bool on_grid =
         drawn_glyph s;
         s.built = all.pinned[number];
         s.origin = s.flat = glyph.origin;
-        if (all.turned) {
+        if (all.turned && !all.is_warped(i)) {
             s.origin = all.stands[i].origin;
             s.right = all.stands[i].right;
         }

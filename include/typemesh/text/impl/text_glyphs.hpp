@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <typemesh/core/affine.hpp>
 #include <typemesh/core/array_view.hpp>
 #include <typemesh/core/buffer.hpp>
 #include <typemesh/core/impl/first_where.hpp>
@@ -18,6 +19,7 @@
 #include <typemesh/text/instances.hpp>
 #include <typemesh/text/text_options.hpp>
 #include <typemesh/text/text_report.hpp>
+#include <typemesh/vertex/affine3.hpp>
 #include <typemesh/vertex/bounds3.hpp>
 
 #include <cstddef>
@@ -37,6 +39,19 @@ struct text_placement {
     point texture_per_font_unit;  ///< growth of u and v over the whole text's box, with texture_box::text
     texture_box texture_over = texture_box::text;
     typemesh::frame frame;
+
+    /// The map of the unit square to a box that is given in em of a run; see lettered_plan::each_moved_box().
+    [[nodiscard]] affine3 map_of(const affine& box, double run_units_per_em) const noexcept
+    {
+        const double em = run_units_per_em > 0.0 ? run_units_per_em : 1.0;
+        const auto direction = [&](point p) noexcept {
+            const point v = em * unit_per_font_unit * p;
+            return frame(static_cast<float>(v.x), static_cast<float>(v.y), 0.0f);
+        };
+        const point from = unit_per_font_unit * (em * point{box.dx, box.dy} - centre);
+        return {direction({box.xx, box.yx}), direction({box.xy, box.yy}), frame.toward,
+                frame(static_cast<float>(from.x), static_cast<float>(from.y), 0.0f)};
+    }
 };
 
 /// Detects whether the text_glyphs of a plan still hold the same content: every clear() and every move, out of them or
@@ -74,12 +89,12 @@ struct text_glyphs {
         std::uint32_t glyph;  ///< its index in the run
     };
 
-    buffer<glyph_place> places;  ///< of the different glyphs, if they differ from place to place
+    buffer<glyph_place> places;  ///< of the different glyphs that differ from place to place: the last ones
     double em_per_depth = 1.0;   ///< for these places
     double em_per_font_unit = 0.0;
-    bool in_place = false;            ///< whether they do; then no glyph is drawn twice
+    bool in_place = false;            ///< whether all do; then no glyph is drawn twice
     buffer<glyph_stand> stands;       ///< of the run's glyphs, if an outline step places them
-    bool turned = false;              ///< whether it only moves and turns them
+    bool turned = false;              ///< whether it moves and turns those that it does not warp
     glyph_store store;                ///< holds the glyphs that neither a cache nor a glyph_workers keeps
     lent_glyphs lent;                 ///< the glyphs that a glyph_workers keeps
     merged_glyphs merged;             ///< glyphs that are drawn together
@@ -114,6 +129,16 @@ struct text_glyphs {
           line_boxes{source},
           letters{source}
     {
+    }
+
+    /// Whether an outline step warps a glyph of the run, which then stands where it was laid out.
+    [[nodiscard]] bool is_warped(std::size_t glyph) const noexcept { return !stands.empty() && stands[glyph].warped; }
+
+    /// The place of one of the different glyphs, if it has one.
+    [[nodiscard]] const glyph_place* place_of(std::size_t number) const noexcept
+    {
+        const std::size_t first = different.keys().size() - places.size();
+        return number < first ? nullptr : &places[number - first];
     }
 
     /// Whether `letters` belongs to these glyphs.

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <typemesh/core/buffer.hpp>
+#include <typemesh/core/glyph_id.hpp>
+#include <typemesh/core/impl/first_where.hpp>
 #include <typemesh/text/impl/letter_move.hpp>
 #include <typemesh/text/text_letter.hpp>
 #include <typemesh/unicode/impl/word_boundaries.hpp>
@@ -69,15 +71,24 @@ struct text_letters {
         return glyph < row_of.size() && row_of[glyph] < moves.size() ? &moves[row_of[glyph]] : nullptr;
     }
 
+    /// The row of the letter that a place of the text belongs to; it must belong to one.
+    [[nodiscard]] std::uint32_t row_at(cluster_id place) const noexcept
+    {
+        const auto begins_behind = [&](std::size_t k) noexcept { return graphemes[k].first > place; };
+        std::size_t k = first_where(1, graphemes.size(), begins_behind) - 1;
+        while (graphemes[k].same != k) k = graphemes[k].same;
+        return graphemes[k].letter;
+    }
+
     /// The place of a row in the text.
     [[nodiscard]] letter_place place(std::size_t row, const typemesh::frame& frame) const noexcept
     {
         const text_letter& l = rows[row];
         const bool bar = row >= letters;
         return {l,
-                bar ? nothing : words[l.word],
+                l.word < words.size() ? words[l.word] : nothing,
                 l.line < lines.size() ? lines[l.line] : nothing,
-                bar ? nothing : paragraphs[l.paragraph],
+                l.letters == 0 ? nothing : paragraphs[l.paragraph],
                 whole,
                 bar ? not_a_letter : static_cast<std::uint32_t>(row),
                 static_cast<std::uint32_t>(words.size()),

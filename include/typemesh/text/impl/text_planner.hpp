@@ -94,6 +94,9 @@ private:
     /// Asks an outline step that places where the glyphs stand, and counts those that have no place.
     error find_stands(const call& now) noexcept;
 
+    /// Whether an outline step that places warps any glyph.
+    [[nodiscard]] bool has_warped() const noexcept;
+
     /// Prepares the places of glyphs that differ from place to place.
     ///
     /// Fails  error::bad_option "depth_in": in a unit_box, a depth in output units depends on the box of all solids
@@ -102,8 +105,16 @@ private:
     /// The box of a run's pen positions, in em: drawn_place::text. A run without lines ends at its last origin.
     [[nodiscard]] box pens_of(const glyph_run& run) const noexcept;
 
-    /// Numbers the run's different glyphs; glyphs that are not drawn get no_room.
+    /// Numbers the run's different glyphs; glyphs that are not drawn get no_room. Those that differ from place to place
+    /// come last, so that none of them is found again.
     error collect(const glyph_run& run, const text_options& options) noexcept;
+    error collect_placed(const glyph_run& run, const text_options& options) noexcept;
+
+    [[nodiscard]] bool is_drawn(const glyph_run& run, std::size_t glyph, const text_options& options) const noexcept
+    {
+        if (run.glyphs[glyph].missing && !options.draw_missing) return false;
+        return glyphs_.stands.empty() || !glyphs_.stands[glyph].left_out;
+    }
 
     static glyph_settings settings_of(const text_options& options, double reach) noexcept;
 
@@ -138,18 +149,20 @@ error text_planner::each_glyph(const call& now, const glyph_settings& how, const
     const auto keys = glyphs_.different.keys();
     const auto build = [&, keys](std::size_t k, font_ref from, glyph_builder& builder, glyph_store& store,
                                  const policies& with) noexcept -> error {
-        const built_glyph* built = find(keys[k]);
+        const text_glyphs::glyph_place* const at = glyphs_.place_of(k);
+        const built_glyph* built = at != nullptr ? nullptr : find(keys[k]);
         if (built == nullptr) {
             drawn_face face = glyphs_.glyph_styles.face_of(from, keys[k].glyph_style);
-            const text_glyphs::glyph_place at =
-                glyphs_.in_place ? glyphs_.places[k] : text_glyphs::glyph_place{{}, no_cluster, 0};
+            const solid_place place = at != nullptr ? at->place : solid_place{};
+            policies own_policies = with;
+            if (at == nullptr) own_policies.warp = {};
             glyph_settings own = how;
-            if (glyphs_.in_place && !glyphs_.stands.empty()) own.stand = &glyphs_.stands[at.glyph];
+            if (at != nullptr && !glyphs_.stands.empty()) own.stand = &glyphs_.stands[at->glyph];
             const auto draft = maker.make == nullptr
-                                   ? builder.build(face, keys[k].id, own, with, at.place)
-                                   : maker.make(maker.self, k, builder, {face, keys[k].id, own, with, at.place});
-            if (!draft) return glyphs_.in_place ? draft.error().at(keys[k].id, at.cluster) : draft.error();
-            built = keep(keys[k], *draft, store);
+                                   ? builder.build(face, keys[k].id, own, own_policies, place)
+                                   : maker.make(maker.self, k, builder, {face, keys[k].id, own, own_policies, place});
+            if (!draft) return at != nullptr ? draft.error().at(keys[k].id, at->cluster) : draft.error();
+            built = at != nullptr ? store.keep(*draft) : keep(keys[k], *draft, store);
             if (built == nullptr) return error::out_of_memory;
         }
         glyphs_.pinned.set(k, built);
@@ -198,7 +211,7 @@ inline error text_planner::plan_once(const call& asked, double reach) noexcept
     if (!e) e = given.raise.refused_options();
     if (!e && given.warp.places()) e = find_stands(asked);
     policies with = given;
-    if (glyphs_.turned) with.warp = {};  // glyphs are built as they are
+    if (glyphs_.turned && !has_warped()) with.warp = {};  // glyphs are built as they are
     const call now{run, options, with, team};
     if (!e) e = find_places(now);
     if (!e) e = glyphs_.glyph_styles.read(run, font);
@@ -258,7 +271,6 @@ inline error text_planner::find_stands(const call& now) noexcept
     text_report& report = glyphs_.report;
     glyphs_.turned = !options.merge && options.corners == touching::keep && !with.raise.plans_in_place();
     for (std::size_t i = 0; i < count; ++i) {
-        glyphs_.turned = glyphs_.turned && !stands[i].warped;
         if (!stands[i].left_out) continue;
         ++report.off_path;
         if (run.glyphs[i].cluster < report.first_off_path) report.first_off_path = run.glyphs[i].cluster;
@@ -266,14 +278,21 @@ inline error text_planner::find_stands(const call& now) noexcept
     return {};
 }
 
+inline bool text_planner::has_warped() const noexcept
+{
+    for (const glyph_stand& s : glyphs_.stands)
+        if (s.warped && !s.left_out) return true;
+    return false;
+}
+
 inline error text_planner::find_places(const call& now) noexcept
 {
     const bool solids_differ = now.with.raise.plans_in_place();
-    glyphs_.in_place = solids_differ || !now.with.warp.is_none();
-    if (!glyphs_.in_place) return {};
     const text_options& options = now.options;
     const double units_per_em = font.units_per_em();
     glyphs_.em_per_font_unit = 1.0 / units_per_em;
+    glyphs_.in_place = solids_differ || (!now.with.warp.is_none() && !glyphs_.turned);
+    if (!glyphs_.in_place) return {};
     glyphs_.em_per_depth = 1.0;
     if (!solids_differ || options.depth_in == depth_unit::em) return {};
     if (options.unit == output_unit::unit_box) return error::bad("depth_in");
@@ -304,20 +323,33 @@ inline error text_planner::collect(const glyph_run& run, const text_options& opt
     std::uint32_t* numbers = glyphs_.numbers.append(count);
     if (numbers == nullptr && count != 0) return error::out_of_memory;
     const std::size_t glyph_styles = run.glyph_styles.empty() ? 1 : run.glyph_styles.size();
+    bool has_places = false;
     for (std::size_t i = 0; i < count; ++i) {
         const placed_glyph& glyph = run.glyphs[i];
         numbers[i] = glyph_set::no_room;
         if (glyph.glyph_style >= glyph_styles)
             return error{error::no_such_glyph_style, run.glyph_styles.size()}.at(glyph.id, glyph.cluster);
-        if (glyph.missing && !options.draw_missing) continue;
-        if (!glyphs_.stands.empty() && glyphs_.stands[i].left_out) continue;
+        if (!is_drawn(run, i, options)) continue;
+        if (glyphs_.in_place || glyphs_.is_warped(i)) {
+            has_places = true;
+            continue;
+        }
         const glyph_key key{glyph.id, glyphs_.glyph_styles.outlines_of(glyph.glyph_style)};
-        if (glyphs_.in_place &&
-            !glyphs_.places.push_back({glyphs_.place_at(glyph.origin), glyph.cluster, static_cast<std::uint32_t>(i)}))
-            return error::out_of_memory;
-        const bool is_repeated = options.reuse && !glyphs_.in_place;
-        numbers[i] = is_repeated ? glyphs_.different.number_of(key) : glyphs_.different.append(key);
+        numbers[i] = options.reuse ? glyphs_.different.number_of(key) : glyphs_.different.append(key);
         if (numbers[i] == glyph_set::no_room) return error::out_of_memory;
+    }
+    return has_places ? collect_placed(run, options) : error{};
+}
+
+inline error text_planner::collect_placed(const glyph_run& run, const text_options& options) noexcept
+{
+    for (std::uint32_t i = 0; i < run.glyphs.size(); ++i) {
+        const placed_glyph& glyph = run.glyphs[i];
+        if (!glyphs_.in_place && !glyphs_.is_warped(i)) continue;
+        if (!is_drawn(run, i, options)) continue;
+        if (!glyphs_.places.push_back({glyphs_.place_at(glyph.origin), glyph.cluster, i})) return error::out_of_memory;
+        glyphs_.numbers[i] = glyphs_.different.append({glyph.id, glyphs_.glyph_styles.outlines_of(glyph.glyph_style)});
+        if (glyphs_.numbers[i] == glyph_set::no_room) return error::out_of_memory;
     }
     return {};
 }
@@ -337,11 +369,19 @@ inline glyph_settings text_planner::settings_of(const text_options& options, dou
 inline error text_planner::build_glyphs(const call& now, const glyph_settings& how) noexcept
 {
     const std::size_t count = glyphs_.different.keys().size();
+    const bool is_cached = cache.cache && now.options.reuse && !glyphs_.in_place;
     if (now.team != nullptr) now.with.observe(stage::outline);
-    if (cache.cache && now.options.reuse && !glyphs_.in_place) {
+    if (now.team != nullptr && (!is_cached || !glyphs_.places.empty())) {
+        now.team->begin_plan();
+        glyphs_.lent = {&now.team->plans, now.team->plans};
+    }
+    if (is_cached) {
         const cache_ref kept = cache.cache;
-        if (!glyphs_.pinned.reserve(count, kept)) return error::out_of_memory;
-        const glyph_context plain = context_of(cache.font, font.variation(), how, now.with);
+        const std::size_t cached = count - glyphs_.places.size();
+        if (!glyphs_.pinned.reserve(count, kept, cached)) return error::out_of_memory;
+        policies without_warp = now.with;
+        without_warp.warp = {};
+        const glyph_context plain = context_of(cache.font, font.variation(), how, without_warp);
         if (!plain.is_complete()) return error::no_cache_key;
         if (error e = glyphs_.glyph_styles.find_contexts(plain, font)) return e;
         const array_view<const hashed_context> of_style = glyphs_.glyph_styles.contexts();
@@ -355,10 +395,6 @@ inline error text_planner::build_glyphs(const call& now, const glyph_settings& h
             });
     }
     if (!glyphs_.pinned.reserve(count)) return error::out_of_memory;
-    if (now.team != nullptr) {
-        now.team->begin_plan();
-        glyphs_.lent = {&now.team->plans, now.team->plans};
-    }
     return each_glyph(
         now, how, [](const glyph_key&) noexcept { return static_cast<const built_glyph*>(nullptr); },
         [](const glyph_key&, const glyph_draft& draft, glyph_store& store) noexcept { return store.keep(draft); });
