@@ -47,22 +47,26 @@ public:
     [[nodiscard]] static bool add_rings(refinable_mesh& mesh, const double* rise, double longest) noexcept
     {
         const std::uint32_t count = mesh.vertex_count();
-        for (std::size_t ring = 0; ring < distances.size(); ++ring) {
-            const double gap = distances[ring] - (ring == 0 ? 0.0 : distances[ring - 1]);
+        for (std::size_t ring = 0; ring < distances.size(); ++ring)
             for (std::uint32_t v = 0; v < count; ++v) {
-                if (mesh.at(v).boundary == none || gap * rise[v] > 0.75 * longest) continue;
+                if (mesh.at(v).boundary == none) continue;
+                const std::size_t step = steps(rise[v], longest);
+                if (ring % step != step - 1) continue;
+                if (ring + 1 == distances.size() && distances[1] * rise[v] * 24.0 <= longest) continue;
+                const double gap = distances[ring] - (ring < step ? 0.0 : distances[ring - step]);
+                if (gap * rise[v] > 0.75 * longest) continue;
                 if (!add_at(mesh, v, distances[ring] * rise[v], gap * rise[v])) return false;
+                if (ring < 2 && ring == step - 1 && !lower(mesh, v, rise, distances[ring])) return false;
             }
-            if (ring == 0)
-                for (std::uint32_t v = 0; v < count; ++v)
-                    if (mesh.at(v).boundary != none && !lower(mesh, v, rise)) return false;
-        }
         return true;
     }
 
 private:
-    /// 1 - cos of 22.5, 45 and 67.5 degrees.
-    static constexpr std::array distances = {0.07612046748871326, 0.2928932188134524, 0.6173165676349102};
+    /// 1 - cos of 11.25 degrees and its multiples.
+    static constexpr std::array distances = {0.0192147195967696, 0.0761204674887133, 0.1685303876974548,
+                                             0.2928932188134524, 0.4444297669803978, 0.6173165676349102,
+                                             0.8049096779838718, 1.0};
+    static std::size_t steps(double rise, double longest) noexcept { return distances[0] * rise * 24.0 > longest ? 1 : 2; }
 
     /// A cell and the eight cells around it, the nearest ones first.
     static constexpr std::array<grid_point, 9> near_places = {
@@ -113,13 +117,13 @@ private:
     }
 
     /// Adds a point of the first ring over the middle of an edge whose triangle rises much higher.
-    [[nodiscard]] static bool lower(refinable_mesh& mesh, std::uint32_t v, const double* rise) noexcept
+    [[nodiscard]] static bool lower(refinable_mesh& mesh, std::uint32_t v, const double* rise, double distance) noexcept
     {
         const std::uint32_t h = mesh.at(v).boundary, b = mesh.target(h);
         const grid_point p = mesh.place(v), q = mesh.place(b), c = mesh.place(mesh.apex(h));
         const double along = length(point{static_cast<double>(q.x) - p.x, static_cast<double>(q.y) - p.y}),
                      height = static_cast<double>(orientation(p, q, c)) / along;
-        const double wanted = distances[0] * 0.5 * (rise[v] + rise[b]);
+        const double wanted = distance * 0.5 * (rise[v] + rise[b]);
         if (height < 2.0 * wanted) return true;
         const point up = inward(p, q);
         const grid_point middle{p.x + (q.x - p.x) / 2, p.y + (q.y - p.y) / 2};
