@@ -280,9 +280,8 @@ private:
     void check_surface(const Solid&, Data& data, refined_findings& f, const char* name, const Refined& how)
     {
         using namespace typemesh;
-        const inspect::mesh_view view{mesh_.vertices, mesh_.indices};
-        const inspect::closedness closed = inspect::check_closedness(view);
-        law(f, closed.is_closed(), name, "the mesh is not closed");
+        for (const std::uint32_t i : mesh_.indices)
+            if (i >= mesh_.vertices.size()) return law(f, false, name, "a corner is no vertex");
         contours boundary;
         const std::size_t own = data.loops.starts.empty() ? 0 : data.loops.starts.back();
         if (!boundary.points.append(data.loops.points.view().first(own)) ||
@@ -295,7 +294,10 @@ private:
             is_outward = how.solid.outward;
             is_narrow = data.data.swept.levels.empty() || data.data.swept.levels.back() < 64.0;
         }
-        if (!is_outward) {
+        if (is_outward) {
+            const inspect::mesh_view view{mesh_.vertices, mesh_.indices};
+            law(f, inspect::check_closedness(view).is_closed(), name, "the mesh is not closed");
+        } else {  // closed, and more
             const surface_laws laws{mesh_, of_solid, is_narrow};
             law(f, laws.broken().empty(), name, laws.broken().c_str());
         }

@@ -47,6 +47,7 @@ template <class Vertex, class Index, class Position>
     found.triangles = mesh.triangle_count();
     std::vector<std::uint64_t> edges;  // from << 32 | to
     edges.reserve(3 * mesh.triangle_count());
+    std::vector<std::size_t> starts(places.at.size() + 1, 0);  // where the edges that leave a place begin
     for (std::size_t t = 0; t < mesh.triangle_count(); ++t) {
         const auto corners = mesh.corners(t);
         if (!mesh.is_drawable(corners)) {
@@ -58,8 +59,12 @@ template <class Vertex, class Index, class Position>
         for (std::size_t k = 0; k < 3; ++k) edges.push_back(std::uint64_t{at[k]} << 32 | at[(k + 1) % 3]);
     }
     std::sort(edges.begin(), edges.end());
+    for (const std::uint64_t edge : edges) ++starts[(edge >> 32) + 1];
+    for (std::size_t v = 0; v < places.at.size(); ++v) starts[v + 1] += starts[v];
     const auto faces = [&](std::uint64_t edge) {
-        const auto range = std::equal_range(edges.begin(), edges.end(), edge);
+        const auto first = edges.begin() + static_cast<std::ptrdiff_t>(starts[edge >> 32]),
+                   last = edges.begin() + static_cast<std::ptrdiff_t>(starts[(edge >> 32) + 1]);
+        const auto range = std::equal_range(first, last, edge);
         return static_cast<std::size_t>(range.second - range.first);
     };
     for (std::size_t i = 0; i < edges.size(); ++i) {

@@ -14,8 +14,8 @@
 
 namespace typemesh::inline TYPEMESH_ABI::detail {
 
-/// Adds rings of inner points along the boundary of a mesh, at the distances where a round stroke has risen by 22.5, 45
-/// and 67.5 degrees; and a point on each edge that crosses from boundary to boundary, where the mesh would stay flat.
+/// Adds rings of inner points along the boundary of a mesh, at the distances where a round stroke has risen by 22.5, 45,
+/// 67.5 and 90 degrees; and a point on each edge that crosses from boundary to boundary, where the mesh would stay flat.
 ///
 ///      height  |            _ - o - _            a stroke whose height's square is 2 r d - d^2 at distance d has
 ///              |        o             o          risen by the angle p at d = r (1 - cos p)
@@ -24,8 +24,12 @@ namespace typemesh::inline TYPEMESH_ABI::detail {
 ///              +---o-----------------------o     at its boundary
 ///                d
 ///
-/// A ring ends where its points would be farther apart than the mesh's own, and a point is not added if it would come
-/// too near to another or to the boundary. All points keep the mesh Delaunay.
+/// Between rings an angle of p apart, triangles are as far as r (1 - cos(p / 2)) below the round section. On thick
+/// strokes, where steps of 22.5 degrees would leave more than `longest` / 24, steps are 11.25 degrees. On thin ones,
+/// where the top is flatter than that without it, the ring at 90 degrees is left out.
+///
+/// A ring ends where it would be farther from the one before than the mesh's own points, and a point is not added if it
+/// would come too near to another or to the boundary. All points keep the mesh Delaunay.
 class rim_rings {
 public:
     static constexpr std::uint32_t none = refinable_mesh::none;
@@ -47,22 +51,27 @@ public:
     [[nodiscard]] static bool add_rings(refinable_mesh& mesh, const double* rise, double longest) noexcept
     {
         const std::uint32_t count = mesh.vertex_count();
-        for (std::size_t ring = 0; ring < distances.size(); ++ring) {
-            const double gap = distances[ring] - (ring == 0 ? 0.0 : distances[ring - 1]);
+        const double least = longest / 24.0;  // how far below the section triangles may be
+        for (std::size_t ring = 0; ring < distances.size(); ++ring)
             for (std::uint32_t v = 0; v < count; ++v) {
-                if (mesh.at(v).boundary == none || gap * rise[v] > 0.75 * longest) continue;
-                if (!add_at(mesh, v, distances[ring] * rise[v], gap * rise[v])) return false;
+                if (mesh.at(v).boundary == none) continue;
+                const double r = rise[v];
+                const std::size_t step = distances[0] * r > least ? 1 : 2;
+                if (ring % step != step - 1) continue;
+                if (ring + 1 == distances.size() && distances[1] * r <= least) continue;
+                const double gap = distances[ring] - (ring < step ? 0.0 : distances[ring - step]);
+                if (gap * r > 0.75 * longest) continue;
+                if (!add_at(mesh, v, distances[ring] * r, gap * r)) return false;
+                if (ring == step - 1 && !lower(mesh, v, rise, distances[ring])) return false;
             }
-            if (ring == 0)
-                for (std::uint32_t v = 0; v < count; ++v)
-                    if (mesh.at(v).boundary != none && !lower(mesh, v, rise)) return false;
-        }
         return true;
     }
 
 private:
-    /// 1 - cos of 22.5, 45 and 67.5 degrees.
-    static constexpr std::array distances = {0.07612046748871326, 0.2928932188134524, 0.6173165676349102};
+    /// 1 - cos of 11.25 degrees and its multiples.
+    static constexpr std::array distances = {0.0192147195967696, 0.0761204674887133, 0.1685303876974548,
+                                             0.2928932188134524, 0.4444297669803978, 0.6173165676349102,
+                                             0.8049096779838718, 1.0};
 
     /// A cell and the eight cells around it, the nearest ones first.
     static constexpr std::array<grid_point, 9> near_places = {
@@ -113,13 +122,14 @@ private:
     }
 
     /// Adds a point of the first ring over the middle of an edge whose triangle rises much higher.
-    [[nodiscard]] static bool lower(refinable_mesh& mesh, std::uint32_t v, const double* rise) noexcept
+    [[nodiscard]] static bool lower(refinable_mesh& mesh, std::uint32_t v, const double* rise,
+                                    double distance) noexcept
     {
         const std::uint32_t h = mesh.at(v).boundary, b = mesh.target(h);
         const grid_point p = mesh.place(v), q = mesh.place(b), c = mesh.place(mesh.apex(h));
         const double along = length(point{static_cast<double>(q.x) - p.x, static_cast<double>(q.y) - p.y}),
                      height = static_cast<double>(orientation(p, q, c)) / along;
-        const double wanted = distances[0] * 0.5 * (rise[v] + rise[b]);
+        const double wanted = distance * 0.5 * (rise[v] + rise[b]);
         if (height < 2.0 * wanted) return true;
         const point up = inward(p, q);
         const grid_point middle{p.x + (q.x - p.x) / 2, p.y + (q.y - p.y) / 2};

@@ -227,7 +227,7 @@ public:
         changed_.clear();
         bool fits = true;
         for (const std::uint32_t edge : {h, g, k}) fits = fits && changed_.push_back(edge / 4) && list_.push_back(edge);
-        return fits && flip_listed() ? v : none;
+        return fits && flip_opposite() ? v : none;
     }
 
     /// Replaces an inner edge by the other diagonal of its two triangles. They must form a strictly convex
@@ -286,6 +286,25 @@ private:
             flip(h);
             if (!list_.push_back(h) || !list_.push_back(g2) || !list_.push_back(g) || !list_.push_back(h2) ||
                 !changed_.push_back(h / 4) || !changed_.push_back(g / 4))
+                return false;
+        }
+        return true;
+    }
+
+    /// The same after an insertion into a mesh that was Delaunay: the edges of the new point, the apex of all listed
+    /// half-edges, are Delaunay. False if out of memory.
+    [[nodiscard]] bool flip_opposite() noexcept
+    {
+        while (!list_.empty()) {
+            const std::uint32_t h = list_.back();
+            list_.truncate(list_.size() - 1);
+            const std::uint32_t g = twin(h);
+            if (g == none) continue;
+            const std::uint32_t g2 = previous(g);
+            if (!prefers_other_diagonal(compared_, start(h), start(g), start(previous(h)), start(g2))) continue;
+            flip(h);
+            if (!list_.push_back(h) || !list_.push_back(g2) || !changed_.push_back(h / 4) ||
+                !changed_.push_back(g / 4))
                 return false;
         }
         return true;
