@@ -125,7 +125,7 @@ await compare("solid");
 const hash = () => page.evaluate(() => globalThis.page.mesh.hash());
 if (process.env.TYPEMESH_MESH_HASH) {
     const fonts = JSON.parse(fs.readFileSync(path.join(site, "fonts.json"), "utf8"));
-    const font = path.join(site, Object.values(fonts)[0]);
+    const font = path.join(site, fonts[0].file);
     const options = await page.evaluate(() => globalThis.page.options);
     const named = Object.entries(options).flatMap(([k, v]) => typeof v === "object" ? Object.entries(v).map(([s, w]) => `${k}.${s}=${w}`) : [`${k}=${v}`]);
     const native = execFileSync(process.env.TYPEMESH_MESH_HASH, ["Hello world!", "--weight", String(await page.evaluate(() => globalThis.page.weight)), "--font", font, ...named], { encoding: "utf8" }).trim();
@@ -351,9 +351,10 @@ check(/^Tags are not read yet: at character 2/.test(await value("notes")), `a ta
 await page.evaluate(() => globalThis.page.stage.turn(false));
 
 // Fonts.
+const bundled = JSON.parse(fs.readFileSync(path.join(site, "fonts.json"))), offered = bundled.map(f => f.name);
 await open();
 const before = await hash();
-await change(() => drop("Dropped.ttf", fs.readFileSync(path.join(site, Object.values(JSON.parse(fs.readFileSync(path.join(site, "fonts.json"))))[1]))));
+await change(() => drop("Dropped.ttf", fs.readFileSync(path.join(site, bundled[1].file))));
 check(await value("font") === "Dropped.ttf" && await hash() !== before, "a dropped font is used");
 const kept = await hash();
 await change(() => drop("junk.ttf", Buffer.from("no font at all")));
@@ -361,30 +362,50 @@ check(/^junk\.ttf: .+\.$/.test(await message()), `a file that is no font is refu
 check(await hash() === kept && await value("font") === "Dropped.ttf", "and nothing else changes");
 
 // Of two choices the newer one counts, though its font is there and the other's arrives late.
-const bundled = JSON.parse(fs.readFileSync(path.join(site, "fonts.json"))), offered = Object.keys(bundled);
 const loading = () => page.$eval("#loading", e => e.hidden ? "" : e.textContent);
 await open();
 const first = await hash();
-held.set(path.basename(bundled[offered[2]]), []);
+held.set(path.basename(bundled[2].file), []);
 await pick(offered[2]);
 check(await loading() === `Loading ${offered[2]}…`, `what is awaited is said: ${await loading()}`);
 await change(() => pick(offered[0]));
 check(await loading() === "", "nothing is awaited after another choice");
-for (const answer of held.get(path.basename(bundled[offered[2]]))) answer();
+for (const answer of held.get(path.basename(bundled[2].file))) answer();
 held.clear();
 await new Promise(done => setTimeout(done, 700));
 check(await value("font") === offered[0] && await hash() === first, `the newer choice counts: ${await value("font")}`);
 await change(() => pick(offered[2]));
 check(await value("font") === offered[2] && await hash() !== first, "the late font can be chosen afterwards");
 
-// What the chosen font lacks comes from the others of the page.
-await open("#text=" + encodeURIComponent("Aあ"));
-await page.waitForFunction(() => globalThis.page.mesh.statistics.missing === 0);
-check(true, "kana come from another font");
-check(await value("notes").then(words => !/No font/.test(words)), "and are not reported");
+// What the chosen font lacks comes from the page's fonts of its scripts, and only these are fetched.
+const fetched = [];
+page.on("request", r => { if (/\/fonts\//.test(r.url())) fetched.push(path.basename(r.url())); });
+const complete = () => page.waitForFunction(() => globalThis.page.mesh.statistics.missing === 0 && !/on its way/.test(document.getElementById("notes").textContent));
+const scripts = { Devanagari: "\u0928\u092e\u0938\u094d\u0924\u0947", Arabic: "\u0645\u0631\u062d\u0628\u0627", Japanese: "\u3053\u3093\u306b\u3061\u306f\u4e16\u754c", Hebrew: "\u05e9\u05dc\u05d5\u05dd", emoji: "\u{1f680}\u{1f389}" };
+for (const [name, words] of Object.entries(scripts)) {
+    const own = bundled.find(f => f.name.endsWith(`(${name})`));
+    if (!own) continue;
+    fetched.length = 0;
+    await open("#text=" + encodeURIComponent("A " + words), { width: 420, height: 320 });
+    await complete();
+    check(fetched.join() === [bundled[0], own].map(f => path.basename(f.file)).join(), `${name} comes from its own font: ${fetched}`);
+    check(await value("notes") === "" && await message() === "", `and all is well: ${await value("notes")}`);
+}
+const world = Object.values(scripts).join(" ");
+await open("#text=" + encodeURIComponent(world), { width: 420, height: 320 });
+await complete();
+await rest(500);
+const mixed = await hash();
+await open("#font=DejaVu Sans&text=" + encodeURIComponent(scripts.Arabic), { width: 420, height: 320 });
+await change(() => pick(offered[0]));
+await set("#text", world);
+await complete();
+await rest(500);
+check(await hash() === mixed, "a text is set in the same fonts, whatever was shown before");
 await set("#text", "A\u{10FFFD}");
-await new Promise(done => setTimeout(done, 700));
-check(/No font has a glyph/.test(await value("notes")), "what no font of the page has is reported");
+await page.waitForFunction(() => /No font has a glyph/.test(document.getElementById("notes").textContent));
+check(true, "what no font of the page has is reported");
+await open();
 
 // Empty and long texts; their links.
 await set("#text", "");
@@ -527,6 +548,8 @@ for (const [name, text] of [["dash", "-a@\\nb"], ["at", "@a"]]) {
     await open("#text=" + encodeURIComponent(text));
     programs.push({ name, ...await program() });
 }
+await open("#page.motion=breathe&text=" + encodeURIComponent("[b]tags[/] [[1]"), { still: false });
+programs.push({ name: "tagged", ...await program() });
 const folder = fs.mkdtempSync(path.join(site, "..", "programs-")), compiler = process.env.CXX ?? "c++";
 const flags = () => execFileSync("pkg-config", ["--cflags", "--libs", "harfbuzz"], { encoding: "utf8" }).trim().split(/\s+/);
 const include = path.join(site, "..", "..", "..", "include");
@@ -540,7 +563,7 @@ if (!spawnSync("pkg-config", ["--exists", "harfbuzz"]).error)
         const said = spawnSync(binary, [path.join(site, "fonts", font)], { encoding: "utf8" }).stdout.trim();
         const same = said === `${vertices} vertices, ${triangles} triangles`;
         // Tags such as [b] are solids of their own, which the program names and leaves to its reader.
-        if (/tags/.test(code)) check(/^[1-9]\d+ vertices/.test(said), `the program for ${name} makes a mesh: ${said}`);
+        if (/markup_styles/.test(code)) check(/^[1-9]\d+ vertices/.test(said), `the program for ${name} makes a mesh: ${said}`);
         else check(same, `the program for ${name} makes ${said}, the page ${vertices} and ${triangles}`);
         if (process.env.TYPEMESH_TEXT_TO_MESH) {
             const words = command.replace("--font ", `--font ${path.join(site, "fonts")}/`).replace("-o text.glb", `-o ${binary}.glb`);
