@@ -35,7 +35,7 @@ tsc=$NODE_PATH/typescript/bin/tsc
 cat >"$site/tsconfig.json" <<END
 {"compilerOptions": {"strict": true, "noUncheckedIndexedAccess": true, "noEmit": true, "skipLibCheck": true, "target": "es2022", "module": "esnext",
     "moduleResolution": "bundler", "jsx": "react-jsx", "lib": ["es2022", "dom"], "types": [],
-    "paths": {"typemesh": ["$root/examples/web/package/typemesh.d.ts"], "*": ["$NODE_PATH/*", "$NODE_PATH/@types/*"]}},
+    "paths": {"typemesh": ["$root/examples/web/package/typemesh.d.ts"], "*": ["$NODE_PATH/@types/*", "$NODE_PATH/*"]}},
  "files": ["$root/examples/web/engines/react_three_fiber.tsx", "$root/examples/web/engines/babylon.ts"]}
 END
 node "$tsc" -p "$site/tsconfig.json" || fail "the examples do not agree with typemesh.d.ts"

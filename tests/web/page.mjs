@@ -226,7 +226,7 @@ await compare("phone-dark");
 check(await page.evaluate(() => document.scrollingElement.scrollWidth <= 360), "nothing is wider than a phone");
 
 // A phone: while an option is used, the mesh is in view.
-for (const [width, height] of [[360, 700], [390, 844], [740, 360]]) {
+for (const [width, height] of [[360, 700], [390, 844], [740, 360], [820, 1180]]) {
     await open("#text=Phone", { width, height });
     const seen = await page.evaluate(() => {
         document.getElementById("png").scrollIntoView();
@@ -241,7 +241,7 @@ await open("", { width: 500, height: 400 });
 const names = await page.$$eval("#presets a", all => all.map(e => e.className));
 check(names.length >= 8, `there are ${names.length} presets`);
 const programs = [];  // of what is on the screen, to be compiled
-const program = () => page.evaluate(() => ({ code: globalThis.page.programs.cpp(globalThis.page.programState()), font: globalThis.page.programState().file,
+const program = () => page.evaluate(() => ({ code: globalThis.page.programs.cpp(globalThis.page.programState()), font: globalThis.page.programState().file, others: globalThis.page.programState().others,
     command: globalThis.page.programs.command(globalThis.page.programState()), javascript: globalThis.page.programs.javascript(globalThis.page.programState()),
     vertices: globalThis.page.mesh.statistics.vertices, triangles: globalThis.page.mesh.statistics.triangles }));
 const unhurried = () => page.waitForFunction(() => document.getElementById("loading").hidden && globalThis.page.mesh.statistics.missing === 0);
@@ -554,19 +554,19 @@ const folder = fs.mkdtempSync(path.join(site, "..", "programs-")), compiler = pr
 const flags = () => execFileSync("pkg-config", ["--cflags", "--libs", "harfbuzz"], { encoding: "utf8" }).trim().split(/\s+/);
 const include = path.join(site, "..", "..", "..", "include");
 if (!spawnSync("pkg-config", ["--exists", "harfbuzz"]).error)
-    for (const { name, code, font, vertices, triangles, command, javascript } of programs) {
+    for (const { name, code, font, others, vertices, triangles, command, javascript } of programs) {
         const [source, binary] = [path.join(folder, `${name}.cpp`), path.join(folder, name)];
         fs.writeFileSync(source, code);
         const compiled = spawnSync(compiler, ["-std=c++20", "-O0", "-Wall", "-I", include, source, ...flags(), "-o", binary], { encoding: "utf8" });
         check(compiled.status === 0 && compiled.stderr === "", `the program for ${name} compiles: ${compiled.stderr}\n${code}`);
         if (compiled.status !== 0) continue;
-        const said = spawnSync(binary, [path.join(site, "fonts", font)], { encoding: "utf8" }).stdout.trim();
+        const said = spawnSync(binary, [font, ...others].map(f => path.join(site, "fonts", f)), { encoding: "utf8" }).stdout.trim();
         const same = said === `${vertices} vertices, ${triangles} triangles`;
         // Tags such as [b] are solids of their own, which the program names and leaves to its reader.
         if (/markup_styles/.test(code)) check(/^[1-9]\d+ vertices/.test(said), `the program for ${name} makes a mesh: ${said}`);
         else check(same, `the program for ${name} makes ${said}, the page ${vertices} and ${triangles}`);
         if (process.env.TYPEMESH_TEXT_TO_MESH) {
-            const words = command.replace("--font ", `--font ${path.join(site, "fonts")}/`).replace("-o text.glb", `-o ${binary}.glb`);
+            const words = command.replace(/--(font|fallback) /g, `$&${path.join(site, "fonts")}/`).replace("-o text.glb", `-o ${binary}.glb`);
             const ran = spawnSync("sh", ["-c", words.replace(/\btext_to_mesh\b/, () => process.env.TYPEMESH_TEXT_TO_MESH)], { encoding: "utf8" });
             check(ran.status === 0, `the command for ${name} runs: ${words}\n${ran.stderr}`);
         }
