@@ -279,12 +279,12 @@ is_built() {
     )
 }
 
-if (need_build_folder release) >/dev/null 2>&1; then
-    install_missing c++ cmake ninja pkg-config harfbuzz freetype cli11 tinygltf stb fontconfig font
-    to_build=1
-elif is_built; then
+if is_built; then  # the picture is then there at once
     install_missing fontconfig font
     to_build=
+elif (need_build_folder release) >/dev/null 2>&1; then
+    install_missing c++ cmake ninja pkg-config harfbuzz freetype cli11 tinygltf stb fontconfig font
+    to_build=1
 else
     need_build_folder release
 fi
