@@ -92,6 +92,12 @@ if [ ${#changed[@]} -gt 0 ]; then
     say "  ${#changed[@]} of ${#changed[@]} are compiled"
 fi
 
+# Nothing to do where the module was linked of these objects, by this script, with these flags.
+as_linked="$output ${TYPEMESH_WEB_NAMES:-} $*"
+if [ -e "$output" ] && [ "$(cat "$objects/linked" 2>/dev/null)" = "$as_linked" ] && [ -e "$web/package/LICENSE" ] &&
+    [ -z "$(find "$objects" "${BASH_SOURCE[0]}" \( -name '*.o' -o -name build.sh \) -newer "$output" -print -quit)" ]; then
+    exit 0
+fi
 say "This links the module, usually in half a minute"
 exports=$(sed -nE 's/^TYPEMESH_WEB_EXPORT [^(]*[ *](web_[a-z_]+)\(.*/_\1/p' "$web/exports.cpp" | tr '\n' ,)
 smaller=  # linked for speed and then optimised for size: both alone are larger or slower
@@ -103,5 +109,6 @@ em++ "$@" "${features[@]}" --no-entry -fno-exceptions -fno-rtti "$objects"/*.o -
 [ -z "$smaller" ] || wasm-opt -Oz ${TYPEMESH_WEB_NAMES:+-g} --enable-sign-ext --enable-nontrapping-float-to-int --enable-bulk-memory \
     "$work/typemesh.part.wasm" -o "$work/typemesh.part.wasm"
 mv "$work/typemesh.part.wasm" "$output"
+say "$as_linked" >"$objects/linked"
 cp "$typemesh_root/LICENSE" "$web/package/"  # for npm pack
 say "$output: $(wc -c <"$output") bytes, $(gzip -9c "$output" | wc -c) compressed by gzip"

@@ -113,10 +113,17 @@ printf '[%s]\n' "$names" >"$site/fonts.json"
 early="<script>if (!/[#\&]font=/.test(location.hash)) globalThis.early = { url: \"$first\", answer: fetch(\"$first\") };</script>"
 sed -e "s|<!-- modules -->|$modules|" -e "s|<!-- first font -->|$early|" "$web/page/index.html" >"$site/index.html"
 
-# Beside each file what servers send instead of it.
+# Beside each file what servers send instead of it; files that stay are compressed once.
+packed=$typemesh_root/build/web/packed
+mkdir -p "$packed"
 while IFS= read -r file; do
-    gzip -9 -n -c "$file" >"$file.gz"
-    ! command -v brotli >/dev/null 2>&1 || brotli -q 11 -f -o "$file.br" "$file"
+    once=$packed/$(basename "$file")
+    if ! cmp -s "$file" "$once" || { command -v brotli >/dev/null 2>&1 && [ ! -e "$once.br" ]; }; then
+        gzip -9 -n -c "$file" >"$once.gz"
+        ! command -v brotli >/dev/null 2>&1 || brotli -q 11 -f -o "$once.br" "$file"
+        cp "$file" "$once"
+    fi
+    for ending in gz br; do [ ! -e "$once.$ending" ] || cp "$once.$ending" "$file.$ending"; done
 done <<END
 $(find "$site" -type f \( -name '*.html' -o -name '*.css' -o -name '*.js' -o -name '*.json' -o -name '*.wasm' -o -name '*.?tf' \))
 END
