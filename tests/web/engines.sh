@@ -25,7 +25,7 @@ for example in react_three_fiber.tsx babylon.ts three_morph.js; do
     cp "$root/examples/web/package/typemesh.wasm" "$folder/"
     cp "$font" "$folder/font.ttf"
 done
-"$TYPEMESH_TEXT_TO_MESH" "$(printf 'breathing %.0s' 1 2 3 4)" --font "$font" --morph wght=100..900 --depth 0.2 \
+"$TYPEMESH_TEXT_TO_MESH" 'breathing!\nbreathing!\nbreathing!\nbreathing!' --font "$font" --morph wght=100..900 --depth 0.2 \
     -o "$site/three_morph/text.glb" || fail "text_to_mesh has written no morph"
 node "$here/engines.mjs" "$site" "$(command -v "$browser")" "$root/examples/web/package/typemesh.js" || fail "engines.mjs has failed"
 

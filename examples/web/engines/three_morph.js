@@ -14,8 +14,9 @@ scene.add(new THREE.HemisphereLight(0xffffff, 0x404858, 1.6), sun);
 
 const { scene: text, animations } = await new GLTFLoader().loadAsync("text.glb");
 scene.add(text);
-const size = new THREE.Box3().setFromObject(text), middle = size.getCenter(new THREE.Vector3()), wide = size.getSize(new THREE.Vector3()).x;
-camera.position.copy(middle).add(new THREE.Vector3(-0.15, 0.2, 1.25).multiplyScalar(wide));
+const box = new THREE.Box3().setFromObject(text), middle = box.getCenter(new THREE.Vector3()), size = box.getSize(new THREE.Vector3());
+const distance = 1.3 * Math.max(size.y, size.x / camera.aspect) / (2 * Math.tan(Math.PI / 12));
+camera.position.copy(middle).add(new THREE.Vector3(-0.15, 0.18, 1).multiplyScalar(distance));
 camera.lookAt(middle);
 
 const mixer = new THREE.AnimationMixer(text);
