@@ -5,6 +5,7 @@ import { execFileSync, spawnSync } from "node:child_process";
 import fs from "node:fs";
 import http from "node:http";
 import { createRequire } from "node:module";
+import os from "node:os";
 import path from "node:path";
 
 const [, , site, executablePath, pictures, renew] = process.argv;
@@ -109,6 +110,7 @@ async function compare(name) {
     }, seen, fs.readFileSync(file).toString("base64"));
     check(share < 0.02, `${name}.png: ${(100 * share).toFixed(1)} % of the pixels are others`);
 }
+const isBusy = () => os.loadavg()[0] > 2 * os.cpus().length;  // then times say nothing
 const rest = ms => new Promise(done => setTimeout(done, ms));
 const pick = name => page.$eval("#font", (e, v) => { e.value = v; e.dispatchEvent(new Event("change", { bubbles: true })); }, name);
 const drop = (name, bytes) => page.evaluate((name, text) => {
@@ -399,7 +401,7 @@ await part("breathing", async () => {
         return { ms: performance.now() - begun, vertices: mesh.statistics ? globalThis.page.mesh.statistics.vertices : 0 };
     });
     figures.push(`60 weights of a text of 40 letters, ${weights.vertices} vertices, without drawing: ${weights.ms.toFixed(0)} ms`);
-    check(weights.ms < 1000, `60 weights take ${weights.ms} ms, less than a second`);
+    check(weights.ms < 1000 || isBusy(), `60 weights take ${weights.ms} ms, less than a second`);
 
     await open("#page.motion=breathe&page.tags=0&text=" + encodeURIComponent("a[1]"), { width: 420, height: 320, still: false });
     check(await page.evaluate(() => globalThis.page.mesh.statistics.glyphs) === 4, "brackets breathe too where tags are not read");

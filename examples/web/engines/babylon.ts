@@ -30,14 +30,14 @@ function meshOf(name: string, text: TextMesh, scene: Scene, colour: string, upda
 }
 
 const [typemesh, bytes] = await Promise.all([load("typemesh.wasm"), fetch("font.ttf").then(answer => answer.arrayBuffer())]);
-const font = typemesh.font(bytes);
+const font = typemesh.font(bytes), bold = typemesh.font(bytes, { variations: { wght: 750 } });
 const engine = new Engine(document.getElementById("canvas") as HTMLCanvasElement, true), scene = new Scene(engine);
 scene.clearColor = new Color4(0.07, 0.08, 0.11, 1);
 new ArcRotateCamera("camera", -1.75, 1.35, 5, Vector3.Zero(), scene);
 new HemisphericLight("sky", new Vector3(0, 1, -0.5), scene).intensity = 0.5;
 new DirectionalLight("sun", new Vector3(0.6, -0.8, 1), scene).intensity = 0.8;
 
-const name = meshOf("name", typemesh.mesh("Babylon", font, { align: "centre", bevel: { width: 0.03, profile: "round" } }), scene, "#ff5d3a");
+const name = meshOf("name", typemesh.mesh("Babylon", bold, { align: "centre", bevel: { width: 0.03, profile: "round" } }), scene, "#ff5d3a");
 name.position.y = 0.15;
 
 const morph = typemesh.mesher(font).morph("breathes", "wght", { align: "centre", depth: 0.15 });

@@ -48,4 +48,4 @@ function App({ mesher }: { mesher: Mesher }) {
 }
 
 const [typemesh, bytes] = await Promise.all([load("typemesh.wasm"), fetch("font.ttf").then(answer => answer.arrayBuffer())]);
-createRoot(document.getElementById("root")!).render(<App mesher={typemesh.mesher(typemesh.font(bytes))} />);
+createRoot(document.getElementById("root")!).render(<App mesher={typemesh.mesher(typemesh.font(bytes, { variations: { wght: 750 } }))} />);
