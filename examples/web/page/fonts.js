@@ -56,7 +56,7 @@ export class Fonts {
     get awaits() { return this.#suiting.some(e => !e.font && !e.failed); }
 
     /**
-     * Opens one more of those that come with the page: first those of the text's scripts, then the others in their order. False
+     * Opens one more of those that come with the page: first the fonts of the text's scripts, then the others in their order. False
      * when there is none, or when another font was chosen meanwhile.
      */
     async openAnother() {

@@ -15,7 +15,7 @@ const start = { text: "Hello world!", view: "solid" };  // and what controls.js 
 const maxCharacters = 100000, maxInLink = 2000;  // the latter as they stand in an address
 const stage = openStage();
 const controls = new Controls(at("groups"), () => update());
-const fonts = new Fonts((bytes, options) => typemesh.font(bytes, options));
+const fonts = new Fonts((bytes, options) => (stage?.settle(), typemesh.font(bytes, options)));
 let typemesh, mesher, measurer, mesh, morph, shown = "", later;  // shown: the text of the mesh
 
 /** Nothing without WebGL: the mesh is then made, counted and saved, but not drawn. */
@@ -98,6 +98,7 @@ async function take(files) {
     for (const file of files) {
         try {
             const entry = { name: file.name, bytes: await file.arrayBuffer() };
+            stage?.settle();
             entry.font = typemesh.font(entry.bytes);
             offer(entry);
             await choose(entry.name);
@@ -219,6 +220,7 @@ function note() {
 /** What takes longer than a change should: once nothing has changed for a while. */
 function measure(text, options) {
     if (ticking || !mesh) return;
+    stage?.settle();
     const marked = { ...options, markup: options.markup === true && !trouble };
     const cold = measurer.mesh(text, { ...marked, cached: false });
     at("cold").value = number(Math.round(cold.statistics.microseconds));
@@ -335,6 +337,7 @@ function pruned(options) {
 function programState() {
     const text = at("text").value, all = controls.options(text);
     const options = pruned({ ...all, markup: all.markup === true && !trouble }), bent = options.bend || options.warp?.flag;
+    if (bent) stage?.settle();
     const { advance } = bent ? measurer.mesh(text, { ...options, bend: undefined, warp: undefined, depth: 0, bevel: undefined }).statistics : {};
     return { text, options, advance, file: fonts.used.file ?? fonts.used.name, others: fonts.othersFor(text), axis: morph && fonts.weights,
              weight: fonts.weights && controls.values["page.weight"] };
@@ -435,8 +438,7 @@ try {
     for (const { name, file, scripts } of bundled)
         offer({ name, file: file.split("/").pop(), letters: scripts && lettersOf(scripts), load: () => fetched(name, file) });
     await choose(recall());
-    stage?.drawNow();
-    stage?.draw();  // a frame that was waiting, for a mesh that turns, is gone with the last line
+    stage?.settle();
     document.documentElement.dataset.ready = performance.now().toFixed(0);  // ms since the page was requested
 } catch (e) {
     loading("");
