@@ -301,6 +301,7 @@ fi
 if [ -n "$to_build" ]; then
     [ -e "$program" ] || say "This builds text_to_mesh once, usually in one to three minutes."
     build_preset release text_to_mesh || exit 1
+    touch "$program"  # it is newer than sources of other programs, too
 fi
 # Written unless named by the caller already.
 for option in "$@"; do

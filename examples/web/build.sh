@@ -48,8 +48,7 @@ flags_for() {  # flags_for SOURCE FLAG...
 object_of() { say "$objects/$(basename "$1").o"; }
 is_compiled() {  # is_compiled SOURCE: its object is newer than all that it is made of
     [ -e "$(object_of "$1")" ] && [ -z "$(find "$1" "$typemesh_root/include" "$web" "$typemesh_root/examples/text_to_mesh" \
-        "${BASH_SOURCE[0]}" \( -name '*.[hc]pp' -o -name '*.[hc]' -o -name '*.cc' -o -name build.sh \) \
-        -newer "$(object_of "$1")" -print -quit)" ]
+        "${BASH_SOURCE[0]}" \( -samefile "$1" -o -name '*.hpp' -o -name '*.h' -o -name build.sh \) -newer "$(object_of "$1")" -print -quit)" ]
 }
 compile() {  # compile SOURCE FLAG...
     local source=$1 object
