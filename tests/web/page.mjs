@@ -552,7 +552,8 @@ await part("motion", async () => {
 
 // Keys.
 await part("keys", async () => {
-    await open();
+    await open("#depth=0.3");
+    await set("#option-depth", "0.4");  // there is something to undo
     const upright = await canvas();
     await page.focus("#canvas");
     for (let i = 0; i < 6; ++i) await page.keyboard.press("ArrowRight");

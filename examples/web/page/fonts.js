@@ -57,14 +57,14 @@ export class Fonts {
 
     /**
      * Opens one more of those that come with the page: first the fonts of the text's scripts, then the others in their order. False
-     * when there is none, or when another font was chosen meanwhile.
+     * when there is none, undefined when a font was chosen meanwhile.
      */
     async openAnother() {
         const turn = this.#turn, [some, others] = [this.#entries.filter(e => !e.letters), this.#entries.filter(e => e.letters)];
         for (const entry of [...this.#suiting, ...some, ...others]) {
             if (!entry.load || entry.failed || (entry.font && (entry.stands || entry === this.used))) continue;
             await this.#opened(entry).catch(() => { entry.failed = true; });
-            if (turn !== this.#turn) return false;
+            if (turn !== this.#turn) return undefined;
             entry.stands = entry.font !== undefined;
             if (entry.stands) return true;
         }

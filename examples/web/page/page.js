@@ -80,12 +80,12 @@ async function lookFurther() {
     note();
     try {
         while ((fonts.awaits || mesh?.statistics.missing > 0) && !ticking) {
-            const before = fonts.used;
-            if (await fonts.openAnother()) {
+            const found = await fonts.openAnother();
+            if (found) {
                 fonts.suit(meshed().text);
                 setFonts();
                 update();
-            } else if (fonts.used === before) break;
+            } else if (found === false) break;
         }
     } finally {
         searching = false;
