@@ -476,14 +476,16 @@ await part("scripts", async () => {
 // A tab whose frames are late, as a hidden one's are: by then other meshes have been made, and the memory has grown.
 await part("late", async () => {
     const late = await browser.newPage(), said = [];
+    late.setDefaultTimeout(120000);
+    await late.setViewport({ width: 420, height: 320 });
     await late.evaluateOnNewDocument(() => {
         const ask = globalThis.requestAnimationFrame;
         globalThis.requestAnimationFrame = call => setTimeout(() => ask(call), 3000);
     });
     late.on("console", m => said.push(m.text()));
-    await late.goto(home + "#text=" + "word ".repeat(300), { waitUntil: "domcontentloaded" });
+    await late.goto(home + "#text=" + "word ".repeat(40), { waitUntil: "domcontentloaded" });
     await late.waitForFunction(() => document.documentElement.dataset.measured === "1");
-    await late.$eval("#text", e => { e.value = "other words ".repeat(1500); e.dispatchEvent(new Event("input", { bubbles: true })); });
+    await late.$eval("#text", e => { e.value = "other words ".repeat(300); e.dispatchEvent(new Event("input", { bubbles: true })); });
     await late.waitForFunction(() => document.documentElement.dataset.measured === "2");
     await rest(5000);
     check(said.length === 0, `a mesh that is drawn late is whole: ${said[0]}`);
