@@ -279,12 +279,12 @@ is_built() {
     )
 }
 
-if (need_build_folder release) >/dev/null 2>&1; then
-    install_missing c++ cmake ninja pkg-config harfbuzz freetype cli11 tinygltf stb fontconfig font
-    to_build=1
-elif is_built; then
+if is_built; then  # the picture is then there at once
     install_missing fontconfig font
     to_build=
+elif (need_build_folder release) >/dev/null 2>&1; then
+    install_missing c++ cmake ninja pkg-config harfbuzz freetype cli11 tinygltf stb fontconfig font
+    to_build=1
 else
     need_build_folder release
 fi
@@ -301,6 +301,7 @@ fi
 if [ -n "$to_build" ]; then
     [ -e "$program" ] || say "This builds text_to_mesh once, usually in one to three minutes."
     build_preset release text_to_mesh || exit 1
+    touch "$program"  # it is newer than sources of other programs, too
 fi
 # Written unless named by the caller already.
 for option in "$@"; do

@@ -205,8 +205,9 @@ run_scripts() {  # run_scripts FOLDER [PRESET, which has built the tool: release
 
 # One of npm's packages, in the folder of run_scripts.
 install_npm() {  # install_npm FOLDER PACKAGE VERSION [PACKAGE@VERSION...]
-    local work=$typemesh_root/build/$1
-    command -v npm >/dev/null 2>&1 && [ ! -d "$work/node_modules/$2" ] || return 0
+    local work=$typemesh_root/build/$1 name is_missing=
+    for name in "$2" "${@:4}"; do [ -d "$work/node_modules/${name%@[0-9]*}" ] || is_missing=yes; done
+    command -v npm >/dev/null 2>&1 && [ -n "$is_missing" ] || return 0
     if ! npm install --prefix "$work" --no-save --no-audit --no-fund --fetch-retries=1 "$2@$3" "${@:4}" >"$work/npm.log" 2>&1; then
         explain_failure "$work/npm.log" "npm's registry"
         say "failed: npm could not install $2"
@@ -242,7 +243,7 @@ tier_web() {
     (install_missing chromium) || say "The run continues without it: the page is not tested."
     install_fonts fonts-inter-variable fonts-dejavu-core fonts-liberation
     mkdir -p "$typemesh_root/build/web"
-    build release mesh_hash
+    build release mesh_hash text_to_mesh
     export TYPEMESH_MESH_HASH=$typemesh_root/build/release/examples/mesh_hash
     say "This builds the module. Its full output goes to $typemesh_root/build/web/build.log"
     if ! with_progress "$typemesh_root/build/web/build.log" logged "$typemesh_root/build/web/build.log" \
@@ -250,7 +251,9 @@ tier_web() {
         tail -n 20 "$typemesh_root/build/web/build.log"
         count 0 1
     fi
-    install_npm web puppeteer-core 24.43.1 axe-core@4.10.3
+    (install_missing esbuild) || say "The run continues without it: the examples for other engines are not tested."
+    install_npm web puppeteer-core 24.43.1 axe-core@4.10.3 three@0.187.0 react@19.3.1 react-dom@19.3.1 @react-three/fiber@9.8.2 \
+        @babylonjs/core@9.31.0 typescript@5.9.3 @types/react@19.3.0 @types/react-dom@19.3.0 @types/three@0.187.0
     run_scripts web
 }
 

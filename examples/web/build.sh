@@ -48,8 +48,7 @@ flags_for() {  # flags_for SOURCE FLAG...
 object_of() { say "$objects/$(basename "$1").o"; }
 is_compiled() {  # is_compiled SOURCE: its object is newer than all that it is made of
     [ -e "$(object_of "$1")" ] && [ -z "$(find "$1" "$typemesh_root/include" "$web" "$typemesh_root/examples/text_to_mesh" \
-        "${BASH_SOURCE[0]}" \( -name '*.[hc]pp' -o -name '*.[hc]' -o -name '*.cc' -o -name build.sh \) \
-        -newer "$(object_of "$1")" -print -quit)" ]
+        "${BASH_SOURCE[0]}" \( -samefile "$1" -o -name '*.hpp' -o -name '*.h' -o -name build.sh \) -newer "$(object_of "$1")" -print -quit)" ]
 }
 compile() {  # compile SOURCE FLAG...
     local source=$1 object
@@ -92,6 +91,12 @@ if [ ${#changed[@]} -gt 0 ]; then
     say "  ${#changed[@]} of ${#changed[@]} are compiled"
 fi
 
+# Nothing to do where the module was linked of these objects, by this script, with these flags.
+as_linked="$output ${TYPEMESH_WEB_NAMES:-} $*"
+if [ -e "$output" ] && [ "$(cat "$objects/linked" 2>/dev/null)" = "$as_linked" ] && [ -e "$web/package/LICENSE" ] &&
+    [ -z "$(find "$objects" "${BASH_SOURCE[0]}" \( -name '*.o' -o -name build.sh \) -newer "$output" -print -quit)" ]; then
+    exit 0
+fi
 say "This links the module, usually in half a minute"
 exports=$(sed -nE 's/^TYPEMESH_WEB_EXPORT [^(]*[ *](web_[a-z_]+)\(.*/_\1/p' "$web/exports.cpp" | tr '\n' ,)
 smaller=  # linked for speed and then optimised for size: both alone are larger or slower
@@ -103,5 +108,6 @@ em++ "$@" "${features[@]}" --no-entry -fno-exceptions -fno-rtti "$objects"/*.o -
 [ -z "$smaller" ] || wasm-opt -Oz ${TYPEMESH_WEB_NAMES:+-g} --enable-sign-ext --enable-nontrapping-float-to-int --enable-bulk-memory \
     "$work/typemesh.part.wasm" -o "$work/typemesh.part.wasm"
 mv "$work/typemesh.part.wasm" "$output"
+say "$as_linked" >"$objects/linked"
 cp "$typemesh_root/LICENSE" "$web/package/"  # for npm pack
 say "$output: $(wc -c <"$output") bytes, $(gzip -9c "$output" | wc -c) compressed by gzip"

@@ -8,13 +8,26 @@
 #include <typemesh/vertex/mesh_range.hpp>
 #include <typemesh/vertex/part.hpp>
 
+#include <cstddef>
 #include <cstdint>
+#include <span>
 
 namespace typemesh_web {
 
 /// The names of parts, as typemesh::part counts them; the parts of a ring come before the parts of the letter within it.
 inline constexpr const char* part_names[] = {"front",      "back",         "side",        "front_bevel",
                                              "back_bevel", "letter_front", "letter_back", "letter_side"};
+
+/// A vector as streams write it into arrays of numbers.
+struct float3 {
+    float x, y, z;
+};
+
+/// An array's bytes from a number on. The span's type is written out: older standard libraries take a temporary view for a constant one.
+inline std::span<std::byte> bytes_of(typemesh::buffer<float>& b, std::size_t from = 0) noexcept
+{
+    return std::as_writable_bytes(std::span<float>{b.data(), b.size()}.subspan(from));
+}
 
 /// As JavaScript reads it: five numbers of 32 bits.
 struct web_part {

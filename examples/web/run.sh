@@ -59,7 +59,8 @@ site=$typemesh_root/build/web/site
 parts=$typemesh_root/build/web/npm
 install_missing python3 certificates
 (install_missing esbuild brotli) || say "The run continues without them: the page arrives in larger files."
-install_fonts fonts-inter-variable fonts-dejavu-core fonts-liberation fonts-comic-neue fonts-hosny-amiri fonts-sawarabi-mincho
+install_fonts fonts-inter-variable fonts-dejavu-core fonts-liberation fonts-comic-neue fonts-hosny-amiri fonts-sawarabi-mincho \
+    fonts-lohit-deva culmus fonts-symbola
 "$web/three.sh" "$parts"
 "$web/build.sh"
 
@@ -83,14 +84,16 @@ else
 fi
 
 # The fonts that are there, the first one being what the page begins with. Files stand in for each other, the first that is there.
+# Those with scripts are fetched when a text has letters of them. Emoji means all that Unicode draws as pictures.
 names= first=
-while IFS='|' read -r name files; do
+while IFS='|' read -r name files scripts; do
     file=
     for one in $files; do [ -n "$file" ] || [ ! -e "/usr/share/fonts/$one" ] || file=$one; done
     [ -n "$file" ] || { say "The page has no $name, because its Debian package is not installed." && continue; }
     cp "/usr/share/fonts/$file" "$site/fonts/"
     file=fonts/$(basename "$file")
-    names="$names${names:+,}\"$name\":\"$file\""
+    [ -z "$scripts" ] || scripts=",\"scripts\":[\"${scripts// /\",\"}\"]"
+    names="$names${names:+,}{\"name\":\"$name\",\"file\":\"$file\"$scripts}"
     : "${first:=$file}"
 done <<'END'
 Inter (any weight)|truetype/inter-vf/Inter-roman.var.ttf truetype/inter-vf/InterVariable.ttf
@@ -99,18 +102,28 @@ DejaVu Sans|truetype/dejavu/DejaVuSans.ttf
 DejaVu Serif Bold|truetype/dejavu/DejaVuSerif-Bold.ttf
 Liberation Serif Italic|truetype/liberation/LiberationSerif-Italic.ttf
 Comic Neue|opentype/comic-neue/ComicNeue-Regular.otf
-Amiri (Arabic)|opentype/fonts-hosny-amiri/Amiri-Regular.ttf
-Sawarabi Mincho (Japanese)|truetype/sawarabi-mincho/sawarabi-mincho-medium.ttf
+Amiri (Arabic)|opentype/fonts-hosny-amiri/Amiri-Regular.ttf|Arabic
+Frank Ruehl (Hebrew)|truetype/culmus/FrankRuehlCLM-Bold.ttf|Hebrew
+Lohit (Devanagari)|truetype/lohit-devanagari/Lohit-Devanagari.ttf|Devanagari
+Sawarabi Mincho (Japanese)|truetype/sawarabi-mincho/sawarabi-mincho-medium.ttf|Hiragana Katakana Han
+Symbola (emoji)|truetype/ancient-scripts/Symbola_hint.ttf|Emoji
 END
 [ -n "$names" ] || stop "None of the fonts is there."
-printf '{%s}\n' "$names" >"$site/fonts.json"
+printf '[%s]\n' "$names" >"$site/fonts.json"
 early="<script>if (!/[#\&]font=/.test(location.hash)) globalThis.early = { url: \"$first\", answer: fetch(\"$first\") };</script>"
 sed -e "s|<!-- modules -->|$modules|" -e "s|<!-- first font -->|$early|" "$web/page/index.html" >"$site/index.html"
 
-# Beside each file what servers send instead of it.
+# Beside each file what servers send instead of it; files that stay are compressed once.
+packed=$typemesh_root/build/web/packed
+mkdir -p "$packed"
 while IFS= read -r file; do
-    gzip -9 -n -c "$file" >"$file.gz"
-    ! command -v brotli >/dev/null 2>&1 || brotli -q 11 -f -o "$file.br" "$file"
+    once=$packed/$(basename "$file")
+    if ! cmp -s "$file" "$once" || { command -v brotli >/dev/null 2>&1 && [ ! -e "$once.br" ]; }; then
+        gzip -9 -n -c "$file" >"$once.gz"
+        ! command -v brotli >/dev/null 2>&1 || brotli -q 11 -f -o "$once.br" "$file"
+        cp "$file" "$once"
+    fi
+    for ending in gz br; do [ ! -e "$once.$ending" ] || cp "$once.$ending" "$file.$ending"; done
 done <<END
 $(find "$site" -type f \( -name '*.html' -o -name '*.css' -o -name '*.js' -o -name '*.json' -o -name '*.wasm' -o -name '*.?tf' \))
 END

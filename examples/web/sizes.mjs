@@ -9,6 +9,9 @@ import { readFileSync } from 'node:fs';
 const features = [ // the first that fits
     ['HarfBuzz: shaping, outlines of fonts', /^(void |bool |int |unsigned int )?_?(hb_|OT::|AAT::|CFF::|_hb|arabic_|collect_features_|setup_|data_create_|compose_|decompose_|preprocess_text|reorder|initial_reordering|final_reordering|get_(path|bounds)|_get_|hb_ot|find_syllables|override_|unicode_to_)|hb_|OT::|CFF::|_path_procs|_extents_/],
     ['Allocation, sorting and the like of the C and C++ libraries', /^(dl|std::__2::(__sort|__insertion|vector|basic_string)|str|mem|__|fmt_|pop_arg|printf|pad|sn?printf|vsn|malloc|free|operator |dispose|sys|wasi|emscripten|scalbn|fmod|atan|acos|cos|sin|cbrt|pow|exp|log|fopen|fwrite|wc)/],
+    ['Tags', /markup|marked_words|ruby|highlight/],
+    ['A text that breathes', /morph|harfbuzz_axis/],
+    ['Text on a path, letters of vertices', /on_path|plane_path|path_walk|path_place|letter_row|text_letter|name_letters/],
     ['Bent, warped and inflated letters', /bent_surface|bent_caps|edge_bisection|curve_warper|warped<|membrane::|inflated_(corners|surface)::/],
     ['Bold and hollow letters', /embolden|outlined|boundary_mover|reflex_joins|inner_solid|cell_outlines|ring_cutter/],
     ['Bevels', /bevel|profile|sweep_inwards|inward_sweep|wavefront|kinetic|collapse|swept|moving_point|offset/],

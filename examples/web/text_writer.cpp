@@ -10,22 +10,15 @@ namespace {
 struct float2 {
     float x, y;
 };
-struct float3 {
-    float x, y, z;
-};
 
 /// Into the arrays from a vertex and an index on, whose room was made.
 auto sink_into(mesh_arrays& out, std::size_t vertex, std::size_t index)
 {
-    // Spans with their types written out: older standard libraries take a temporary view for a constant one.
-    const auto bytes = [](buffer<float>& b, std::size_t from) {
-        return std::as_writable_bytes(std::span<float>{b.data(), b.size()}.subspan(from));
-    };
     return stream_sink{std::span<std::uint32_t>{out.index.data(), out.index.size()}.subspan(index),
                        static_cast<std::uint32_t>(vertex),
-                       stream<attribute::position, float3>::in(bytes(out.position, 3 * vertex), 0),
-                       stream<attribute::normal, float3>::in(bytes(out.normal, 3 * vertex), 0),
-                       stream<attribute::uv, float2>::in(bytes(out.uv, 2 * vertex), 0)};
+                       stream<attribute::position, float3>::in(bytes_of(out.position, 3 * vertex), 0),
+                       stream<attribute::normal, float3>::in(bytes_of(out.normal, 3 * vertex), 0),
+                       stream<attribute::uv, float2>::in(bytes_of(out.uv, 2 * vertex), 0)};
 }
 
 /// The vertices of a glyph of the plan, which stand behind `first` others in the arrays.

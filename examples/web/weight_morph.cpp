@@ -7,14 +7,6 @@ namespace typemesh_web {
 
 using namespace typemesh;
 
-namespace {
-
-struct float3 {
-    float x, y, z;
-};
-
-}  // namespace
-
 result<void> weight_morph::plan(std::u16string_view text, const text_to_mesh::options& o)
 {
     morph_options how;
@@ -40,10 +32,10 @@ result<void> weight_morph::write(double value, mesh_arrays& out)
     if (!out.make_room(size.vertices, size.indices())) return error::out_of_memory;
     for (const part p : {part::front, part::back, part::side})
         if (!out.add_part(p, plan_.range(section, p))) return error::out_of_memory;
-    const auto bytes = [](buffer<float>& b) { return std::as_writable_bytes(std::span<float>{b.data(), b.size()}); };
-    const auto written = plan_.write_at(at, stream_sink{std::span<std::uint32_t>{out.index.data(), out.index.size()},
-                                                        stream<attribute::position, float3>::in(bytes(out.position), 0),
-                                                        stream<attribute::normal, float3>::in(bytes(out.normal), 0)});
+    const auto written =
+        plan_.write_at(at, stream_sink{std::span<std::uint32_t>{out.index.data(), out.index.size()},
+                                       stream<attribute::position, float3>::in(bytes_of(out.position), 0),
+                                       stream<attribute::normal, float3>::in(bytes_of(out.normal), 0)});
     const auto per_em = static_cast<float>(1.0 / size_);
     for (std::size_t i = 0; i < out.vertices(); ++i) {
         const float* const p = out.position.data() + 3 * i;

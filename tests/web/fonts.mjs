@@ -4,7 +4,7 @@
 import assert from "node:assert/strict";
 import { pathToFileURL } from "node:url";
 
-const { Fonts } = await import(pathToFileURL(process.argv[2]));
+const { Fonts, lettersOf } = await import(pathToFileURL(process.argv[2]));
 const arriving = name => {
     const entry = { name };
     entry.asked = 0;
@@ -55,13 +55,36 @@ const list = names => {
     assert.equal(await fonts.openAnother(), false);
     assert.deepEqual([a.asked, b.asked, c.asked], [1, 1, 1]);
 }
+{   // The font of a text's script is fetched before all others, and comes before them, unless the chosen font has the letters.
+    const fonts = new Fonts(bytes => ({ name: bytes, has: letter => letter.charCodeAt(0) < 128 || bytes === "all" }));
+    const entries = ["all", "latin", "other", "greek"].map(arriving);
+    Object.assign(entries[3], { letters: lettersOf(["Greek", "Emoji"]) });
+    for (const entry of entries) fonts.offer(entry), entry.arrive();
+    await fonts.choose(entries[0]);
+    assert.equal(fonts.suit("\u03b1\u03b2"), false);
+    assert.equal(fonts.awaits, false);
+    await fonts.choose(entries[1]);
+    assert.equal(fonts.suit("\u03b1\u03b2"), false, "it has yet to come");
+    assert.equal(fonts.awaits, true);
+    assert.equal(await fonts.openAnother(), true);
+    assert.equal(fonts.awaits, false);
+    const names = () => fonts.list().map(f => f.name);
+    assert.deepEqual(names(), ["latin", "greek"], "and not the one that was chosen before");
+    assert.equal(await fonts.openAnother(), true);
+    assert.deepEqual(names(), ["latin", "greek", "all"]);
+    assert.equal(fonts.suit("abc"), true);
+    assert.deepEqual(names(), ["latin", "all", "greek"]);
+    assert.equal(fonts.suit("\u{1f680}"), true);
+    assert.deepEqual(names(), ["latin", "greek", "all"]);
+    assert.deepEqual(entries.map(e => e.asked), [1, 1, 0, 1]);
+}
 {   // A choice ends the search for missing letters.
     const { fonts, a, b } = list(["a", "b"]);
     a.arrive();
     await fonts.choose(a);
     const search = fonts.openAnother(), choice = fonts.choose(a);
     b.arrive();
-    assert.deepEqual([await search, await choice], [false, true]);
+    assert.deepEqual([await search, await choice], [undefined, true], "and another begins");
 }
 {   // A file of the same name replaces the font.
     const fonts = new Fonts(bytes => bytes);

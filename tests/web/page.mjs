@@ -5,6 +5,7 @@ import { execFileSync, spawnSync } from "node:child_process";
 import fs from "node:fs";
 import http from "node:http";
 import { createRequire } from "node:module";
+import os from "node:os";
 import path from "node:path";
 
 const [, , site, executablePath, pictures, renew] = process.argv;
@@ -73,10 +74,20 @@ const set = (selector, to) => change(() => page.$eval(selector, (e, v) => {
     e.dispatchEvent(new Event("change", { bubbles: true }));
 }, to));
 
+/** The canvas as it is now, without what lies over it: times and letters of this system's fonts. */
+async function canvas() {
+    await page.evaluate(() => {
+        const sheet = document.getElementById("bare") ?? document.head.appendChild(Object.assign(document.createElement("style"), { id: "bare" }));
+        sheet.textContent = ".bare :is(#presets, #bar, #numbers, #notes) { visibility: hidden; }";
+        document.documentElement.classList.add("bare");
+    });
+    const seen = await (await page.$("#canvas")).screenshot({ encoding: "base64" });
+    await page.evaluate(() => document.documentElement.classList.remove("bare"));
+    return seen;
+}
 /** The share of pixels that differ visibly from the stored picture. */
 async function compare(name) {
-    const of = name.startsWith("phone") ? page : await page.$("#canvas");
-    const seen = await of.screenshot({ encoding: "base64" });
+    const seen = await canvas();
     const file = path.join(pictures, name + ".png");
     if (renew === "yes") {
         fs.mkdirSync(pictures, { recursive: true });
@@ -99,8 +110,7 @@ async function compare(name) {
     }, seen, fs.readFileSync(file).toString("base64"));
     check(share < 0.02, `${name}.png: ${(100 * share).toFixed(1)} % of the pixels are others`);
 }
-/** The canvas as it is now. */
-const canvas = async () => (await (await page.$("#canvas")).screenshot({ encoding: "base64" }));
+const isBusy = () => os.loadavg()[0] > 2 * os.cpus().length;  // then times say nothing
 const rest = ms => new Promise(done => setTimeout(done, ms));
 const pick = name => page.$eval("#font", (e, v) => { e.value = v; e.dispatchEvent(new Event("change", { bubbles: true })); }, name);
 const drop = (name, bytes) => page.evaluate((name, text) => {
@@ -112,458 +122,581 @@ const drop = (name, bytes) => page.evaluate((name, text) => {
 // --- what is to be seen ------------------------------------------------------------------------------------------------------
 
 const figures = [];
-await open();
+/** A part of this test: all of them, or those that TYPEMESH_WEB_PARTS names, with commas between. What it throws is its failure alone. */
+async function part(name, run) {
+    if (process.env.TYPEMESH_WEB_PARTS && !process.env.TYPEMESH_WEB_PARTS.split(",").includes(name)) return;
+    const begun = performance.now(), before = failures;
+    await run().catch(e => check(false, `${name}: ${e.stack}`));
+    console.log(`${name}: ${failures === before ? "good" : "FAILED"}, ${((performance.now() - begun) / 1000).toFixed(0)} s`);
+}
 const ready = async () => Number(await page.evaluate(() => document.documentElement.dataset.ready));
-figures.push(`first mesh on screen: ${await ready()} ms after the page was asked for, in a browser that is just starting`);
-const again = [];
-for (let i = 0; i < 3; ++i) await open(), again.push(await ready());
-figures.push(`    the same in a browser that runs: ${Math.min(...again)} to ${Math.max(...again)} ms`);
-check(await message() === "" && await value("open-edges") === "0", "the first mesh is closed");
-await compare("solid");
-
-// The same mesh as the native program's, if that is there.
 const hash = () => page.evaluate(() => globalThis.page.mesh.hash());
-if (process.env.TYPEMESH_MESH_HASH) {
-    const fonts = JSON.parse(fs.readFileSync(path.join(site, "fonts.json"), "utf8"));
-    const font = path.join(site, Object.values(fonts)[0]);
-    const options = await page.evaluate(() => globalThis.page.options);
-    const named = Object.entries(options).flatMap(([k, v]) => typeof v === "object" ? Object.entries(v).map(([s, w]) => `${k}.${s}=${w}`) : [`${k}=${v}`]);
-    const native = execFileSync(process.env.TYPEMESH_MESH_HASH, ["Hello world!", "--weight", String(await page.evaluate(() => globalThis.page.weight)), "--font", font, ...named], { encoding: "utf8" }).trim();
-    check(native.includes(await hash()), `the native program's mesh has the hash ${native}, the page's ${await hash()}`);
-}
-
-// Typing: the time of a change with 200 characters whose letters are there.
-await change(() => page.$eval("#text", e => {
-    e.value = "Typing stays quick with two hundred characters. ".repeat(5).slice(0, 200);
-    e.dispatchEvent(new Event("input", { bubbles: true }));
-}));
-const changes = [];
-for (let i = 0; i < 20; ++i) {
-    await page.$eval("#text", (e, i) => { e.value = e.value.slice(0, 199) + "aeiou"[i % 5]; e.dispatchEvent(new Event("input", { bubbles: true })); }, i);
-    changes.push(await page.evaluate(() => globalThis.page.lastChange));
-}
-changes.sort((a, b) => a - b);
-check(Number(await value("change")) > 0 && Number(await value("change")) <= Math.max(...changes), "the page shows the median of its changes");
-figures.push(`a change of 200 characters: ${changes[10].toFixed(1)} ms (median of 20), ${changes[19].toFixed(1)} ms at most`);
-await page.focus("#text");
-await change(() => page.keyboard.type("!"));
-check((await value("text")).endsWith("!") || (await value("text")).includes("!"), "what is typed comes into the text");
-
-// Every option, and each of its values. Short texts cannot be bent to the ends of the sliders.
-await open("#text=Aé here&bevel.width=0.02", { width: 420, height: 320 });  // little to draw
-const hidden = await page.$$eval("#groups details", all => all.filter(e => !e.open).length);
-check(hidden >= 2, "what few people need is folded");
-await page.$$eval("#groups details", all => all.forEach(e => { e.open = true; }));
-const ids = await page.$$eval("#groups input, #groups select", all => all.map(e => e.id));
-check(ids.length >= 20, "the panel has its controls");
-for (const id of ids) {
-    const [kind, was, values] = await page.$eval("#" + id, e => [e.type, e.type === "checkbox" ? e.checked : e.value,
-        e.type === "select-one" ? [...e.options].map(o => o.value) : e.type === "checkbox" ? [!e.checked] :
-        e.type === "range" ? [e.min, e.max] : e.type === "color" ? ["#00aa55"] : e.id.endsWith("features") ? ["kern=0, liga"] : ["tr"]]);
-    for (const v of values) {
-        if (String(v) === String(was)) continue;
-        await set("#" + id, v);
-        check(await message() === "", `${id} = ${v}: ${await message()}`);
-        const flat = id === "option-depth" && Number(v) === 0;
-        if (!flat) check(await value("open-edges") === "0", `${id} = ${v}: open edges ${await value("open-edges")}`);
-    }
-    await set("#" + id, was);
-    check(kind !== "text" || await message() === "", `${id} is set back`);
-}
-await set("#option-features", "toolong");
-check(/tag/.test(await message()), "a tag of seven letters is refused in words");
-check(Number((await value("triangles")).replace(/,/g, "")) > 0, "and the mesh stays");
-await set("#option-features", "");
-
-// The shape: each slider by its keys, what excludes each other, and what cannot be built.
-await open();
-const straight = await hash();
 const at = name => `#option-${name.replace(".", "-")}`;
-for (const name of ["bend.cylinder", "bend.twist", "bend.wave", "warp.arc", "warp.flag", "path.ring", "path.wave", "inflate.height"]) {
-    await page.focus(at(name));
-    await change(() => page.keyboard.press("ArrowRight"));
-    const step = await page.$eval(at(name), e => [Number(e.value), Number(e.step), e.getAttribute("aria-valuetext")]);
-    check(step[0] === step[1] && step[2].startsWith(String(step[0])), `a key moves ${name} by a step: ${step}`);
-    check(await hash() !== straight && await message() === "", `${name} changes the mesh: ${await message()}`);
-    check(await value("open-edges") === "0", `${name}: open edges ${await value("open-edges")}`);
-    await change(() => page.$eval(at(name), e => e.dispatchEvent(new MouseEvent("dblclick", { bubbles: true }))));
-    check(await hash() === straight, `a double click sets ${name} back`);
-}
-await set(at("bend.twist"), "90");
-await set(at("bend.cylinder"), "180");
-check(await value("option-bend-twist") === "0", "one way to bend at a time");
-check(/so Twist is 0 again\.$/.test(await value("notes")), `which is told: ${await value("notes")}`);
-await set(at("warp.arc"), "60");
-check(await value("option-bend-cylinder") === "180", "an arc goes with a bend");
-await set(at("warp.arc"), "0");
-await set(at("inflate.height"), "1");
-const balloon = await hash();
-for (const name of ["depth", "bevel.width", "outline.width", "normals"])
-    check(await page.$eval(at(name), e => e.disabled), `inflated letters have no ${name}`);
-check(/Inflated letters have no bevels/.test(await value("notes")), `which is told: ${await value("notes")}`);
-await page.click("#link");
-const shape = await page.evaluate(() => location.hash);
-await open(shape);
-check(await hash() === balloon, "a link brings a balloon back");
-await set(at("inflate.height"), "0");
-check(await hash() === straight, "and without air it is as before");
-await open("#text=Hi&depth=0.4&bend.cylinder=360");
-check(/folds the letters/.test(await message()), `a text that is bent too tightly is told: ${await message()}`);
-await set(at("bend.cylinder"), "40");
-check(await message() === "", "and is built when it is bent less");
-
-// Views.
-for (const [name, link] of [["bent", "#bend.cylinder=180"], ["inflated", "#inflate.height=1&text=Ra8"]]) {
-    await open(link);
-    await compare(name);
-}
-for (const view of ["wireframe", "normals", "texture", "contours"]) {
-    await open(`#view=${view}&text=Ra8`);
-    await compare(view);
-}
-await open("#text=" + encodeURIComponent("Dark and narrow"), { width: 360, height: 700, dark: true });
-await compare("phone-dark");
-check(await page.evaluate(() => document.scrollingElement.scrollWidth <= 360), "nothing is wider than a phone");
-
-// A phone: while an option is used, the mesh is in view.
-for (const [width, height] of [[360, 700], [390, 844], [740, 360]]) {
-    await open("#text=Phone", { width, height });
-    const seen = await page.evaluate(() => {
-        document.getElementById("png").scrollIntoView();
-        const box = e => document.getElementById(e).getBoundingClientRect(), [stage, button] = [box("stage"), box("png")];
-        return { stage: Math.min(stage.bottom, innerHeight) - Math.max(stage.top, 0), button: button.top >= 0 && button.bottom <= innerHeight + 1, wide: document.scrollingElement.scrollWidth };
-    });
-    check(seen.stage >= Math.min(240, 0.6 * height) && seen.button && seen.wide <= width, `at ${width} x ${height} the stage stays: ${JSON.stringify(seen)}`);
-}
-
-// Presets: each is one click, and its link opens as it was made.
-await open("", { width: 500, height: 400 });
-const names = await page.$$eval("#presets a", all => all.map(e => e.className));
-check(names.length >= 8, `there are ${names.length} presets`);
 const programs = [];  // of what is on the screen, to be compiled
-const program = () => page.evaluate(() => ({ code: globalThis.page.programs.cpp(globalThis.page.programState()), font: globalThis.page.programState().file,
+const program = () => page.evaluate(() => ({ code: globalThis.page.programs.cpp(globalThis.page.programState()), font: globalThis.page.programState().file, others: globalThis.page.programState().others,
     command: globalThis.page.programs.command(globalThis.page.programState()), javascript: globalThis.page.programs.javascript(globalThis.page.programState()),
     vertices: globalThis.page.mesh.statistics.vertices, triangles: globalThis.page.mesh.statistics.triangles }));
 const unhurried = () => page.waitForFunction(() => document.getElementById("loading").hidden && globalThis.page.mesh.statistics.missing === 0);
-for (const name of names) {
-    await change(() => page.click(`#presets .${name}`));
-    await unhurried();
-    await rest(600);
-    const [made, hash_of_link] = [await hash(), await page.evaluate(() => location.hash)];
-    check(await message() === "" && await value("open-edges") === "0", `${name}: ${await message()} ${await value("open-edges")}`);
-    check(await page.$eval(`#presets .${name}`, e => e.getAttribute("aria-current")) === "true", `${name} is marked as what is shown`);
-    programs.push({ name, ...await program() });
-    await open(hash_of_link, { width: 500, height: 400 });
-    await unhurried();
-    check(await hash() === made, `the link of ${name} opens as it was made`);
-}
+const bundled = JSON.parse(fs.readFileSync(path.join(site, "fonts.json"))), offered = bundled.map(f => f.name);
+const loading = () => page.$eval("#loading", e => e.hidden ? "" : e.textContent);
+
+await part("first", async () => {
+    await open();
+    figures.push(`first mesh on screen: ${await ready()} ms after the page was asked for, in a browser that is just starting`);
+    const again = [];
+    for (let i = 0; i < 3; ++i) await open(), again.push(await ready());
+    figures.push(`    the same in a browser that runs: ${Math.min(...again)} to ${Math.max(...again)} ms`);
+    check(await message() === "" && await value("open-edges") === "0", "the first mesh is closed");
+    const frames = await page.evaluate(() => [false, true].map(moves => {  // ms until a frame is drawn, the least
+        const { stage } = globalThis.page, gl = stage.renderer.getContext(), pixel = new Uint8Array(4), times = [];
+        for (let i = 0; i < 15; ++i) {
+            const begun = performance.now();
+            stage.renderer.shadowMap.needsUpdate = moves;
+            stage.drawNow();
+            gl.readPixels(0, 0, 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, pixel);
+            times.push(performance.now() - begun);
+        }
+        return Math.min(...times);
+    }));
+    figures.push(`a frame of the first text, drawn in software without a graphics card: ${frames[0].toFixed(0)} ms, ${frames[1].toFixed(0)} ms with a new shadow, as letters that move need`);
+    await compare("solid");
+});
+
+// The same mesh as the native program's, if that is there.
+await part("native", async () => {
+    await open();
+    if (process.env.TYPEMESH_MESH_HASH) {
+        const fonts = JSON.parse(fs.readFileSync(path.join(site, "fonts.json"), "utf8"));
+        const font = path.join(site, fonts[0].file);
+        const options = await page.evaluate(() => globalThis.page.options);
+        const named = Object.entries(options).flatMap(([k, v]) => typeof v === "object" ? Object.entries(v).map(([s, w]) => `${k}.${s}=${w}`) : [`${k}=${v}`]);
+        const native = execFileSync(process.env.TYPEMESH_MESH_HASH, ["Hello world!", "--weight", String(await page.evaluate(() => globalThis.page.weight)), "--font", font, ...named], { encoding: "utf8" }).trim();
+        check(native.includes(await hash()), `the native program's mesh has the hash ${native}, the page's ${await hash()}`);
+    }
+});
+
+// Typing: the time of a change with 200 characters whose letters are there.
+await part("typing", async () => {
+    await open();
+    await change(() => page.$eval("#text", e => {
+        e.value = "Typing stays quick with two hundred characters. ".repeat(5).slice(0, 200);
+        e.dispatchEvent(new Event("input", { bubbles: true }));
+    }));
+    const changes = [];
+    for (let i = 0; i < 20; ++i) {
+        await page.$eval("#text", (e, i) => { e.value = e.value.slice(0, 199) + "aeiou"[i % 5]; e.dispatchEvent(new Event("input", { bubbles: true })); }, i);
+        changes.push(await page.evaluate(() => globalThis.page.lastChange));
+    }
+    changes.sort((a, b) => a - b);
+    check(Number(await value("change")) > 0 && Number(await value("change")) <= Math.max(...changes), "the page shows the median of its changes");
+    figures.push(`a change of 200 characters: ${changes[10].toFixed(1)} ms (median of 20), ${changes[19].toFixed(1)} ms at most`);
+    await page.focus("#text");
+    await change(() => page.keyboard.type("!"));
+    check((await value("text")).endsWith("!") || (await value("text")).includes("!"), "what is typed comes into the text");
+});
+
+// Every option, and each of its values. Short texts cannot be bent to the ends of the sliders.
+await part("options", async () => {
+    await open("#text=Aé here&bevel.width=0.02", { width: 420, height: 320 });  // little to draw
+    const hidden = await page.$$eval("#groups details", all => all.filter(e => !e.open).length);
+    check(hidden >= 2, "what few people need is folded");
+    await page.$$eval("#groups details", all => all.forEach(e => { e.open = true; }));
+    const ids = await page.$$eval("#groups input, #groups select", all => all.map(e => e.id));
+    check(ids.length >= 20, "the panel has its controls");
+    for (const id of ids) {
+        const [kind, was, values] = await page.$eval("#" + id, e => [e.type, e.type === "checkbox" ? e.checked : e.value,
+            e.type === "select-one" ? [...e.options].map(o => o.value) : e.type === "checkbox" ? [!e.checked] :
+            e.type === "range" ? [e.min, e.max] : e.type === "color" ? ["#00aa55"] : e.id.endsWith("features") ? ["kern=0, liga"] : ["tr"]]);
+        for (const v of values) {
+            if (String(v) === String(was)) continue;
+            await set("#" + id, v);
+            check(await message() === "", `${id} = ${v}: ${await message()}`);
+            const flat = id === "option-depth" && Number(v) === 0;
+            if (!flat) check(await value("open-edges") === "0", `${id} = ${v}: open edges ${await value("open-edges")}`);
+        }
+        await set("#" + id, was);
+        check(kind !== "text" || await message() === "", `${id} is set back`);
+    }
+    await set("#option-features", "toolong");
+    check(/tag/.test(await message()), "a tag of seven letters is refused in words");
+    check(Number((await value("triangles")).replace(/,/g, "")) > 0, "and the mesh stays");
+    await set("#option-features", "");
+});
+
+// The shape: each slider by its keys, what excludes each other, and what cannot be built.
+await part("shape", async () => {
+    await open();
+    await page.$$eval("#groups details", all => all.forEach(e => { e.open = true; }));  // where sliders have the focus
+    const straight = await hash();
+    for (const name of ["bend.cylinder", "bend.twist", "bend.wave", "warp.arc", "warp.flag", "path.ring", "path.wave", "inflate.height"]) {
+        await page.focus(at(name));
+        await change(() => page.keyboard.press("ArrowRight"));
+        const step = await page.$eval(at(name), e => [Number(e.value), Number(e.step), e.getAttribute("aria-valuetext")]);
+        check(step[0] === step[1] && step[2].startsWith(String(step[0])), `a key moves ${name} by a step: ${step}`);
+        check(await hash() !== straight && await message() === "", `${name} changes the mesh: ${await message()}`);
+        check(await value("open-edges") === "0", `${name}: open edges ${await value("open-edges")}`);
+        await change(() => page.$eval(at(name), e => e.dispatchEvent(new MouseEvent("dblclick", { bubbles: true }))));
+        check(await hash() === straight, `a double click sets ${name} back`);
+    }
+    await set(at("bend.twist"), "90");
+    await set(at("bend.cylinder"), "180");
+    check(await value("option-bend-twist") === "0", "one way to bend at a time");
+    check(/so Twist is 0 again\.$/.test(await value("notes")), `which is told: ${await value("notes")}`);
+    await set(at("warp.arc"), "60");
+    check(await value("option-bend-cylinder") === "180", "an arc goes with a bend");
+    await set(at("warp.arc"), "0");
+    await set(at("inflate.height"), "1");
+    const balloon = await hash();
+    for (const name of ["depth", "bevel.width", "outline.width", "normals"])
+        check(await page.$eval(at(name), e => e.disabled), `inflated letters have no ${name}`);
+    check(/Inflated letters have no bevels/.test(await value("notes")), `which is told: ${await value("notes")}`);
+    await page.click("#link");
+    const shape = await page.evaluate(() => location.hash);
+    await open(shape);
+    check(await hash() === balloon, "a link brings a balloon back");
+    await set(at("inflate.height"), "0");
+    check(await hash() === straight, "and without air it is as before");
+    await open("#text=Hi&depth=0.4&bend.cylinder=360");
+    check(/folds the letters/.test(await message()), `a text that is bent too tightly is told: ${await message()}`);
+    await set(at("bend.cylinder"), "40");
+    check(await message() === "", "and is built when it is bent less");
+});
+
+// Views.
+await part("views", async () => {
+    for (const [name, link] of [["bent", "#bend.cylinder=180"], ["inflated", "#inflate.height=1&text=Ra8"]]) {
+        await open(link);
+        await compare(name);
+    }
+    for (const view of ["wireframe", "normals", "texture", "contours"]) {
+        await open(`#view=${view}&text=Ra8`);
+        await compare(view);
+    }
+    await open("#text=" + encodeURIComponent("Dark and narrow"), { width: 360, height: 700, dark: true });
+    await compare("phone-dark");
+    check(await page.evaluate(() => document.scrollingElement.scrollWidth <= 360), "nothing is wider than a phone");
+});
+
+// A phone: while an option is used, the mesh is in view.
+await part("phone", async () => {
+    for (const [width, height] of [[360, 700], [390, 844], [740, 360], [820, 1180]]) {
+        await open("#text=Phone", { width, height });
+        const seen = await page.evaluate(() => {
+            document.getElementById("png").scrollIntoView();
+            const box = e => document.getElementById(e).getBoundingClientRect(), [stage, button] = [box("stage"), box("png")];
+            return { stage: Math.min(stage.bottom, innerHeight) - Math.max(stage.top, 0), button: button.top >= 0 && button.bottom <= innerHeight + 1, wide: document.scrollingElement.scrollWidth };
+        });
+        check(seen.stage >= Math.min(240, 0.6 * height) && seen.button && seen.wide <= width, `at ${width} x ${height} the stage stays: ${JSON.stringify(seen)}`);
+    }
+});
+
+// Presets: each is one click, and its link opens as it was made.
+await part("presets", async () => {
+    await open("", { width: 500, height: 400 });
+    const names = await page.$$eval("#presets a", all => all.map(e => e.className));
+    check(names.length >= 8, `there are ${names.length} presets`);
+    for (const name of names) {
+        await change(() => page.click(`#presets .${name}`));
+        await unhurried();
+        await rest(600);
+        const [made, hash_of_link] = [await hash(), await page.evaluate(() => location.hash)];
+        check(await message() === "" && await value("open-edges") === "0", `${name}: ${await message()} ${await value("open-edges")}`);
+        check(await page.$eval(`#presets .${name}`, e => e.getAttribute("aria-current")) === "true", `${name} is marked as what is shown`);
+        programs.push({ name, ...await program() });
+        await open(hash_of_link, { width: 500, height: 400 });
+        await unhurried();
+        check(await hash() === made, `the link of ${name} opens as it was made`);
+    }
+});
 
 // Tags.
-await open("#text=" + encodeURIComponent("[b]A[/b] [colour=#ff0000]B[/colour] [size=2]C[/]"));
-check(await page.evaluate(() => globalThis.page.mesh.tint.length === 4 * globalThis.page.mesh.statistics.vertices && globalThis.page.mesh.tint.includes(255)), "tags colour letters");
-check(await value("open-edges") === "0" && await page.evaluate(() => globalThis.page.mesh.statistics.glyphs) === 5, "tags are no letters");
-await set("#text", "[b");
-check(/^Tags are not read yet: at character 1/.test(await value("notes")) && await message() === "", `a tag that is not complete is told: ${await value("notes")}`);
-await open("#bend.wave=0.1&text=" + encodeURIComponent("[b"));
-await page.click("#program summary");
-await page.waitForFunction(() => document.getElementById("code").textContent !== "");
-check(!/tags/.test(await value("code")), "the program of such a text has it as it stands");
-await set("#text", "[i");
-check(/"\[i"/.test(await value("code")), "and follows what is typed");
-await open("#text=" + encodeURIComponent("one two"));
-await page.$eval("#text", e => e.setSelectionRange(4, 7));
-await change(() => page.click("#tags [data-tag=b]"));
-check(await value("text") === "one [b]two[/]", `a button puts a tag around what is selected: ${await value("text")}`);
+await part("tags", async () => {
+    await open("#text=" + encodeURIComponent("[b]A[/b] [colour=#ff0000]B[/colour] [size=2]C[/]"));
+    check(await page.evaluate(() => globalThis.page.mesh.tint.length === 4 * globalThis.page.mesh.statistics.vertices && globalThis.page.mesh.tint.includes(255)), "tags colour letters");
+    check(await value("open-edges") === "0" && await page.evaluate(() => globalThis.page.mesh.statistics.glyphs) === 5, "tags are no letters");
+    await set("#text", "[b");
+    check(/^Tags are not read yet: at character 1/.test(await value("notes")) && await message() === "", `a tag that is not complete is told: ${await value("notes")}`);
+    await open("#bend.wave=0.1&text=" + encodeURIComponent("[b"));
+    await page.click("#program summary");
+    await page.waitForFunction(() => document.getElementById("code").textContent !== "");
+    check(!/tags/.test(await value("code")), "the program of such a text has it as it stands");
+    await set("#text", "[i");
+    check(/"\[i"/.test(await value("code")), "and follows what is typed");
+    await open("#text=" + encodeURIComponent("one two"));
+    await page.$eval("#text", e => e.setSelectionRange(4, 7));
+    await change(() => page.click("#tags [data-tag=b]"));
+    check(await value("text") === "one [b]two[/]", `a button puts a tag around what is selected: ${await value("text")}`);
+});
 
 // Undo and redo, of text and options alike.
-await open();
-check(await page.$eval("#undo", e => e.disabled), "there is nothing to undo yet");
-const origin = await hash();
-await set("#text", "Other");
-await rest(1100);
-await set("#option-depth", "0.5");
-check(await page.$eval("#undo", e => !e.disabled), "there is something to undo");
-await change(() => page.click("#undo"));
-check(await value("text") === "Other" && await value("option-depth") === "0.2", "Undo takes the last change back");
-await page.focus("#text");
-await page.keyboard.down("Control");
-await change(() => page.keyboard.press("z"));
-check(await value("text") === "Hello world!" && await hash() === origin, "Ctrl+Z takes the one before back");
-await change(() => page.keyboard.press("y"));
-check(await value("text") === "Other", "Ctrl+Y does it again");
-await page.keyboard.up("Control");
-const comes = async (text, font) => {
-    await page.waitForFunction((t, f) => document.getElementById("text").value === t && document.getElementById("font").value === f, {}, text, font);
-    await rest(500);
-};
-const own_font = await value("font");
-await rest(1100);
-await change(() => pick("DejaVu Sans Bold"));
-const bold = await hash();
-await page.click("#undo");
-await comes("Other", own_font);
-await page.click("#undo");
-await comes("Hello world!", own_font);
-await page.focus("#canvas");
-await page.keyboard.down("Control");
-for (const font of [own_font, "DejaVu Sans Bold"]) {
-    await page.keyboard.press("y");
-    await comes("Other", font);
-}
-await page.keyboard.up("Control");
-check(await hash() === bold, "a change of the font is taken back, and done again");
+await part("undo", async () => {
+    await open();
+    check(await page.$eval("#undo", e => e.disabled), "there is nothing to undo yet");
+    const origin = await hash();
+    await set("#text", "Other");
+    await rest(1100);
+    await set("#option-depth", "0.5");
+    check(await page.$eval("#undo", e => !e.disabled), "there is something to undo");
+    await change(() => page.click("#undo"));
+    check(await value("text") === "Other" && await value("option-depth") === "0.2", "Undo takes the last change back");
+    await page.focus("#text");
+    await page.keyboard.down("Control");
+    await change(() => page.keyboard.press("z"));
+    check(await value("text") === "Hello world!" && await hash() === origin, "Ctrl+Z takes the one before back");
+    await change(() => page.keyboard.press("y"));
+    check(await value("text") === "Other", "Ctrl+Y does it again");
+    await page.keyboard.up("Control");
+    const comes = async (text, font) => {
+        await page.waitForFunction((t, f) => document.getElementById("text").value === t && document.getElementById("font").value === f, {}, text, font);
+        await rest(500);
+    };
+    const own_font = await value("font");
+    await rest(1100);
+    await change(() => pick("DejaVu Sans Bold"));
+    const bold = await hash();
+    await page.click("#undo");
+    await comes("Other", own_font);
+    await page.click("#undo");
+    await comes("Hello world!", own_font);
+    await page.focus("#canvas");
+    await page.keyboard.down("Control");
+    for (const font of [own_font, "DejaVu Sans Bold"]) {
+        await page.keyboard.press("y");
+        await comes("Other", font);
+    }
+    await page.keyboard.up("Control");
+    check(await hash() === bold, "a change of the font is taken back, and done again");
+});
 
 // Weights.
-await open();
-await set("#option-page-weight", "300");
-check(await hash() !== origin && await value("open-edges") === "0", "another weight is another mesh");
-await change(() => pick("DejaVu Sans Bold"));
-check(await page.$eval("#option-page-weight", e => e.closest(".row").hidden), "a font of one weight has no slider for it");
+await part("weights", async () => {
+    await open();
+    const origin = await hash();
+    await set("#option-page-weight", "300");
+    check(await hash() !== origin && await value("open-edges") === "0", "another weight is another mesh");
+    await change(() => pick("DejaVu Sans Bold"));
+    check(await page.$eval("#option-page-weight", e => e.closest(".row").hidden), "a font of one weight has no slider for it");
+});
 
 // A slow turn until the mesh is touched.
-await open("", { still: false });
-const before_turn = await canvas();
-await rest(1500);
-check(await canvas() !== before_turn && await page.$eval("#turn", e => e.getAttribute("aria-pressed")) === "true", "the mesh turns by itself");
-await page.focus("#canvas");
-await page.keyboard.press("ArrowRight");
-await rest(300);
-const touched = await canvas();
-await rest(900);
-check(await canvas() === touched && await page.$eval("#turn", e => e.getAttribute("aria-pressed")) === "false", "and rests once it is touched");
+await part("turn", async () => {
+    await open("", { still: false });
+    const before_turn = await canvas();
+    await rest(1500);
+    check(await canvas() !== before_turn && await page.$eval("#turn", e => e.getAttribute("aria-pressed")) === "true", "the mesh turns by itself");
+    await page.focus("#canvas");
+    await page.keyboard.press("ArrowRight");
+    await rest(300);
+    const touched = await canvas();
+    await rest(900);
+    check(await canvas() === touched && await page.$eval("#turn", e => e.getAttribute("aria-pressed")) === "false", "and rests once it is touched");
+});
 
 // A weight that breathes.
-await open("#page.motion=breathe&text=" + "breathing ".repeat(4), { still: false });
-const weights = await page.evaluate(() => {
-    const { mesh, stage } = globalThis.page, begun = performance.now();
-    for (let i = 0; i < 60; ++i) stage.breath(70 * i);
-    return { ms: performance.now() - begun, vertices: mesh.statistics ? globalThis.page.mesh.statistics.vertices : 0 };
-});
-figures.push(`60 weights of a text of 40 letters, ${weights.vertices} vertices, without drawing: ${weights.ms.toFixed(0)} ms`);
-check(weights.ms < 1000, `60 weights take ${weights.ms} ms, less than a second`);
+await part("breathing", async () => {
+    await open("#page.motion=breathe&text=" + "breathing ".repeat(4), { still: false });
+    const weights = await page.evaluate(() => {
+        const { mesh, stage } = globalThis.page, begun = performance.now();
+        for (let i = 0; i < 60; ++i) stage.breath(70 * i);
+        return { ms: performance.now() - begun, vertices: mesh.statistics ? globalThis.page.mesh.statistics.vertices : 0 };
+    });
+    figures.push(`60 weights of a text of 40 letters, ${weights.vertices} vertices, without drawing: ${weights.ms.toFixed(0)} ms`);
+    check(weights.ms < 1000 || isBusy(), `60 weights take ${weights.ms} ms, less than a second`);
 
-await open("#page.motion=breathe&page.tags=0&text=" + encodeURIComponent("a[1]"), { width: 420, height: 320, still: false });
-check(await page.evaluate(() => globalThis.page.mesh.statistics.glyphs) === 4, "brackets breathe too where tags are not read");
-await open("#page.motion=breathe&text=" + encodeURIComponent("[b]a[/][[1]"), { width: 420, height: 320, still: false });
-check(await page.evaluate(() => globalThis.page.mesh.statistics.glyphs) === 4, "and where they are read, tags are no letters");
-await set("#text", "a[b");
-check(/^Tags are not read yet: at character 2/.test(await value("notes")), `a tag that is not complete is told: ${await value("notes")}`);
-await page.evaluate(() => globalThis.page.stage.turn(false));
+    await open("#page.motion=breathe&page.tags=0&text=" + encodeURIComponent("a[1]"), { width: 420, height: 320, still: false });
+    check(await page.evaluate(() => globalThis.page.mesh.statistics.glyphs) === 4, "brackets breathe too where tags are not read");
+    await open("#page.motion=breathe&text=" + encodeURIComponent("[b]a[/][[1]"), { width: 420, height: 320, still: false });
+    check(await page.evaluate(() => globalThis.page.mesh.statistics.glyphs) === 4, "and where they are read, tags are no letters");
+    await set("#text", "a[b");
+    check(/^Tags are not read yet: at character 2/.test(await value("notes")), `a tag that is not complete is told: ${await value("notes")}`);
+    await page.evaluate(() => globalThis.page.stage.turn(false));
+});
 
 // Fonts.
-await open();
-const before = await hash();
-await change(() => drop("Dropped.ttf", fs.readFileSync(path.join(site, Object.values(JSON.parse(fs.readFileSync(path.join(site, "fonts.json"))))[1]))));
-check(await value("font") === "Dropped.ttf" && await hash() !== before, "a dropped font is used");
-const kept = await hash();
-await change(() => drop("junk.ttf", Buffer.from("no font at all")));
-check(/^junk\.ttf: .+\.$/.test(await message()), `a file that is no font is refused in words: ${await message()}`);
-check(await hash() === kept && await value("font") === "Dropped.ttf", "and nothing else changes");
+await part("fonts", async () => {
+    await open();
+    const before = await hash();
+    await change(() => drop("Dropped.ttf", fs.readFileSync(path.join(site, bundled[1].file))));
+    check(await value("font") === "Dropped.ttf" && await hash() !== before, "a dropped font is used");
+    const kept = await hash();
+    await change(() => drop("junk.ttf", Buffer.from("no font at all")));
+    check(/^junk\.ttf: .+\.$/.test(await message()), `a file that is no font is refused in words: ${await message()}`);
+    check(await hash() === kept && await value("font") === "Dropped.ttf", "and nothing else changes");
+});
 
 // Of two choices the newer one counts, though its font is there and the other's arrives late.
-const bundled = JSON.parse(fs.readFileSync(path.join(site, "fonts.json"))), offered = Object.keys(bundled);
-const loading = () => page.$eval("#loading", e => e.hidden ? "" : e.textContent);
-await open();
-const first = await hash();
-held.set(path.basename(bundled[offered[2]]), []);
-await pick(offered[2]);
-check(await loading() === `Loading ${offered[2]}…`, `what is awaited is said: ${await loading()}`);
-await change(() => pick(offered[0]));
-check(await loading() === "", "nothing is awaited after another choice");
-for (const answer of held.get(path.basename(bundled[offered[2]]))) answer();
-held.clear();
-await new Promise(done => setTimeout(done, 700));
-check(await value("font") === offered[0] && await hash() === first, `the newer choice counts: ${await value("font")}`);
-await change(() => pick(offered[2]));
-check(await value("font") === offered[2] && await hash() !== first, "the late font can be chosen afterwards");
+await part("choices", async () => {
+    await open();
+    const first = await hash();
+    held.set(path.basename(bundled[2].file), []);
+    await pick(offered[2]);
+    check(await loading() === `Loading ${offered[2]}…`, `what is awaited is said: ${await loading()}`);
+    await change(() => pick(offered[0]));
+    check(await loading() === "", "nothing is awaited after another choice");
+    for (const answer of held.get(path.basename(bundled[2].file))) answer();
+    held.clear();
+    await new Promise(done => setTimeout(done, 700));
+    check(await value("font") === offered[0] && await hash() === first, `the newer choice counts: ${await value("font")}`);
+    await change(() => pick(offered[2]));
+    check(await value("font") === offered[2] && await hash() !== first, "the late font can be chosen afterwards");
+});
 
-// What the chosen font lacks comes from the others of the page.
-await open("#text=" + encodeURIComponent("Aあ"));
-await page.waitForFunction(() => globalThis.page.mesh.statistics.missing === 0);
-check(true, "kana come from another font");
-check(await value("notes").then(words => !/No font/.test(words)), "and are not reported");
-await set("#text", "A\u{10FFFD}");
-await new Promise(done => setTimeout(done, 700));
-check(/No font has a glyph/.test(await value("notes")), "what no font of the page has is reported");
+// What the chosen font lacks comes from the page's fonts of its scripts, and only these are fetched.
+await part("scripts", async () => {
+    const fetched = [];
+    page.on("request", r => { if (/\/fonts\//.test(r.url())) fetched.push(path.basename(r.url())); });
+    const complete = () => page.waitForFunction(() => globalThis.page.mesh.statistics.missing === 0 && !/on its way/.test(document.getElementById("notes").textContent));
+    const scripts = { Devanagari: "\u0928\u092e\u0938\u094d\u0924\u0947", Arabic: "\u0645\u0631\u062d\u0628\u0627", Japanese: "\u3053\u3093\u306b\u3061\u306f\u4e16\u754c", Hebrew: "\u05e9\u05dc\u05d5\u05dd", emoji: "\u{1f680}\u{1f389}" };
+    for (const [name, words] of Object.entries(scripts)) {
+        const own = bundled.find(f => f.name.endsWith(`(${name})`));
+        if (!own) continue;
+        fetched.length = 0;
+        await open("#text=" + encodeURIComponent("A " + words), { width: 420, height: 320 });
+        await complete();
+        check(fetched.join() === [bundled[0], own].map(f => path.basename(f.file)).join(), `${name} comes from its own font: ${fetched}`);
+        check(await value("notes") === "" && await message() === "", `and all is well: ${await value("notes")}`);
+    }
+    const world = Object.values(scripts).join(" ");
+    await open("#text=" + encodeURIComponent(world), { width: 420, height: 320 });
+    await complete();
+    await rest(500);
+    const mixed = await hash();
+    await open("#font=DejaVu Sans&text=" + encodeURIComponent(scripts.Arabic), { width: 420, height: 320 });
+    await change(() => pick(offered[0]));
+    await set("#text", world);
+    await complete();
+    await rest(500);
+    check(await hash() === mixed, "a text is set in the same fonts, whatever was shown before");
+    await set("#text", "A\u{10FFFD}");
+    await page.waitForFunction(() => /No font has a glyph/.test(document.getElementById("notes").textContent));
+    check(true, "what no font of the page has is reported");
+    await open();
+});
+
+// A tab whose frames are late, as a hidden one's are: by then other meshes have been made, and the memory has grown.
+await part("late", async () => {
+    const late = await browser.newPage(), said = [];
+    late.setDefaultTimeout(120000);
+    await late.setViewport({ width: 420, height: 320 });
+    await late.evaluateOnNewDocument(() => {
+        const ask = globalThis.requestAnimationFrame;
+        globalThis.requestAnimationFrame = call => setTimeout(() => ask(call), 3000);
+    });
+    late.on("console", m => said.push(m.text()));
+    await late.goto(home + "#text=" + "word ".repeat(40), { waitUntil: "domcontentloaded" });
+    await late.waitForFunction(() => document.documentElement.dataset.measured === "1");
+    await late.$eval("#text", e => { e.value = "other words ".repeat(300); e.dispatchEvent(new Event("input", { bubbles: true })); });
+    await late.waitForFunction(() => document.documentElement.dataset.measured === "2");
+    await rest(5000);
+    check(said.length === 0, `a mesh that is drawn late is whole: ${said[0]}`);
+    await late.close();
+});
 
 // Empty and long texts; their links.
-await set("#text", "");
-check(/There is no text/.test(await value("notes")) && await message() === "", "an empty text is told");
-await set("#text", "word ".repeat(4000));
-check(await message() === "", "20,000 characters become a mesh");
-await page.click("#link");
-check((await page.evaluate(() => location.href)).length < 2500, "their link is short");
-check(/no text/.test(await page.$eval("#link", e => e.textContent)), "and the button says that it has no text");
-const long = await hash();
-await set("#text", "word ".repeat(40000));
-check(/200,000 characters/.test(await message()) && await hash() === long, `an overlong text is told: ${await message()}`);
+await part("long", async () => {
+    await open();
+    await set("#text", "");
+    check(/There is no text/.test(await value("notes")) && await message() === "", "an empty text is told");
+    await set("#text", "word ".repeat(4000));
+    check(await message() === "", "20,000 characters become a mesh");
+    await page.click("#link");
+    check((await page.evaluate(() => location.href)).length < 2500, "their link is short");
+    check(/no text/.test(await page.$eval("#link", e => e.textContent)), "and the button says that it has no text");
+    const long = await hash();
+    await set("#text", "word ".repeat(40000));
+    check(/200,000 characters/.test(await message()) && await hash() === long, `an overlong text is told: ${await message()}`);
+});
 
 // Link.
-await open("#text=Link&bevel.profile=chamfer&depth=0.3&view=normals");
-await page.click("#link");
-const address = await page.evaluate(() => location.hash), linked = await hash();
-await open(address);
-check(await hash() === linked && await value("option-bevel-profile") === "chamfer", "the link brings the mesh back");
-await change(() => page.click("#reset"));
-check(await value("text") === "Hello world!" && await value("option-bevel-profile") === "round", "Reset sets everything back");
+await part("link", async () => {
+    await open("#text=Link&bevel.profile=chamfer&depth=0.3&view=normals");
+    await page.click("#link");
+    const address = await page.evaluate(() => location.hash), linked = await hash();
+    await open(address);
+    check(await hash() === linked && await value("option-bevel-profile") === "chamfer", "the link brings the mesh back");
+    await change(() => page.click("#reset"));
+    check(await value("text") === "Hello world!" && await value("option-bevel-profile") === "round", "Reset sets everything back");
+});
 
 // What stands before the #, and a # that changes before the fonts are known.
-await open("?from=here");
-await rest(400);
-check(await page.evaluate(() => location.search) === "?from=here", "the address keeps its query");
-held.set("fonts.json", []);
-await page.goto("about:blank");
-await page.goto(home, { waitUntil: "domcontentloaded" });
-await page.evaluate(() => { location.hash = "#text=Early"; });
-await rest(300);
-for (const answer of held.get("fonts.json")) answer();
-held.clear();
-await settled(0);
-check(await value("text") === "Early" && await page.evaluate(() => globalThis.page.mesh.statistics.glyphs) === 5, "a link that comes early is taken");
+await part("address", async () => {
+    await open("?from=here");
+    await rest(400);
+    check(await page.evaluate(() => location.search) === "?from=here", "the address keeps its query");
+    held.set("fonts.json", []);
+    await page.goto("about:blank");
+    await page.goto(home, { waitUntil: "domcontentloaded" });
+    await page.evaluate(() => { location.hash = "#text=Early"; });
+    await rest(300);
+    for (const answer of held.get("fonts.json")) answer();
+    held.clear();
+    await settled(0);
+    check(await value("text") === "Early" && await page.evaluate(() => globalThis.page.mesh.statistics.glyphs) === 5, "a link that comes early is taken");
+});
 
 // Letters that move, and those of somebody who wants less motion.
-for (const motion of ["wave", "reveal", "scatter", "typewriter", "flag", "score", "breathe"]) {
-    await open(`#page.motion=${motion}&text=${motion === "score" ? "1984" : "They move"}`, { still: false });
-    await page.evaluate(() => globalThis.page.stage.turn(false));  // only the letters
-    const early = await canvas();
-    let moved = false;  // a typewriter waits when all is written
-    for (let i = 0; i < 8 && !moved; ++i, await rest(400)) moved = await canvas() !== early;
-    check(moved, `letters move: ${motion}`);
-    check(await message() === "" && await value("open-edges") === "0", `${motion}: ${await message()}`);
-}
-await open("#page.motion=wave&text=They move", { still: true });
-const still = await canvas();
-await rest(900);
-check(await canvas() === still && /prefers less motion/.test(await value("notes")), "letters stay where less motion is asked for");
-await open();
+await part("motion", async () => {
+    for (const motion of ["wave", "reveal", "scatter", "typewriter", "flag", "score", "breathe"]) {
+        await open(`#page.motion=${motion}&text=${motion === "score" ? "1984" : "They move"}`, { still: false });
+        await page.evaluate(() => globalThis.page.stage.turn(false));  // only the letters
+        const early = await canvas();
+        let moved = false;  // a typewriter waits when all is written
+        for (let i = 0; i < 8 && !moved; ++i, await rest(400)) moved = await canvas() !== early;
+        check(moved, `letters move: ${motion}`);
+        check(await message() === "" && await value("open-edges") === "0", `${motion}: ${await message()}`);
+    }
+    await open("#page.motion=wave&text=They move", { still: true });
+    const still = await canvas();
+    await rest(900);
+    check(await canvas() === still && /prefers less motion/.test(await value("notes")), "letters stay where less motion is asked for");
+    await open();
+});
 
 // Keys.
-const upright = await canvas();
-await page.focus("#canvas");
-for (let i = 0; i < 6; ++i) await page.keyboard.press("ArrowRight");
-const turned = await canvas();
-check(turned !== upright, "arrow keys turn the mesh");
-await page.keyboard.press("+");
-check(await canvas() !== turned, "plus zooms");
-const reached = new Set();
-await page.evaluate(() => document.activeElement.blur());
-for (let i = 0; i < 90; ++i) {
-    await page.keyboard.press("Tab");
-    reached.add(await page.evaluate(() => document.activeElement.id));
-}
-for (const id of ["canvas", "turn", "text", "font", "file", "undo", "option-depth", "ticker", "glb", "reset"]) check(reached.has(id), `the Tab key reaches ${id}`);
+await part("keys", async () => {
+    await open("#depth=0.3");
+    await set("#option-depth", "0.4");  // there is something to undo
+    const upright = await canvas();
+    await page.focus("#canvas");
+    for (let i = 0; i < 6; ++i) await page.keyboard.press("ArrowRight");
+    const turned = await canvas();
+    check(turned !== upright, "arrow keys turn the mesh");
+    await page.keyboard.press("+");
+    check(await canvas() !== turned, "plus zooms");
+    const reached = new Set();
+    await page.evaluate(() => document.activeElement.blur());
+    for (let i = 0; i < 90; ++i) {
+        await page.keyboard.press("Tab");
+        reached.add(await page.evaluate(() => document.activeElement.id));
+    }
+    for (const id of ["canvas", "turn", "text", "font", "file", "undo", "option-depth", "ticker", "glb", "reset"]) check(reached.has(id), `the Tab key reaches ${id}`);
+});
 
 // Files.
-await page.evaluate(() => {
-    globalThis.saved = [];
-    URL.createObjectURL = blob => (saved.push(blob), "data:,");
-    HTMLAnchorElement.prototype.click = () => {};
-});
-for (const [id, begins] of [["glb", "glTF"], ["stl", null], ["png", "\x89PNG"]]) {
-    const count = await page.evaluate(() => saved.length);
-    await page.click("#" + id);
-    await page.waitForFunction(n => saved.length > n, {}, count);
-    const [size, head] = await page.evaluate(async () => [saved.at(-1).size, String.fromCharCode(...new Uint8Array(await saved.at(-1).slice(0, 4).arrayBuffer()))]);
-    if (begins) check(head === begins && size > 1000, `${id}: ${size} bytes, ${JSON.stringify(head)}`);
-    else check(size === 84 + 50 * Number((await value("triangles")).replace(/,/g, "")), `${id}: ${size} bytes for ${await value("triangles")} triangles`);
-}
-
-/** What was saved last, once the button has been clicked. */
-async function savedBy(id) {
-    const count = await page.evaluate(() => saved.length);
-    await page.click("#" + id);
-    await page.waitForFunction(n => saved.length > n, {}, count);
-    return Buffer.from(await page.evaluate(async () => [...new Uint8Array(await saved.at(-1).arrayBuffer())]));
-}
-const glb = await savedBy("glb"), nodes = JSON.parse(glb.subarray(20, 20 + glb.readUInt32LE(12)).toString());
-const words = await value("text");
-check(nodes.nodes.every(n => n.name), "every node of a GLB has a name");
-check(nodes.nodes.some(n => n.name === words && n.extras?.text === words), "a GLB holds its text");
-check(nodes.materials.some(m => m.name === "front") && nodes.materials.every(m => m.name), "a GLB's materials are named by their parts");
-const stl = await savedBy("stl"), low = [Infinity, Infinity, Infinity], high = [-Infinity, -Infinity, -Infinity];
-for (let t = 84; t < stl.length; t += 50)
-    for (let i = 0; i < 9; ++i) {
-        const at = stl.readFloatLE(t + 12 + 4 * i);
-        low[i % 3] = Math.min(low[i % 3], at);
-        high[i % 3] = Math.max(high[i % 3], at);
+await part("files", async () => {
+    await open();
+    await page.evaluate(() => {
+        globalThis.saved = [];
+        URL.createObjectURL = blob => (saved.push(blob), "data:,");
+        HTMLAnchorElement.prototype.click = () => {};
+    });
+    for (const [id, begins] of [["glb", "glTF"], ["stl", null], ["png", "\x89PNG"]]) {
+        const count = await page.evaluate(() => saved.length);
+        await page.click("#" + id);
+        await page.waitForFunction(n => saved.length > n, {}, count);
+        const [size, head] = await page.evaluate(async () => [saved.at(-1).size, String.fromCharCode(...new Uint8Array(await saved.at(-1).slice(0, 4).arrayBuffer()))]);
+        if (begins) check(head === begins && size > 1000, `${id}: ${size} bytes, ${JSON.stringify(head)}`);
+        else check(size === 84 + 50 * Number((await value("triangles")).replace(/,/g, "")), `${id}: ${size} bytes for ${await value("triangles")} triangles`);
     }
-const own = await page.evaluate(() => globalThis.page.mesh.bounds);
-check(low[2] === 0, `an STL lies on z = 0, not ${low[2]}`);
-for (const k of [0, 1, 2]) {
-    const ratio = (high[k] - low[k]) / (own.high[k] - own.low[k]);
-    check(Math.abs(ratio - 10) < 1e-4, `an STL is in millimetres, ten a unit, not ${ratio}`);
-}
-const deep = await value("option-depth");
-await set("#option-depth", "0");
-await page.click("#stl");
-await page.waitForFunction(() => !document.getElementById("message").hidden);
-check(/depth must be more than 0/.test(await message()), "an STL without depth is refused in words");
-await set("#option-depth", deep);
+
+    /** What was saved last, once the button has been clicked. */
+    async function savedBy(id) {
+        const count = await page.evaluate(() => saved.length);
+        await page.click("#" + id);
+        await page.waitForFunction(n => saved.length > n, {}, count);
+        return Buffer.from(await page.evaluate(async () => [...new Uint8Array(await saved.at(-1).arrayBuffer())]));
+    }
+    const glb = await savedBy("glb"), nodes = JSON.parse(glb.subarray(20, 20 + glb.readUInt32LE(12)).toString());
+    const words = await value("text");
+    check(nodes.nodes.every(n => n.name), "every node of a GLB has a name");
+    check(nodes.nodes.some(n => n.name === words && n.extras?.text === words), "a GLB holds its text");
+    check(nodes.materials.some(m => m.name === "front") && nodes.materials.every(m => m.name), "a GLB's materials are named by their parts");
+    const stl = await savedBy("stl"), low = [Infinity, Infinity, Infinity], high = [-Infinity, -Infinity, -Infinity];
+    for (let t = 84; t < stl.length; t += 50)
+        for (let i = 0; i < 9; ++i) {
+            const at = stl.readFloatLE(t + 12 + 4 * i);
+            low[i % 3] = Math.min(low[i % 3], at);
+            high[i % 3] = Math.max(high[i % 3], at);
+        }
+    const own = await page.evaluate(() => globalThis.page.mesh.bounds);
+    check(low[2] === 0, `an STL lies on z = 0, not ${low[2]}`);
+    for (const k of [0, 1, 2]) {
+        const ratio = (high[k] - low[k]) / (own.high[k] - own.low[k]);
+        check(Math.abs(ratio - 10) < 1e-4, `an STL is in millimetres, ten a unit, not ${ratio}`);
+    }
+    const deep = await value("option-depth");
+    await set("#option-depth", "0");
+    await page.click("#stl");
+    await page.waitForFunction(() => !document.getElementById("message").hidden);
+    check(/depth must be more than 0/.test(await message()), "an STL without depth is refused in words");
+    await set("#option-depth", deep);
+});
 
 // A thousand characters a frame.
-await page.click("#ticker");
-await page.waitForFunction(() => Number(document.getElementById("rate").value) > 0);
-figures.push(`1,000 new characters a frame: ${await value("rate")} frames a second, drawn in software`);
-await change(() => page.click("#ticker"));
-check(await message() === "", "the ticker has nothing to say");
+await part("ticker", async () => {
+    await open();
+    await page.click("#ticker");
+    await page.waitForFunction(() => Number(document.getElementById("rate").value) > 0);
+    figures.push(`1,000 new characters a frame: ${await value("rate")} frames a second, drawn in software without a graphics card`);
+    await change(() => page.click("#ticker"));
+    check(await message() === "", "the ticker has nothing to say");
+});
 
 // Accessibility, if npm's axe-core is there.
-const axe = path.join(process.env.NODE_PATH, "axe-core", "axe.min.js");
-if (fs.existsSync(axe))
-    for (const how of [{}, { dark: true }, { width: 360, height: 700 }, { width: 360, height: 700, dark: true }, { width: 740, height: 360 }]) {
-        await open("", how);
-        await page.$$eval("#panel details", all => all.forEach(e => { e.open = true; }));
-        await page.evaluate(fs.readFileSync(axe, "utf8"));
-        const found = await page.evaluate(async () => (await globalThis.axe.run()).violations.map(v => `${v.id}: ${v.nodes.map(n => n.target).join("; ")}`));
-        check(found.length === 0, `axe, ${JSON.stringify(how)}: ${found.join(" | ")}`);
-    }
+await part("axe", async () => {
+    const axe = path.join(process.env.NODE_PATH, "axe-core", "axe.min.js");
+    if (fs.existsSync(axe))
+        for (const how of [{}, { dark: true }, { width: 360, height: 700 }, { width: 360, height: 700, dark: true }, { width: 740, height: 360 }]) {
+            await open("", how);
+            await page.$$eval("#panel details", all => all.forEach(e => { e.open = true; }));
+            await page.evaluate(fs.readFileSync(axe, "utf8"));
+            const found = await page.evaluate(async () => (await globalThis.axe.run()).violations.map(v => `${v.id}: ${v.nodes.map(n => n.target).join("; ")}`));
+            check(found.length === 0, `axe, ${JSON.stringify(how)}: ${found.join(" | ")}`);
+        }
+});
 
 // The programs for what was on the screen make the same meshes.
-await open("#text=One two three four&width=6&align=left&embolden=0.01&features=kern%3D0&bevel.profile=chamfer&quality=low");
-programs.push({ name: "paragraph", ...await program() });
-await open("#text=hollow&outline.width=0.02&path.wave=0.3&triangulator=delaunay");
-programs.push({ name: "hollow", ...await program() });
-for (const [name, text] of [["dash", "-a@\\nb"], ["at", "@a"]]) {
-    await open("#text=" + encodeURIComponent(text));
-    programs.push({ name, ...await program() });
-}
-const folder = fs.mkdtempSync(path.join(site, "..", "programs-")), compiler = process.env.CXX ?? "c++";
-const flags = () => execFileSync("pkg-config", ["--cflags", "--libs", "harfbuzz"], { encoding: "utf8" }).trim().split(/\s+/);
-const include = path.join(site, "..", "..", "..", "include");
-if (!spawnSync("pkg-config", ["--exists", "harfbuzz"]).error)
-    for (const { name, code, font, vertices, triangles, command, javascript } of programs) {
-        const [source, binary] = [path.join(folder, `${name}.cpp`), path.join(folder, name)];
-        fs.writeFileSync(source, code);
-        const compiled = spawnSync(compiler, ["-std=c++20", "-O0", "-Wall", "-I", include, source, ...flags(), "-o", binary], { encoding: "utf8" });
-        check(compiled.status === 0 && compiled.stderr === "", `the program for ${name} compiles: ${compiled.stderr}\n${code}`);
-        if (compiled.status !== 0) continue;
-        const said = spawnSync(binary, [path.join(site, "fonts", font)], { encoding: "utf8" }).stdout.trim();
-        const same = said === `${vertices} vertices, ${triangles} triangles`;
-        // Tags such as [b] are solids of their own, which the program names and leaves to its reader.
-        if (/tags/.test(code)) check(/^[1-9]\d+ vertices/.test(said), `the program for ${name} makes a mesh: ${said}`);
-        else check(same, `the program for ${name} makes ${said}, the page ${vertices} and ${triangles}`);
-        if (process.env.TYPEMESH_TEXT_TO_MESH) {
-            const words = command.replace("--font ", `--font ${path.join(site, "fonts")}/`).replace("-o text.glb", `-o ${binary}.glb`);
-            const ran = spawnSync("sh", ["-c", words.replace(/\btext_to_mesh\b/, () => process.env.TYPEMESH_TEXT_TO_MESH)], { encoding: "utf8" });
-            check(ran.status === 0, `the command for ${name} runs: ${words}\n${ran.stderr}`);
-        }
-        fs.writeFileSync(path.join(folder, `${name}.mjs`), javascript);
-        check(spawnSync("node", ["--check", path.join(folder, `${name}.mjs`)]).status === 0, `the JavaScript for ${name} is well formed`);
+await part("programs", async () => {
+    await open("#text=One two three four&width=6&align=left&embolden=0.01&features=kern%3D0&bevel.profile=chamfer&quality=low");
+    programs.push({ name: "paragraph", ...await program() });
+    await open("#text=hollow&outline.width=0.02&path.wave=0.3&triangulator=delaunay");
+    programs.push({ name: "hollow", ...await program() });
+    for (const [name, text] of [["dash", "-a@\\nb"], ["at", "@a"]]) {
+        await open("#text=" + encodeURIComponent(text));
+        programs.push({ name, ...await program() });
     }
-fs.rmSync(folder, { recursive: true });
+    await open("#page.motion=breathe&text=" + encodeURIComponent("[b]tags[/] [[1]"), { still: false });
+    programs.push({ name: "tagged", ...await program() });
+    const folder = fs.mkdtempSync(path.join(site, "..", "programs-")), compiler = process.env.CXX ?? "c++";
+    const flags = () => execFileSync("pkg-config", ["--cflags", "--libs", "harfbuzz"], { encoding: "utf8" }).trim().split(/\s+/);
+    const include = path.join(site, "..", "..", "..", "include");
+    if (!spawnSync("pkg-config", ["--exists", "harfbuzz"]).error)
+        for (const { name, code, font, others, vertices, triangles, command, javascript } of programs) {
+            const [source, binary] = [path.join(folder, `${name}.cpp`), path.join(folder, name)];
+            fs.writeFileSync(source, code);
+            const compiled = spawnSync(compiler, ["-std=c++20", "-O0", "-Wall", "-I", include, source, ...flags(), "-o", binary], { encoding: "utf8" });
+            check(compiled.status === 0 && compiled.stderr === "", `the program for ${name} compiles: ${compiled.stderr}\n${code}`);
+            if (compiled.status !== 0) continue;
+            const said = spawnSync(binary, [font, ...others].map(f => path.join(site, "fonts", f)), { encoding: "utf8" }).stdout.trim();
+            const same = said === `${vertices} vertices, ${triangles} triangles`;
+            // Tags such as [b] are solids of their own, which the program names and leaves to its reader.
+            if (/markup_styles/.test(code)) check(/^[1-9]\d+ vertices/.test(said), `the program for ${name} makes a mesh: ${said}`);
+            else check(same, `the program for ${name} makes ${said}, the page ${vertices} and ${triangles}`);
+            if (process.env.TYPEMESH_TEXT_TO_MESH) {
+                const words = command.replace(/--(font|fallback) /g, `$&${path.join(site, "fonts")}/`).replace("-o text.glb", `-o ${binary}.glb`);
+                const ran = spawnSync("sh", ["-c", words.replace(/\btext_to_mesh\b/, () => process.env.TYPEMESH_TEXT_TO_MESH)], { encoding: "utf8" });
+                check(ran.status === 0, `the command for ${name} runs: ${words}\n${ran.stderr}`);
+            }
+            fs.writeFileSync(path.join(folder, `${name}.mjs`), javascript);
+            check(spawnSync("node", ["--check", path.join(folder, `${name}.mjs`)]).status === 0, `the JavaScript for ${name} is well formed`);
+        }
+    fs.rmSync(folder, { recursive: true });
+});
 
 // Without WebGL. What three.js says of it on the console is meant.
-const blind = await browser.newPage();
-await blind.evaluateOnNewDocument(() => {
-    const get = HTMLCanvasElement.prototype.getContext;
-    HTMLCanvasElement.prototype.getContext = function (kind, ...more) { return /webgl/.test(kind) ? null : get.call(this, kind, ...more); };
+await part("blind", async () => {
+    const blind = await browser.newPage();
+    await blind.evaluateOnNewDocument(() => {
+        const get = HTMLCanvasElement.prototype.getContext;
+        HTMLCanvasElement.prototype.getContext = function (kind, ...more) { return /webgl/.test(kind) ? null : get.call(this, kind, ...more); };
+    });
+    blind.on("pageerror", e => check(false, `without WebGL the page throws: ${e.message}`));
+    await blind.goto(home, { waitUntil: "domcontentloaded" });
+    await blind.waitForFunction(() => Number(document.documentElement.dataset.measured ?? 0) > 0);
+    check(/offers no WebGL/.test(await blind.$eval("#notes", e => e.textContent)), "a browser without WebGL is told");
+    check(Number((await blind.$eval("#triangles", e => e.value)).replace(/,/g, "")) > 0, "and the mesh is made");
+    check(await blind.$eval("#loading", e => e.hidden), "and nothing goes on loading");
 });
-blind.on("pageerror", e => check(false, `without WebGL the page throws: ${e.message}`));
-await blind.goto(home, { waitUntil: "domcontentloaded" });
-await blind.waitForFunction(() => Number(document.documentElement.dataset.measured ?? 0) > 0);
-check(/offers no WebGL/.test(await blind.$eval("#notes", e => e.textContent)), "a browser without WebGL is told");
-check(Number((await blind.$eval("#triangles", e => e.value)).replace(/,/g, "")) > 0, "and the mesh is made");
-check(await blind.$eval("#loading", e => e.hidden), "and nothing goes on loading");
 
 await browser.close();
 server.close();

@@ -15,4 +15,5 @@ command -v brotli >/dev/null 2>&1 && command -v esbuild >/dev/null 2>&1 || exit 
 python3 "$root/examples/web/serve.py" "$root/build/web/site" 18473 &
 server=$!
 trap 'kill "$server"' EXIT
-node "$here/arrival.mjs" "$(command -v "$browser")" http://127.0.0.1:18473/ | tee -a "$root/build/web/figures.txt"
+node "$here/arrival.mjs" "$(command -v "$browser")" http://127.0.0.1:18473/ >"$root/build/web/arrival.txt" || fail "$(cat "$root/build/web/arrival.txt")"
+tee -a "$root/build/web/figures.txt" <"$root/build/web/arrival.txt"

@@ -1,7 +1,13 @@
 // SPDX-License-Identifier: MIT
-// Which fonts a text is set in: the chosen one, and for what it lacks those that come with the page.
+// Which fonts a text is set in: the chosen one, and for what it lacks those that come with the page, fetched as they are needed.
 
-/** An entry of the list has a name, and bytes or a way to get them: load(), which may be slow or fail. */
+/** Letters of scripts as a regular expression; of "Emoji" all that Unicode draws as pictures. */
+export const lettersOf = scripts => new RegExp(`[${scripts.map(s => s === "Emoji" ? "\\p{Extended_Pictographic}\\p{Regional_Indicator}" : `\\p{Script=${s}}`).join("")}]`, "gu");
+
+/**
+ * An entry of the list has a name, and bytes or a way to get them: load(), which may be slow or fail. With `letters`, a regular
+ * expression, it is the page's font for those letters and comes before the others.
+ */
 export class Fonts {
     #open;
     #entries = [];
@@ -37,22 +43,52 @@ export class Fonts {
         return true;
     }
 
-    /** Opens one more of those that come with the page; false when there is none, or when another font was chosen meanwhile. */
+    /** Takes the text that is to be set, for the page's own fonts of its scripts; true if list() changes. */
+    suit(text) {
+        const before = this.#suiting.filter(e => e.font), has = this.used?.font.has?.bind(this.used.font) ?? (() => false);
+        this.#suiting = this.#entries.filter(e => e.letters && e !== this.used && !e.failed && [...new Set(text.match(e.letters))].some(c => !has(c)));
+        const now = this.#suiting.filter(e => e.font);
+        return now.length !== before.length || now.some((e, i) => e !== before[i]);
+    }
+    #suiting = [];
+
+    /** Whether a font of the text's scripts has yet to come. */
+    get awaits() { return this.#suiting.some(e => !e.font && !e.failed); }
+
+    /**
+     * Opens one more of those that come with the page: first the fonts of the text's scripts, then the others in their order. False
+     * when there is none, undefined when a font was chosen meanwhile.
+     */
     async openAnother() {
-        const turn = this.#turn;
-        for (const entry of this.#entries) {
-            if (!entry.load || entry.font || entry.failed) continue;
+        const turn = this.#turn, [some, others] = [this.#entries.filter(e => !e.letters), this.#entries.filter(e => e.letters)];
+        for (const entry of [...this.#suiting, ...some, ...others]) {
+            if (!entry.load || entry.failed || (entry.font && (entry.stands || entry === this.used))) continue;
             await this.#opened(entry).catch(() => { entry.failed = true; });
-            if (turn !== this.#turn) return false;
-            if (entry.font) return true;
+            if (turn !== this.#turn) return undefined;
+            entry.stands = entry.font !== undefined;
+            if (entry.stands) return true;
         }
         return false;
     }
 
-    /** The fonts to set a text in. */
+    /** The fonts to set a text in: the same for the same text, whatever was chosen and fetched before it. */
     list() {
-        const others = this.#entries.filter(e => e !== this.used && e.load && e.font);
-        return [(this.#of === this.used && this.#weighed) || this.used.font, ...others.map(e => e.font)];
+        return [(this.#of === this.used && this.#weighed) || this.used.font, ...this.#standing.map(e => e.font)];
+    }
+    get #standing() {
+        const standing = this.#entries.filter(e => e !== this.used && e.stands && !this.#suiting.includes(e));
+        return [...this.#suiting.filter(e => e.font), ...standing.filter(e => !e.letters), ...standing.filter(e => e.letters)];
+    }
+
+    /** The files of the fonts that a text needs besides the chosen one. */
+    othersFor(text) {
+        const lacking = [...new Set(text.replace(/[\s\p{C}\p{Variation_Selector}]/gu, ""))].filter(c => !this.used.font.has(c)), files = [];
+        for (const entry of this.#standing) {
+            const own = lacking.filter(c => entry.font.has(c));
+            if (own.length > 0) files.push(entry.file);
+            own.forEach(c => lacking.splice(lacking.indexOf(c), 1));
+        }
+        return files;
     }
 
     /** The weight axis of the chosen font, or undefined. */

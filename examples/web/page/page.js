@@ -3,7 +3,7 @@
 
 import load from "typemesh";
 import { Controls } from "./controls.js";
-import { Fonts } from "./fonts.js";
+import { Fonts, lettersOf } from "./fonts.js";
 import { History } from "./history.js";
 import { lessMotion } from "./motion.js";
 import { isSame, linkOf, presets } from "./presets.js";
@@ -15,7 +15,7 @@ const start = { text: "Hello world!", view: "solid" };  // and what controls.js 
 const maxCharacters = 100000, maxInLink = 2000;  // the latter as they stand in an address
 const stage = openStage();
 const controls = new Controls(at("groups"), () => update());
-const fonts = new Fonts((bytes, options) => typemesh.font(bytes, options));
+const fonts = new Fonts((bytes, options) => (stage?.settle(), typemesh.font(bytes, options)));
 let typemesh, mesher, measurer, mesh, morph, shown = "", later;  // shown: the text of the mesh
 
 /** Nothing without WebGL: the mesh is then made, counted and saved, but not drawn. */
@@ -69,30 +69,36 @@ async function choose(name) {
     }
     controls.setWeights(fonts.weights);
     fonts.weigh(controls.values["page.weight"]);
+    fonts.suit(meshed().text);
     setFonts();
     update();
 }
-/** Where letters are missing, the fonts that come with the page are fetched one after the other. */
+/** The page's fonts for the text's scripts are fetched; where letters are still missing, the others one after the other. */
 async function lookFurther() {
-    if (searching) return;
+    if (searching || !(fonts.awaits || mesh?.statistics.missing > 0)) return;
     searching = true;
+    note();
     try {
-        while (mesh?.statistics.missing > 0 && !ticking) {
-            const before = fonts.used;
-            if (await fonts.openAnother()) {
+        while ((fonts.awaits || mesh?.statistics.missing > 0) && !ticking) {
+            const found = await fonts.openAnother();
+            if (found) {
+                fonts.suit(meshed().text);
                 setFonts();
                 update();
-            } else if (fonts.used === before) break;
+            } else if (found === false) break;
         }
     } finally {
         searching = false;
+        if (mesh) note();
     }
 }
-let searching = false;
+let searching = false, target;  // target: of a score
+const noFont = /^No font has/;
 async function take(files) {
     for (const file of files) {
         try {
             const entry = { name: file.name, bytes: await file.arrayBuffer() };
+            stage?.settle();
             entry.font = typemesh.font(entry.bytes);
             offer(entry);
             await choose(entry.name);
@@ -146,7 +152,8 @@ function update() {
     if (text.length > maxCharacters)
         return say(`This text has ${number(text.length)} characters. The page accepts at most ${number(maxCharacters)}, and the library any number.`);
     try {
-        if (fonts.weigh(controls.values["page.weight"])) setFonts();
+        const [weighs, suits] = [fonts.weigh(controls.values["page.weight"]), fonts.suit(text)];
+        if (weighs || suits) setFonts();
         makeMarked(text, options);
         say("");
     } catch (e) {
@@ -184,7 +191,8 @@ function breath(time) {
     return true;
 }
 
-function show(target) {
+function show(to) {
+    target = to;
     if (stage) {
         stage.dress(controls.look);
         const motion = controls.motion === "score" && target === undefined || morph ? "still" : controls.motion;
@@ -193,19 +201,26 @@ function show(target) {
     const s = mesh.statistics;
     at("vertices").value = number(s.vertices);
     at("triangles").value = number(s.triangles);
-    const notes = [trouble, ...controls.notes(), ...mesh.warnings].filter(Boolean);
+    note();
+    for (const id of ["open-edges", "cold", "cached"]) at(id).value = "…";
+}
+/** What there is to say of the mesh. */
+function note() {
+    const warnings = mesh.warnings.filter(words => !(searching && noFont.test(words)));
+    const notes = [trouble, ...controls.notes(), ...warnings].filter(Boolean);
     if (!stage) notes.unshift("This browser offers no WebGL, so the mesh is not drawn. It is made all the same and can be saved.");
     if (controls.motion !== "still" && lessMotion.matches) notes.push("Your system prefers less motion, so letters stay still.");
     else if (controls.motion === "breathe" && !fonts.weights) notes.push("This font has one weight only, so it cannot breathe.");
     if (controls.motion === "score" && target === undefined) notes.push("Only a number of up to six digits rolls.");
     if (controls.motion !== "still" && view === "contours") notes.push("Contours stay still.");
+    if (searching) notes.push("A font for these letters is on its way.");
     if (shown.trim() === "") notes.push("There is no text: type one.");
     at("notes").textContent = notes.join(" ");
-    for (const id of ["open-edges", "cold", "cached"]) at(id).value = "…";
 }
 /** What takes longer than a change should: once nothing has changed for a while. */
 function measure(text, options) {
     if (ticking || !mesh) return;
+    stage?.settle();
     const marked = { ...options, markup: options.markup === true && !trouble };
     const cold = measurer.mesh(text, { ...marked, cached: false });
     at("cold").value = number(Math.round(cold.statistics.microseconds));
@@ -322,8 +337,9 @@ function pruned(options) {
 function programState() {
     const text = at("text").value, all = controls.options(text);
     const options = pruned({ ...all, markup: all.markup === true && !trouble }), bent = options.bend || options.warp?.flag;
+    if (bent) stage?.settle();
     const { advance } = bent ? measurer.mesh(text, { ...options, bend: undefined, warp: undefined, depth: 0, bevel: undefined }).statistics : {};
-    return { text, options, advance, file: fonts.used.file ?? fonts.used.name, axis: morph && fonts.weights,
+    return { text, options, advance, file: fonts.used.file ?? fonts.used.name, others: fonts.othersFor(text), axis: morph && fonts.weights,
              weight: fonts.weights && controls.values["page.weight"] };
 }
 function tellProgram() {
@@ -419,10 +435,10 @@ addEventListener("drop", event => {
 try {
     const [library, bundled] = await Promise.all([load("typemesh.wasm"), fetch("fonts.json").then(r => r.json())]);
     typemesh = library;
-    for (const [name, url] of Object.entries(bundled)) offer({ name, file: url.split("/").pop(), load: () => fetched(name, url) });
+    for (const { name, file, scripts } of bundled)
+        offer({ name, file: file.split("/").pop(), letters: scripts && lettersOf(scripts), load: () => fetched(name, file) });
     await choose(recall());
-    stage?.drawNow();
-    stage?.draw();  // a frame that was waiting, for a mesh that turns, is gone with the last line
+    stage?.settle();
     document.documentElement.dataset.ready = performance.now().toFixed(0);  // ms since the page was requested
 } catch (e) {
     loading("");

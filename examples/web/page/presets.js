@@ -2,17 +2,19 @@
 // What the page shows off: each is a link, with everything that differs from the page's start.
 
 const column = "春はあけぼの\nやうやう白く\nなりゆく山際";
+const scripts = "Hello שלום\nनमस्ते مرحبا\nこんにちは 🚀🎉";
 
 /** name: of the class that dresses its link. */
 export const presets = [
     { name: "chrome", label: "Chrome", title: "A chrome headline at dusk", set: { text: "CHROME", "page.finish": "chrome", "page.world": "dusk", "page.weight": 900, "bevel.width": 0.06, depth: 0.3, "bevel.mode": "fit" } },
-    { name: "balloons", label: "Balloons", title: "Letters like foil balloons, each in its own colour", set: { text: "party!", "page.finish": "gloss", "page.rainbow": 1, "inflate.height": 1.2, "page.motion": "wave", letterSpacing: 0.1, merge: 0 } },
+    { name: "balloons", label: "Balloons", title: "Letters like foil balloons, each in its own colour", set: { text: "party!", "page.finish": "gloss", "page.rainbow": 1, "inflate.height": 1.2, "page.motion": "wave", letterSpacing: 0.1, merge: 0, "bevel.width": 0 } },
     { name: "neon", label: "Neon", title: "A neon ring: text on a circle", set: { text: "open all night · open all night · ", "page.finish": "neon", "page.world": "night", "page.weight": 500, "path.ring": 2.25, depth: 0.05, "bevel.width": 0.02, embolden: -0.01 } },
     { name: "arabic", label: "خط", title: "An Arabic line: letters join into one solid, with ridges like a reed pen's", set: { text: "سلام", font: "Amiri (Arabic)", "page.finish": "gold", "page.world": "dark", "bevel.width": 0.06, "bevel.profile": "chamfer", embolden: 0.02 } },
     { name: "column", label: "縦書き", title: "Japanese columns, from right to left", set: { text: column, font: "Sawarabi Mincho (Japanese)", direction: "ttb", "page.finish": "lacquer", "page.world": "light", "bevel.width": 0.014, depth: 0.14 } },
     { name: "flag", label: "Flag", title: "A flag that waves: tags give it cloth and colour, the bend gives it folds", set: { text: "[mark=#1b3a8c][colour=#ffffff]\u00a0AHOY!\u00a0[/][/]", "page.motion": "flag", "bend.wave": 0.12, depth: 0.1, "bevel.width": 0.012 } },
-    { name: "breathe", label: "Breathe", title: "A weight that breathes: one mesh along the font's axis, its triangles proven to hold", set: { text: "breathe", "page.motion": "breathe", "page.colour": "#2ec4b6", depth: 0.24 } },
+    { name: "breathe", label: "Breathe", title: "A weight that breathes: one mesh along the font's axis, its triangles proven to hold", set: { text: "breathe", "page.motion": "breathe", "page.colour": "#2ec4b6", depth: 0.24, "bevel.width": 0 } },
     { name: "score", label: "1,984", title: "A score that rolls like a mileage counter", set: { text: "1984", "page.motion": "score", "page.finish": "lacquer", "page.world": "dark", "page.weight": 900, "page.colour": "#ffb000", depth: 0.12, "bevel.width": 0.02 } },
+    { name: "scripts", label: "Aあبअ", title: "Five scripts and emoji in one text: each letter comes from a font that has it, fetched as it is needed", set: { text: scripts, "page.rainbow": 1, "page.finish": "gloss", "page.world": "dark", "bevel.width": 0.02 } },
     { name: "tags", label: "[tags]", title: "Tags in the text: weight, colour, size, small text above", set: { text: "[b]Tags[/b] say [colour=#d1235b]colour[/colour],\n[size=1.6]size[/size], [mark=#ffd23f]marks[/mark]\nand [ruby=small text]ruby[/ruby] x[sup]2[/sup]", "page.colour": "#30343c", "page.weight": 650 } },
     { name: "ribbon", label: "Twist", title: "A bevelled ribbon of text, twisted once", set: { text: "twist & shout", "bend.twist": 360, "page.finish": "gold", "page.world": "dark", "page.colour": "#ff9db0", "bevel.width": 0.02 } },
 ];

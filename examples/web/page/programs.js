@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The program for what is on the screen: in C++, as a command, in JavaScript. Each takes
-// {text, options, file, weight, axis, advance}: options without those at their defaults, advance of the longest line in em.
+// {text, options, file, others, weight, axis, advance}: options without those at their defaults, files of fonts for what the first
+// one lacks, advance of the longest line in em.
 
 const number = n => Number(n.toFixed(6)).toString();
 const real = n => /[.e]/.test(number(n)) ? number(n) : number(n) + ".0";
@@ -67,25 +68,44 @@ function pathLines(o) {
 const directions = { ltr: "left_to_right", rtl: "right_to_left", ttb: "top_to_bottom" };
 
 /** What all C++ programs begin and end with. */
-function cppFrame({ text, file, weight }, headers, body) {
-    const open = weight === undefined
-        ? [`    auto font = typemesh::harfbuzz_font::open(argc > 1 ? argv[1] : ${quoted(file)});`]
-        : [`    const typemesh::variation axes[] = {{"wght", ${float(weight)}}};`,
-           `    auto font = typemesh::harfbuzz_font::open(argc > 1 ? argv[1] : ${quoted(file)}, {.face = 0, .variations = axes});`];
+function cppFrame({ text, file, others = [], weight }, headers, body) {
+    const opened = (name, number, file, how = "") => [`    auto ${name} = typemesh::harfbuzz_font::open(argc > ${number} ? argv[${number}] : ${quoted(file)}${how});`,
+        `    if (!${name}) return std::puts(${name}.error().message()), 1;`];
+    const open = weight === undefined ? opened("font", 1, file)
+        : [`    const typemesh::variation axes[] = {{"wght", ${float(weight)}}};`, ...opened("font", 1, file, ", {.face = 0, .variations = axes}")];
+    others.forEach((other, i) => open.push(...opened(`font${i + 2}`, i + 2, other)));
+    if (others.length) open.push(`    typemesh::font_cascade fonts{*font, ${others.map((_, i) => `*font${i + 2}`).join(", ")}};`), headers.push("typemesh/text/font_cascade.hpp");
     return [
         "// g++ -std=c++20 -O2 -Itypemesh/include text.cpp $(pkg-config --cflags --libs harfbuzz) -o text && ./text FONT",
         ...["typemesh/adapt/harfbuzz.hpp", "typemesh/typemesh.hpp", ...headers].filter((h, i, all) => all.indexOf(h) === i).map(h => `#include <${h}>`),
         "#include <cstdio>", "#include <vector>", "",
-        "int main(int argc, char** argv)", "{", ...open,
-        "    if (!font) return std::puts(font.error().message()), 1;", "",
+        "int main(int argc, char** argv)", "{", ...open, "",
         `    const char* const text = ${quoted(text)};`,
         "    std::vector<typemesh::vec3> vertices;  // or a vertex type of your own", "    std::vector<std::uint32_t> indices;",
         ...body.map(line => line && "    " + line),
         '    std::printf("%zu vertices, %zu triangles\\n", vertices.size(), indices.size() / 3);', "}", ""].join("\n");
 }
 
+const featuresOf = o => Object.entries(o.features ?? {});
+const featureLines = o => featuresOf(o).length === 0 ? [] :
+    [`const typemesh::feature features[] = {${featuresOf(o).map(([tag, v]) => `{${quoted(tag)}, ${Number(v)}}`).join(", ")}};`];
+
+/** What a text and a morph have in common, as lines that set `how`. */
+function commonLines(o) {
+    const all = {
+        "shape.direction": directions[o.direction] && tm(`direction::${directions[o.direction]}`),
+        "shape.language": o.language && quoted(o.language),
+        "shape.letter_spacing": has(o.letterSpacing) ? real(o.letterSpacing) : undefined,
+        "shape.features": featuresOf(o).length ? "features" : undefined,
+        "layout.align": o.align && tm(`alignment::${o.align}`),
+        tolerance: o.quality && tm(`quality::${o.quality}`),
+        size: has(o.size) && o.size !== 1 ? real(o.size) : undefined,
+    };
+    return Object.entries(all).filter(([, value]) => value !== undefined).map(([name, value]) => `how.${name} = ${value};`);
+}
+
 export function cpp(state) {
-    const { options: o, axis } = state;
+    const { options: o, axis } = state, font = state.others?.length ? "fonts" : "*font";
     if (axis) return cppMorph(state);
     const { code, headers } = solidOf(state), body = [], policies = [];
     const way = pathLines(o), warp = has(o.warp?.arc) ? `typemesh::arc{.degrees = ${real(o.warp.arc)}}` : has(o.warp?.flag) ? `typemesh::flag{.height = ${real(o.warp.flag)}}` : undefined;
@@ -94,9 +114,9 @@ export function cpp(state) {
     if (has(o.embolden)) policies.push(`typemesh::embolden{.by = ${float(o.embolden)}}`), headers.push("typemesh/extrude/embolden.hpp");
     if (o.triangulator === "delaunay") policies.push("typemesh::constrained_delaunay{}");
     if (o.discretiser === "two_lines") policies.push("typemesh::two_lines{}");
-    body.push("typemesh::text_mesher mesher{", `    *font, ${[code, ...policies].join(",\n        ")}};`, "");
-    const features = Object.entries(o.features ?? {});
-    if (features.length) body.push(`const typemesh::feature features[] = {${features.map(([tag, v]) => `{${quoted(tag)}, ${Number(v)}}`).join(", ")}};`);
+    body.push("typemesh::text_mesher mesher{", `    ${font}, ${[code, ...policies].join(",\n        ")}};`, "");
+    const features = featureLines(o);
+    body.push(...features);
     const isPage = has(o.width) || o.markup;
     if (o.markup) {
         headers.push("typemesh/markup/markup_styles.hpp");
@@ -104,25 +124,18 @@ export function cpp(state) {
                   "if (auto read = tags.read(std::string_view{text}); !read) return std::puts(read.error().message()), 1;",
                   "if (auto set = styles.set(tags); !set) return std::puts(set.error().message()), 1;");
     }
-    body.push("typemesh::text_options how;");
     const set = (name, value) => value === undefined || body.push(`how.${name} = ${value};`);
-    set("shape.direction", directions[o.direction] && tm(`direction::${directions[o.direction]}`));
-    set("shape.language", o.language && quoted(o.language));
-    set("shape.letter_spacing", has(o.letterSpacing) ? real(o.letterSpacing) : undefined);
-    set("shape.features", features.length ? "features" : undefined);
+    body.push("typemesh::text_options how;", ...commonLines(o));
     if (o.markup) set("shape.styles", "styles.spans()"), set("shape.boxes", "tags.boxes()");
-    set("layout.align", o.align && tm(`alignment::${o.align}`));
     set("layout.width", has(o.width) ? real(o.width) : undefined);
     if (has(o.width)) set("layout.wrap", o.wrap && tm(`wrap_mode::${o.wrap}`));
-    set("tolerance", o.quality && tm(`quality::${o.quality}`));
-    set("size", has(o.size) && o.size !== 1 ? real(o.size) : undefined);
     set("fill", o.fill && tm(`fill_rule::${o.fill}`));
     set("merge", o.merge ? "true" : undefined);
     if (isPage) {
         headers.push("typemesh/paragraph/paragraph.hpp");
         const even = o.breaker === "total_fit" ? ", typemesh::heap(), typemesh::unicode_analyser{}, typemesh::total_fit{.emergency_stretch = 0.5}" : "";
         if (even) headers.push("typemesh/paragraph/total_fit.hpp");
-        body.push("", `typemesh::paragraph words{*font${even}};`, "typemesh::glyph_run page;",
+        body.push("", `typemesh::paragraph words{${font}${even}};`, "typemesh::glyph_run page;",
                   `if (auto set = words.set(${o.markup ? "tags.text()" : "text"}, how.shape); !set) return std::puts(set.error().message()), 1;`,
                   "if (auto done = words.lay_out(how.layout, page); !done) return std::puts(done.error().message()), 1;");
     }
@@ -133,11 +146,15 @@ export function cpp(state) {
 
 function cppMorph(state) {
     const { options: o, axis } = state;
-    const fields = braced({ depth: float(o.depth ?? 0.2), layout: o.align && `{.align = typemesh::alignment::${o.align}}` });
-    return cppFrame({ ...state, weight: undefined }, ["typemesh/adapt/harfbuzz_axis.hpp", "typemesh/morph/axis_morph.hpp", "typemesh/vertex/array_sink.hpp"], [
+    const headers = ["typemesh/adapt/harfbuzz_axis.hpp", "typemesh/morph/axis_morph.hpp", "typemesh/vertex/array_sink.hpp"];
+    if (o.markup) headers.push("typemesh/markup/markup.hpp");
+    return cppFrame({ ...state, others: [], weight: undefined }, headers, [
+        ...o.markup ? ["typemesh::markup tags;  // a morph takes the letters without what tags say of them",
+                       "if (auto read = tags.read(std::string_view{text}); !read) return std::puts(read.error().message()), 1;"] : [],
         'auto weight = typemesh::harfbuzz_axis::open(*font, "wght");',
         "if (!weight) return std::puts(weight.error().message()), 1;",
-        "typemesh::axis_morph morph{*weight};", `auto plan = morph.plan(text, ${fields});`,
+        ...featureLines(o), "typemesh::morph_options how;", `how.depth = ${float(o.depth ?? 0.2)};`, ...commonLines(o), "",
+        "typemesh::axis_morph morph{*weight};", `auto plan = morph.plan(${o.markup ? "tags.text()" : "text"}, how);`,
         "if (!plan) return std::puts(plan.error().message()), 1;", "",
         `for (double value = ${real(axis.minimum)}; value <= ${real(axis.maximum)}; value += 5.0) {  // one mesh a frame; the triangles stay`,
         "    const auto at = weight->coordinate(value);", "    const auto size = plan->size(plan->section_at(at));",
@@ -148,17 +165,30 @@ function cppMorph(state) {
 /** For a shell. */
 const shell = word => /^[\w.,:=/%+-]+$/.test(word) ? word : `'${word.replaceAll("'", "'\\''")}'`;
 
+/** A text without its tags, which have been read before: they are right. */
+const untagged = text => text.replace(/\[\[|\[[^\]]*\]/g, found => found === "[[" ? "[" : "");
+
 /** Whether text_to_mesh would take a text for an option or a file, or change it: it then reads it from a pipe. */
 const isSpecial = text => /^\\?[-@]/.test(text) || text.includes("\\n");
 
 export function command(state) {
-    const { text, options: o, file, weight, axis } = state, special = isSpecial(text);
+    const { options: o, file, weight, axis } = state;
+    const text = axis && o.markup ? untagged(state.text) : state.text, special = isSpecial(text);  // --morph reads no tags
     const words = ["text_to_mesh", ...special ? ["--text-file", "-"] : [text], "--font", file];
+    if (!axis) for (const other of state.others ?? []) words.push("--fallback", other);
     const add = (option, value) => { if (value !== undefined) words.push(option, String(value)); };
     const some = v => has(v) ? number(v) : undefined;
+    const addForm = () => {
+        add("--embolden", some(o.embolden));
+        add("--outline", some(o.outline?.width));
+        add("--inflate", some(o.inflate?.height));
+        add("--bend", deformation(state)?.word ?? (has(o.warp?.arc) ? `arc:${number(o.warp.arc)}` : has(o.warp?.flag) ? `flag:${number(o.warp.flag)},${number(state.advance || 1)}` : undefined));
+        if (has(o.path?.ring)) add("--path", `circle:${number(o.path.ring)}`);
+        if (has(o.path?.wave)) add("--path", `wave:${number(o.path.wave)},6`);
+    };
     if (axis) add("--morph", `wght=${axis.minimum}..${axis.maximum}`);
     else if (weight !== undefined) add("--variation", `wght=${weight}`);
-    if (o.markup) words.push("--markup");
+    if (o.markup && !axis) words.push("--markup");
     add("--depth", o.depth === undefined ? undefined : number(o.depth));
     if (!axis && has(o.bevel?.width) && o.depth !== 0) {
         add("--bevel", number(o.bevel.width));
@@ -168,36 +198,32 @@ export function command(state) {
         add("--bevel-sides", o.bevel.sides);
         if (o.bevel.outward) words.push("--bevel-out");
     }
-    add("--embolden", some(o.embolden));
-    add("--outline", some(o.outline?.width));
-    add("--inflate", some(o.inflate?.height));
-    add("--bend", deformation(state)?.word ?? (has(o.warp?.arc) ? `arc:${number(o.warp.arc)}` : has(o.warp?.flag) ? `flag:${number(o.warp.flag)},${number(state.advance || 1)}` : undefined));
-    if (has(o.path?.ring)) add("--path", `circle:${number(o.path.ring)}`);
-    if (has(o.path?.wave)) add("--path", `wave:${number(o.path.wave)},6`);
+    if (!axis) addForm();
     add("--letter-spacing", o.letterSpacing === undefined ? undefined : number(o.letterSpacing));
-    add("--width", some(o.width));
+    if (!axis) add("--width", some(o.width));
     add("--align", o.align);
-    if (has(o.width)) add("--wrap", { word_or_grapheme: "break", grapheme: "letter" }[o.wrap] ?? o.wrap), add("--breaker", o.breaker);
+    if (!axis && has(o.width)) add("--wrap", { word_or_grapheme: "break", grapheme: "letter" }[o.wrap] ?? o.wrap), add("--breaker", o.breaker);
     add("--direction", o.direction);
     for (const [tag, v] of Object.entries(o.features ?? {})) add("--feature", `${tag}=${Number(v)}`);
     add("--language", o.language);
     add("--size", o.size);
-    for (const name of ["quality", "discretiser", "triangulator", "fill", "normals", "uv"]) add("--" + name, o[name]);
-    if (o.merge === true) words.push("--merge");
-    if (o.merge === false) words.push("--no-merge");
+    add("--quality", o.quality);
+    if (!axis) for (const name of ["discretiser", "triangulator", "fill", "normals", "uv"]) add("--" + name, o[name]);
+    if (!axis && o.merge !== undefined) words.push(o.merge ? "--merge" : "--no-merge");
     words.push("-o", "text.glb");
     return (special ? `printf %s ${shell(text)} | ` : "") + words.map(shell).join(" ") + "\n";
 }
 
-export function javascript({ text, options, file, weight, axis }) {
-    const font = weight === undefined || axis ? "" : `, { variations: { wght: ${weight} } }`;
+export function javascript({ text, options, file, others = [], weight, axis }) {
+    const how = weight === undefined || axis ? "" : `, { variations: { wght: ${weight} } }`, fonts = others.length && !axis ? "fonts" : "font";
     const shown = JSON.stringify(options, null, 4).replace(/"(\w+)":/g, "$1:");
     const show = ["const geometry = new THREE.BufferGeometry();", 'geometry.setAttribute("position", new THREE.BufferAttribute(mesh.position.slice(), 3));',
                   'geometry.setAttribute("normal", new THREE.BufferAttribute(mesh.normal.slice(), 3));', "geometry.setIndex(new THREE.BufferAttribute(mesh.index.slice(), 1));"];
     return ['import * as THREE from "three";', 'import load from "typemesh";', "", "const typemesh = await load();",
-            `const bytes = await (await fetch(${quoted(file)})).arrayBuffer();`, `const font = typemesh.font(bytes${font});`,
+            "const bytesOf = async file => (await fetch(file)).arrayBuffer();", `const font = typemesh.font(await bytesOf(${quoted(file)})${how});`,
+            ...fonts === "fonts" ? [`const fonts = [font, ...await Promise.all([${others.map(quoted).join(", ")}].map(bytesOf))];`] : [],
             ...axis ? [`const morph = typemesh.mesher(font).morph(${quoted(text)}, "wght", ${shown});`, `const mesh = morph.at(${axis.maximum});  // each frame another weight`]
-                    : [`const mesh = typemesh.mesh(${quoted(text)}, font, ${shown});`],
+                    : [`const mesh = typemesh.mesh(${quoted(text)}, ${fonts}, ${shown});`],
             "", ...show, ""].join("\n");
 }
 

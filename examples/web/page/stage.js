@@ -14,6 +14,7 @@ const sway = 0.5, swayPeriod = 13000;  // radians to each side, ms
 
 export class Stage {
     #frame;
+    #drawn = true;  // the arrays of the mesh have gone to the graphics card
     #skies = new Map();
 
     constructor(canvas) {
@@ -89,6 +90,7 @@ export class Stage {
             if (this.view === "wireframe") this.#lines(mesh.position, edges(mesh.index), materials.line, letters);
             if (this.view === "contours") this.#lines(mesh.contours(), null, materials.contour);
         }
+        this.#drawn = false;
         this.#light();
         this.motion.set(this.view === "contours" ? "still" : motion, mesh.letters.length, target);
         if (!this.moved) this.fit(true);
@@ -227,7 +229,14 @@ export class Stage {
         this.drawNow();
         if (turns || this.motion.moves || breathes) this.draw();
     }
+    /** Before the module's memory may grow, which ends the arrays of a mesh: it is drawn if it has not been, as in a hidden tab. */
+    settle() {
+        if (this.#drawn) return;
+        this.drawNow();
+        this.draw();  // a frame that was waiting, for a mesh that turns, is gone with the last line
+    }
     drawNow() {
+        this.#drawn = true;
         if (this.#frame !== undefined) cancelAnimationFrame(this.#frame), this.#frame = undefined;
         const { renderer, scene, camera, backdrop } = this;
         const floor = this.#hasFloor && this.group.children.length > 0 && camera.position.y > this.ground;
