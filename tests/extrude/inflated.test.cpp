@@ -131,6 +131,21 @@ TEST_CASE("front and back of a balloon share no edge, and every vertex belongs t
     }
 }
 
+TEST_CASE("a speck of three points has a height and a volume, unless no grid point lies inside", "[extrude]")
+{
+    for (const double cells : {3.0, 4.0, 40.0, 256.0, 700.0}) {
+        CAPTURE(cells);
+        const double side = cells / 512;
+        const shapes::shape speck{"speck", {shapes::polygon({{0, 0}, {side, 0}, {0.5 * side, 0.9 * side}})}, {}, 1};
+        inflated_data data;
+        const auto m = inflate(speck, {}, data);
+        REQUIRE(m);
+        CHECK(open_edges(*m) == 0);
+        CHECK(volume_inside(*m) > 0.0);
+        CHECK(m->heights.high > 0.0);
+    }
+}
+
 TEST_CASE("an inflated disc has an ellipsoid's normals, which lie in the plane at the outline", "[extrude]")
 {
     const shapes::shape disc{"disc", {shapes::cubic_circle({0, 0}, 300)}, {}, 16};

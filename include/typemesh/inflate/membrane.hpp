@@ -88,7 +88,8 @@ public:
         if (!rise_.measure(system_, mesh_.mesh(), r.starts(), out.loops.points.size())) return error::out_of_memory;
         if (error e = rise_.shorten(mesh_, r.starts(), 1.0, longest / 16.0)) return with_limit(e, how);
         if (!detail::rim_rings::divide_crossings(mesh_.mesh()) ||
-            !detail::rim_rings::add_rings(mesh_.mesh(), rise_.data(), longest))
+            !detail::rim_rings::add_rings(mesh_.mesh(), rise_.data(), longest) ||
+            !detail::rim_rings::raise_specks(mesh_.mesh()))
             return error::out_of_memory;
         if (mesh_.mesh().vertex_count() > how.max_points) return with_limit(error::too_many_points, how);
         if (error e = mesh_.write(out)) return e;

@@ -67,6 +67,17 @@ public:
         return true;
     }
 
+    /// Adds a point inside each triangle whose three edges lie on the boundary: such a speck would have no height. It
+    /// stays as it is where the grid has no place inside. False if out of memory.
+    [[nodiscard]] static bool raise_specks(refinable_mesh& mesh) noexcept
+    {
+        for (std::uint32_t t = 0, count = mesh.triangle_count(); t < count; ++t)
+            if (mesh.is_boundary(4 * t) && mesh.is_boundary(4 * t + 1) && mesh.is_boundary(4 * t + 2) &&
+                !add_inside(mesh, t))
+                return false;
+        return true;
+    }
+
 private:
     /// 1 - cos of 11.25 degrees and its multiples.
     static constexpr std::array distances = {0.0192147195967696, 0.0761204674887133, 0.1685303876974548,
@@ -92,6 +103,21 @@ private:
             const grid_point p{middle.x + x, middle.y + y};
             for (const std::uint32_t t : {h / 4, mesh.twin(h) / 4})
                 if (is_inside(mesh, t, h, p)) return mesh.insert(t, p) != none;
+        }
+        return true;
+    }
+
+    /// Adds a point in the middle of a triangle, or in a cell next to that. False if out of memory.
+    [[nodiscard]] static bool add_inside(refinable_mesh& mesh, std::uint32_t t) noexcept
+    {
+        const grid_point a = mesh.start(4 * t), b = mesh.start(4 * t + 1), c = mesh.start(4 * t + 2);
+        const auto middle_of = [](std::int32_t p, std::int32_t q, std::int32_t r) noexcept {
+            return static_cast<std::int32_t>((std::int64_t{p} + q + r) / 3);
+        };
+        const grid_point middle{middle_of(a.x, b.x, c.x), middle_of(a.y, b.y, c.y)};
+        for (const auto& [x, y] : near_places) {
+            const grid_point p{middle.x + x, middle.y + y};
+            if (is_inside(mesh, t, mesh.end(), p)) return mesh.insert(t, p) != none;
         }
         return true;
     }
