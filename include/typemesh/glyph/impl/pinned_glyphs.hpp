@@ -28,7 +28,7 @@ public:
     }
     ~pinned_glyphs() { release(); }
 
-    /// Reserves `count` entries, all null at first. Each of the first `pinned` entries that is set must be pinned in
+    /// Reserves `count` entries, all null at first. Among the first `pinned` ones, each that is set must be pinned in
     /// `cache`, which outlives this. False if out of memory.
     [[nodiscard]] bool reserve(std::size_t count, cache_ref cache, std::size_t pinned) noexcept
     {
