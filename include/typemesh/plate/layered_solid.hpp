@@ -107,7 +107,8 @@ public:
     ///
     /// Fails  error::bad_option: no slab or more than max_slabs, where a level with a bevel or a fillet counts as one
     ///        more ("slabs"); heights that do not ascend or are not finite ("top"); a bevel or a fillet that is not
-    ///        finite or is negative ("bevel"); a rim of another slab than the last ("rim"); an unbounded set ("cells").
+    ///        finite or is negative ("bevel"); a rim of another slab than the last ("rim"); an unbounded set ("cells");
+    ///        a bevel or a fillet on a grid without units ("units_per_em").
     ///        error::too_large, error::out_of_memory, and errors of the triangulator. The solid is then empty
     /// Cost   one triangulation per level, and O(pieces * slabs). A level with a bevel or a fillet is swept once more
     ///        for each, up to 16 times if they do not fit
