@@ -566,7 +566,7 @@ if "$program" --svg drawing.svg --output probe.glb >out 2>err; then
     printf '<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 20 10"><path fill="red" d="M0 0h10v10h-10z"/><path fill="blue" d="M10 0h10v10h-10z"/></svg>' >icon.svg
     expect 0 "" "[box=4,1][box=2,2]" --markup --icon icon.svg --icon icon.svg --font $sans --depth 0 --output icons.obj
     that "an icon is as large as its box allows, and in the middle" grep -q "^icons.obj: 5 x 1.5" out
-    that "each icon has its colours" [ "$(grep -c '^usemtl front_ff0000\|^usemtl front_0000ff' icons.obj)" = 2 ]
+    that "each icon has its colours" [ "$(grep -c '^usemtl front_ff0000\|^usemtl front_0000ff' icons.obj)" = 4 ]
     expect 0 "" "a[box=2,1]b" --markup --icon icon.svg --font $sans --output icons.stl --bend cylinder:2 --picture icons.png
     expect 1 "--icon needs --markup" "ab" --icon icon.svg --font $sans --output no.glb
     expect 1 "--icon: none.svg cannot be read" "a[box=1,1]" --markup --icon none.svg --font $sans --output no.glb
