@@ -23,8 +23,8 @@ namespace typemesh::inline TYPEMESH_ABI::detail {
 ///     2. weights     radical_weights looks for weights with which each triangle's radical centre lies inside.
 ///     3. points      Where it finds none, the centre of the circle around the triangle becomes a point, as in
 ///                    delaunay_refinement; then step 2 is repeated. From the fourth time on it looks longer, and is
-///                    content with centres nearer to the edges. It ends after 40 times, or, with many bad triangles, after
-///                    six in a row without progress.
+///                    content with centres nearer to the edges. It ends after 40 times or, with many bad
+///                    triangles, after six in a row without progress.
 ///     4. division    right_triangles divides each triangle into six.
 ///
 /// Steps 1 and 3 keep the mesh valid by exact decisions, and step 4 checks each triangle exactly, so the triangles are
