@@ -32,7 +32,7 @@ glyph_run run_of(std::vector<placed_glyph> glyphs)
     return run;
 }
 
-constexpr glyph_id ring = 1, bars = 2, star = 3, blank = 4, stick = 5, broken = 6;
+constexpr glyph_id ring_glyph = 1, bars_glyph = 2, star = 3, blank = 4, stick = 5, broken = 6;
 
 std::vector<std::uint32_t> indices_of(const full_mesh& m, const auto& plan, std::size_t glyph)
 {
@@ -82,11 +82,11 @@ TEST_CASE("A group that a policy refuses is left out as a glyph is, and the text
 {
     test::toy_font font;
     text_mesher measured{font};
-    const glyph_run apart = run_of({{ring, 0, {0, 0}}, {ring, 0, {9000, 0}}});
+    const glyph_run apart = run_of({{ring_glyph, 0, {0, 0}}, {ring_glyph, 0, {9000, 0}}});
     const std::size_t points = static_cast<std::size_t>(test::required(measured.plan(apart, {}))->contour_points()) / 2;
 
     auto mesher = text_mesher{font}.with(few_points{{}, points});
-    const glyph_run run = run_of({{ring, 0, {0, 0}}, {ring, 0, {150, 0}}, {ring, 0, {9000, 0}}});
+    const glyph_run run = run_of({{ring_glyph, 0, {0, 0}}, {ring_glyph, 0, {150, 0}}, {ring_glyph, 0, {9000, 0}}});
     auto unmerged = test::required(mesher.plan(run, {}));
     CHECK(unmerged->glyphs().size() == 3);
     auto plan = test::required(mesher.plan(run, {.merge = true}));
@@ -113,12 +113,12 @@ TEST_CASE("merging lists every glyph that is drawn once, and groups are chains o
     test::toy_font font;
     text_mesher mesher{font};
     const glyph_run run = run_of({{stick, 0, {0, 0}},      // 0: touches 3 along an edge
-                                  {ring, 0, {1000, 0}},    // 1: holds 4 in its hole
+                                  {ring_glyph, 0, {1000, 0}},    // 1: holds 4 in its hole
                                   {blank, 0, {0, 0}},      // 2: blank
                                   {stick, 0, {100, 0}},    // 3
                                   {stick, 0, {1100, -0}},  // 4: crosses the ring of 1
                                   {broken, 0, {0, 0}},     // 5: refused
-                                  {bars, 0, {3000, 0}},    // 6: alone
+                                  {bars_glyph, 0, {3000, 0}},    // 6: alone
                                   {star, 0, {3100, 150}}}  // 7: inside the bays of 6 and over its stem
     );
     auto plan = test::required(mesher.plan(run, {.merge = true}));
@@ -129,7 +129,7 @@ TEST_CASE("merging lists every glyph that is drawn once, and groups are chains o
     CHECK(list(plan->members(2)) == numbers{6, 7});
     CHECK(plan->report().blank == 1);
     CHECK(plan->report().refused == 1);
-    CHECK(plan->glyphs()[1].id == ring);
+    CHECK(plan->glyphs()[1].id == ring_glyph);
 }
 
 TEST_CASE("a glyph in another's hole, and one in its bay, stay alone while they do not touch it", "[text][merge]")
@@ -137,7 +137,7 @@ TEST_CASE("a glyph in another's hole, and one in its bay, stay alone while they 
     test::toy_font font;
     text_mesher mesher{font};
     const glyph_run run =
-        run_of({{0, 0, {0, 0}}, {stick, 0, {100, 100}}, {bars, 0, {1000, 0}}, {stick, 0, {1100, 150}}});
+        run_of({{0, 0, {0, 0}}, {stick, 0, {100, 100}}, {bars_glyph, 0, {1000, 0}}, {stick, 0, {1100, 150}}});
     auto plan = test::required(mesher.plan(run, {.merge = true, .draw_missing = true}));
     CHECK(plan->glyphs().size() == 3);  // the last i crosses the E's middle bar; the first stands in the box of .notdef
     CHECK(list(plan->members(2)) == std::vector<std::uint32_t>{2, 3});
@@ -160,7 +160,7 @@ TEST_CASE("a triangle's owner has its corners on its outline, and what two share
 {
     test::toy_font font;
     text_mesher mesher{font};
-    const glyph_run run = run_of({{ring, 0, {0, 0}}, {ring, 0, {400, 30}}, {bars, 0, {700, 20}}});
+    const glyph_run run = run_of({{ring_glyph, 0, {0, 0}}, {ring_glyph, 0, {400, 30}}, {bars_glyph, 0, {700, 20}}});
     auto plan = test::required(mesher.plan(run, {.unit = output_unit::font_units, .merge = true}));
     REQUIRE(plan->glyphs().size() == 1);
     const full_mesh m = test::written<full_mesh>(*plan);
@@ -203,7 +203,7 @@ TEST_CASE("a triangle's owner has its corners on its outline, and what two share
 
 TEST_CASE("the triangles of a merged wall in segments all have the owner of the whole wall", "[text][merge]")
 {
-    const glyph_run run = run_of({{ring, 0, {0, 0}}, {ring, 0, {400, 30}}, {bars, 0, {700, 20}}});
+    const glyph_run run = run_of({{ring_glyph, 0, {0, 0}}, {ring_glyph, 0, {400, 30}}, {bars_glyph, 0, {700, 20}}});
     const auto check = [&run]<class Normals>(Normals normals, std::uint32_t segments) {
         CAPTURE(segments);
         test::toy_font font;
@@ -249,7 +249,7 @@ TEST_CASE("merging far from the origin gives the same solid, moved", "[text][mer
     test::toy_font font;
     text_mesher mesher{font};
     const auto plan_at = [&](double far_off) {
-        const glyph_run run = run_of({{ring, 0, {far_off, 0}}, {ring, 0, {far_off + 400, 30}}});
+        const glyph_run run = run_of({{ring_glyph, 0, {far_off, 0}}, {ring_glyph, 0, {far_off + 400, 30}}});
         auto plan = test::required(mesher.plan(run, {.merge = true}));
         REQUIRE(plan->glyphs().size() == 1);
         return plan->size();
@@ -278,7 +278,7 @@ TEST_CASE("merging reports that memory ran out at whichever request, and the mes
 {
     test::toy_font font;
     const glyph_run run =
-        run_of({{ring, 0, {0, 0}}, {ring, 0, {400, 30}}, {bars, 0, {700, 20}}, {stick, 0, {5000, 0}}});
+        run_of({{ring_glyph, 0, {0, 0}}, {ring_glyph, 0, {400, 30}}, {bars_glyph, 0, {700, 20}}, {stick, 0, {5000, 0}}});
     std::size_t failures = 0;
     for (std::size_t fail_at = 1;; ++fail_at) {
         test::counting_memory counted;
@@ -303,7 +303,7 @@ TEST_CASE("merging allocates nothing once it has seen a text of that size", "[te
     test::counting_memory counted;
     text_mesher mesher{font, counted.source()};
     const glyph_run run =
-        run_of({{ring, 0, {0, 0}}, {ring, 0, {400, 30}}, {bars, 0, {700, 20}}, {stick, 0, {5000, 0}}});
+        run_of({{ring_glyph, 0, {0, 0}}, {ring_glyph, 0, {400, 30}}, {bars_glyph, 0, {700, 20}}, {stick, 0, {5000, 0}}});
     for (int warm = 0; warm < 3; ++warm) REQUIRE(mesher.plan(run, {.merge = true}));
     const auto before = counted.requests;
     REQUIRE(mesher.plan(run, {.merge = true}));

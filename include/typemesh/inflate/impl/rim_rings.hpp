@@ -14,8 +14,9 @@
 
 namespace typemesh::inline TYPEMESH_ABI::detail {
 
-/// Adds rings of inner points along the boundary of a mesh, at the distances where a round stroke has risen by 22.5, 45,
-/// 67.5 and 90 degrees; and a point on each edge that crosses from boundary to boundary, where the mesh would stay flat.
+/// Adds rings of inner points along the boundary of a mesh, at the distances where a round stroke has risen by 22.5,
+/// 45, 67.5 and 90 degrees; and a point on each edge that crosses from boundary to boundary, where the mesh would stay
+/// flat.
 ///
 ///      height  |            _ - o - _            a stroke whose height's square is 2 r d - d^2 at distance d has
 ///              |        o             o          risen by the angle p at d = r (1 - cos p)
@@ -80,9 +81,9 @@ public:
 
 private:
     /// 1 - cos of 11.25 degrees and its multiples.
-    static constexpr std::array distances = {0.0192147195967696, 0.0761204674887133, 0.1685303876974548,
-                                             0.2928932188134524, 0.4444297669803978, 0.6173165676349102,
-                                             0.8049096779838718, 1.0};
+    static constexpr std::array distances = {
+        0.0192147195967696, 0.0761204674887133, 0.1685303876974548, 0.2928932188134524,
+        0.4444297669803978, 0.6173165676349102, 0.8049096779838718, 1.0};
 
     /// A cell and the eight cells around it, the nearest ones first.
     static constexpr std::array<grid_point, 9> near_places = {
@@ -148,8 +149,7 @@ private:
     }
 
     /// Adds a point of the first ring over the middle of an edge whose triangle rises much higher.
-    [[nodiscard]] static bool lower(refinable_mesh& mesh, std::uint32_t v, const double* rise,
-                                    double distance) noexcept
+    [[nodiscard]] static bool lower(refinable_mesh& mesh, std::uint32_t v, const double* rise, double distance) noexcept
     {
         const std::uint32_t h = mesh.at(v).boundary, b = mesh.target(h);
         const grid_point p = mesh.place(v), q = mesh.place(b), c = mesh.place(mesh.apex(h));

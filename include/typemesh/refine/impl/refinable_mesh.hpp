@@ -303,8 +303,7 @@ private:
             const std::uint32_t g2 = previous(g);
             if (!prefers_other_diagonal(compared_, start(h), start(g), start(previous(h)), start(g2))) continue;
             flip(h);
-            if (!list_.push_back(h) || !list_.push_back(g2) || !changed_.push_back(h / 4) ||
-                !changed_.push_back(g / 4))
+            if (!list_.push_back(h) || !list_.push_back(g2) || !changed_.push_back(h / 4) || !changed_.push_back(g / 4))
                 return false;
         }
         return true;
