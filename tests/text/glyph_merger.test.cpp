@@ -112,14 +112,14 @@ TEST_CASE("merging lists every glyph that is drawn once, and groups are chains o
 {
     test::toy_font font;
     text_mesher mesher{font};
-    const glyph_run run = run_of({{stick, 0, {0, 0}},      // 0: touches 3 along an edge
-                                  {ring_glyph, 0, {1000, 0}},    // 1: holds 4 in its hole
-                                  {blank, 0, {0, 0}},      // 2: blank
-                                  {stick, 0, {100, 0}},    // 3
-                                  {stick, 0, {1100, -0}},  // 4: crosses the ring of 1
-                                  {broken, 0, {0, 0}},     // 5: refused
-                                  {bars_glyph, 0, {3000, 0}},    // 6: alone
-                                  {star, 0, {3100, 150}}}  // 7: inside the bays of 6 and over its stem
+    const glyph_run run = run_of({{stick, 0, {0, 0}},          // 0: touches 3 along an edge
+                                  {ring_glyph, 0, {1000, 0}},  // 1: holds 4 in its hole
+                                  {blank, 0, {0, 0}},          // 2: blank
+                                  {stick, 0, {100, 0}},        // 3
+                                  {stick, 0, {1100, -0}},      // 4: crosses the ring of 1
+                                  {broken, 0, {0, 0}},         // 5: refused
+                                  {bars_glyph, 0, {3000, 0}},  // 6: alone
+                                  {star, 0, {3100, 150}}}      // 7: inside the bays of 6 and over its stem
     );
     auto plan = test::required(mesher.plan(run, {.merge = true}));
     REQUIRE(plan->glyphs().size() == 3);
@@ -277,8 +277,8 @@ TEST_CASE("a group too wide for the fine grid is merged on a coarser one", "[tex
 TEST_CASE("merging reports that memory ran out at whichever request, and the mesher works afterwards", "[text][merge]")
 {
     test::toy_font font;
-    const glyph_run run =
-        run_of({{ring_glyph, 0, {0, 0}}, {ring_glyph, 0, {400, 30}}, {bars_glyph, 0, {700, 20}}, {stick, 0, {5000, 0}}});
+    const glyph_run run = run_of(
+        {{ring_glyph, 0, {0, 0}}, {ring_glyph, 0, {400, 30}}, {bars_glyph, 0, {700, 20}}, {stick, 0, {5000, 0}}});
     std::size_t failures = 0;
     for (std::size_t fail_at = 1;; ++fail_at) {
         test::counting_memory counted;
@@ -302,8 +302,8 @@ TEST_CASE("merging allocates nothing once it has seen a text of that size", "[te
     test::toy_font font;
     test::counting_memory counted;
     text_mesher mesher{font, counted.source()};
-    const glyph_run run =
-        run_of({{ring_glyph, 0, {0, 0}}, {ring_glyph, 0, {400, 30}}, {bars_glyph, 0, {700, 20}}, {stick, 0, {5000, 0}}});
+    const glyph_run run = run_of(
+        {{ring_glyph, 0, {0, 0}}, {ring_glyph, 0, {400, 30}}, {bars_glyph, 0, {700, 20}}, {stick, 0, {5000, 0}}});
     for (int warm = 0; warm < 3; ++warm) REQUIRE(mesher.plan(run, {.merge = true}));
     const auto before = counted.requests;
     REQUIRE(mesher.plan(run, {.merge = true}));
