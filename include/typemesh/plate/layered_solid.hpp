@@ -123,7 +123,9 @@ public:
     ///
     /// Fails  error::bad_option: no slab or more than max_slabs, where a level with a bevel or a fillet counts as one
     ///        more ("slabs"); heights that do not ascend or are not finite ("top"); a bevel or a fillet that is not
-    ///        finite or is negative ("bevel"); a rim of another slab than the last ("rim"); an unbounded set ("cells").
+    ///        finite or is negative ("bevel"); a rim of another slab than the last, or one that does not contain the
+    ///        slab's cells ("rim"); an unbounded set ("cells"); a scale that is not positive ("unit_per_em"); a
+    ///        tolerance that is negative ("tolerance").
     ///        error::too_large, error::out_of_memory, and errors of the triangulator. The solid is then empty
     /// Cost   one triangulation per level, and O(pieces * slabs). A level with a bevel or a fillet is swept once more
     ///        for each, up to 16 times if they do not fit
@@ -233,6 +235,7 @@ private:
         if (error e = settle_widths(base, slabs)) return e;
         for (const slab& s : slabs) {
             if (s.filled.is_unbounded()) return error::bad("cells");
+            if (cells.doubled_area(s.filled & ~rim_of(s)) != 0) return error::bad("rim");
             cells.each_touching(s.filled, [this](grid_point) noexcept { ++touching_; });
         }
         if (error e = make_lower_side(cells, base, slabs[0].filled, cut, space)) return e;
@@ -246,10 +249,13 @@ private:
         return count_walls(cells);
     }
 
-    /// Takes the wanted widths, made narrower alike where a slab's height would not leave a sixteenth of itself a wall.
+    /// Takes the wanted widths. A sixteenth of a slab's height stays a wall: the wider of its two becomes narrower, and
+    /// both if each needs more than half of the rest.
     [[nodiscard]] error settle_widths(const layered_base& base, array_view<const slab> slabs) noexcept
     {
         const auto is_width = [](float w) noexcept { return is_finite(as_double(w)) && w >= 0.0f; };
+        if (!is_finite(base.unit_per_em) || !(base.unit_per_em > 0.0)) return error::bad("unit_per_em");
+        if (!is_finite(base.tolerance) || !(base.tolerance >= 0.0)) return error::bad("tolerance");
         if (!is_width(base.bevel)) return error::bad("bevel");
         float below = base.height;
         for (std::size_t k = 0; k < slabs.size(); below = slabs[k++].top) {
@@ -259,10 +265,14 @@ private:
             if (!is_width(slabs[k].bevel) || !is_width(slabs[k].fillet)) return error::bad("bevel");
             const double height = as_double(slabs[k].top) - as_double(below);
             const double room = 0.9375 * height / base.unit_per_em;
-            const float at_foot = k == 0 ? base.bevel : slabs[k].fillet;
-            const double all = as_double(slabs[k].bevel) + as_double(at_foot), share = all > room ? room / all : 1.0;
-            widths_[k].bevel = static_cast<float>(share * as_double(slabs[k].bevel));
-            (k == 0 ? lower_ : widths_[k].fillet) = static_cast<float>(share * as_double(at_foot));
+            double upper = as_double(slabs[k].bevel), foot = as_double(k == 0 ? base.bevel : slabs[k].fillet);
+            if (upper + foot > room) {
+                double &narrow = upper < foot ? upper : foot, &wide = upper < foot ? foot : upper;
+                narrow = narrow < 0.5 * room ? narrow : 0.5 * room;
+                wide = room - narrow;
+            }
+            widths_[k].bevel = static_cast<float>(upper);
+            (k == 0 ? lower_ : widths_[k].fillet) = static_cast<float>(foot);
         }
         return {};
     }
