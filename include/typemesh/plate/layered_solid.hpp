@@ -128,7 +128,7 @@ public:
     ///        tolerance that is negative ("tolerance").
     ///        error::too_large, error::out_of_memory, and errors of the triangulator. The solid is then empty
     /// Cost   one triangulation per level, and O(pieces * slabs). A level with a bevel or a fillet is swept once more
-    ///        for each, up to 16 times if they do not fit
+    ///        for each, up to 32 times if they do not fit
     [[nodiscard]] result<void> plan(layer_arrangement& cells, const layered_base& base, array_view<const slab> slabs,
                                     std::uint32_t rim_sources, triangulator_ref cut, workspace& space) noexcept
     {
