@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <typemesh/core/impl/same.hpp>
 #include <typemesh/inspect/manifoldness.hpp>
 #include <typemesh/inspect/mesh_measure.hpp>
 #include <typemesh/plate/layered_solid.hpp>
@@ -156,6 +157,16 @@ TEST_CASE("slabs that cannot be are refused, and the solid is empty", "[layered_
     CHECK(refusal({{layer_a, 1.0f}, {layer_a, 2.0f, 0.0f, std::numeric_limits<float>::infinity()}}) == "bevel");
     CHECK(refusal({{layer_a, 1.0f, 0.1f, 0.0f, layer_a}, {layer_a, 2.0f}}) == "rim");
     CHECK(refusal({{layer_a, 1.0f, 0.1f, 0.0f, ~layer_a}}) == "rim");
+    CHECK(refusal({{layer_a, 1.0f, 0.1f, 0.0f, layer_b}}) == "rim");  // it does not contain the slab
+    for (const double scale : {0.0, -1.0, std::numeric_limits<double>::quiet_NaN()}) {
+        const layered_solid::slab one[] = {{layer_a, 1.0f, 0.1f}};
+        const auto option = [&](const layered_base& base) {
+            return std::string{solid.plan(cells, base, {one, 1}, 0, monotone{}, space).error().option};
+        };
+        CHECK(option({.unit_per_em = scale}) == "unit_per_em");
+        if (!same(scale, 0.0)) CHECK(option({.tolerance = scale}) == "tolerance");
+        CHECK(solid.size() == mesh_size{});
+    }
 }
 
 TEST_CASE("boxes with bevels and fillets in a grid of their own are closed, wherever the upper one stands",

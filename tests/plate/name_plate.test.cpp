@@ -239,6 +239,11 @@ TEST_CASE("bevels and fillets that do not fit become narrower, and the plate say
     CHECK(plate.rims().bevels == 3);
     CHECK(plate.rims().bevel == Catch::Approx(0.5 * 0.05 * 15.0 / 16.0));
     CHECK(plate.rims().fillet == Catch::Approx(0.5 * 0.05 * 15.0 / 16.0));
+    // A fillet as wide as fits leaves a narrow bevel as it is.
+    REQUIRE(plate.plan(*text, {.margin = 0.4f, .bevel = 0.01f, .fillet = 10.0f}, monotone{}));
+    check_solid(plate, 0);
+    CHECK(same(plate.rims().bevel, 0.01f));
+    CHECK(plate.rims().fillet == Catch::Approx(0.05 * 15.0 / 16.0 - 0.01));
     REQUIRE(plate.plan(*text, {.margin = 0.02f, .radius = 0.0f, .bevel = 0.01f, .fillet = 0.03f}, monotone{}));
     check_solid(plate, 0);
     CHECK(same(plate.rims().bevel, 0.01f));

@@ -41,6 +41,10 @@ TEST_CASE("what meets a rim becomes narrower, and what stands on a rim or beyond
         CHECK_FALSE(rims.fit(close.cells, test::rim_boxes::plate, test::rim_boxes::pocket, widths, {}, monotone{}));
         CHECK(widths.bevel > 0.02f);
         CHECK(widths.bevel < 0.03f);
+        widths = {0.0f, 100.0f};  // thousands of times as wide as what fits
+        CHECK_FALSE(rims.fit(close.cells, test::rim_boxes::plate, test::rim_boxes::pocket, widths, {}, monotone{}));
+        CHECK(widths.fillet > 0.01f);
+        CHECK(widths.fillet < 0.03f);
     }
     for (const std::int32_t x : {0, -100}) {
         test::rim_boxes beyond{x, 300};

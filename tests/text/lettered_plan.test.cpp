@@ -445,7 +445,7 @@ TEMPLATE_TEST_CASE("every vertex of a letter is where its map puts it, with its 
 {
     const auto axes = GENERATE(right_handed_y_up, left_handed_z_up);
     const affine3 turn = turned({0.6f, 0.0f, 0.8f}, 1.1);
-    const affine3 maps[] = {turn,
+    const affine3 letter_maps[] = {turn,
                             shifted({0.25f, -1.0f, 2.0f}),
                             turned({0, 0, 1}, 2.0) * scaled(3.0f),
                             scaled(0.125f) * turn,
@@ -456,7 +456,7 @@ TEMPLATE_TEST_CASE("every vertex of a letter is where its map puts it, with its 
     const auto plan = test::required(mesher.plan(moving_text, {.frame = axes}));
     REQUIRE(plan->find_letters(moving_text));
     const test::lit_mesh still = test::written(*plan);
-    for (const affine3& map : maps) {
+    for (const affine3& map : letter_maps) {
         const letter_move exact{map};
         const bool mirrors = exact.mirrors();
         const test::lit_mesh is =

@@ -45,17 +45,19 @@ struct rim_widths {
     float bevel = 0.0f, fillet = 0.0f;
 };
 
-/// Takes the wanted widths of all rims. Where a sixteenth of a slab's height would not stay a wall, its bevel and what
-/// is at its foot become narrower alike.
+/// Takes the wanted widths of all rims. A sixteenth of a slab's height stays a wall: the wider one of its bevel and what
+/// is at its foot becomes narrower, and both if each needs more than half of the rest.
 ///
 ///     lower     becomes the width of the bevel of the lower side
 ///     widths    one for each slab
 ///
-/// Fails  error::bad_option: "top", "rim", "bevel" as layered_solid::plan() does
+/// Fails  error::bad_option: "unit_per_em", "tolerance", "top", "rim", "bevel" as layered_solid::plan() does
 [[nodiscard]] inline error settle_widths(const layered_base& base, array_view<const layered_slab> slabs, float& lower,
                                          rim_widths* widths) noexcept
 {
     const auto is_width = [](float w) noexcept { return is_finite(as_double(w)) && w >= 0.0f; };
+    if (!is_finite(base.unit_per_em) || !(base.unit_per_em > 0.0)) return error::bad("unit_per_em");
+    if (!is_finite(base.tolerance) || !(base.tolerance >= 0.0)) return error::bad("tolerance");
     if (!is_width(base.bevel)) return error::bad("bevel");
     float below = base.height;
     for (std::size_t k = 0; k < slabs.size(); below = slabs[k++].top) {
@@ -63,11 +65,15 @@ struct rim_widths {
         if (!is_finite(as_double(s.top)) || !(s.top > below)) return error::bad("top");
         if (s.rim.is_unbounded() || (s.rim.labels != 0 && k + 1 != slabs.size())) return error::bad("rim");
         if (!is_width(s.bevel) || !is_width(s.fillet)) return error::bad("bevel");
-        const float at_foot = k == 0 ? base.bevel : s.fillet;
         const double room = 0.9375 * (as_double(s.top) - as_double(below)) / base.unit_per_em;
-        const double all = as_double(s.bevel) + as_double(at_foot), share = all > room ? room / all : 1.0;
-        widths[k].bevel = static_cast<float>(share * as_double(s.bevel));
-        (k == 0 ? lower : widths[k].fillet) = static_cast<float>(share * as_double(at_foot));
+        double upper = as_double(s.bevel), foot = as_double(k == 0 ? base.bevel : s.fillet);
+        if (upper + foot > room) {
+            double &narrow = upper < foot ? upper : foot, &wide = upper < foot ? foot : upper;
+            narrow = narrow < 0.5 * room ? narrow : 0.5 * room;
+            wide = room - narrow;
+        }
+        widths[k].bevel = static_cast<float>(upper);
+        (k == 0 ? lower : widths[k].fillet) = static_cast<float>(foot);
     }
     return {};
 }

@@ -107,11 +107,12 @@ public:
     ///
     /// Fails  error::bad_option: no slab or more than max_slabs, where a level with a bevel or a fillet counts as one
     ///        more ("slabs"); heights that do not ascend or are not finite ("top"); a bevel or a fillet that is not
-    ///        finite or is negative ("bevel"); a rim of another slab than the last ("rim"); an unbounded set ("cells");
-    ///        a bevel or a fillet on a grid without units ("units_per_em").
+    ///        finite or is negative ("bevel"); a rim of another slab than the last, or one that does not contain the
+    ///        slab's cells ("rim"); an unbounded set ("cells"); a scale that is not positive ("unit_per_em"); a
+    ///        tolerance that is negative ("tolerance"); a bevel or a fillet on a grid without units ("units_per_em").
     ///        error::too_large, error::out_of_memory, and errors of the triangulator. The solid is then empty
     /// Cost   one triangulation per level, and O(pieces * slabs). A level with a bevel or a fillet is swept once more
-    ///        for each, up to 16 times if they do not fit
+    ///        for each, up to 32 times if they do not fit
     [[nodiscard]] result<void> plan(layer_arrangement& cells, const layered_base& base, array_view<const slab> slabs,
                                     std::uint32_t rim_sources, triangulator_ref cut, workspace& space) noexcept
     {
@@ -218,6 +219,7 @@ private:
         if (error e = detail::settle_widths(base, slabs, lower_, widths_)) return e;
         for (const slab& s : slabs) {
             if (s.filled.is_unbounded()) return error::bad("cells");
+            if (cells.doubled_area(s.filled & ~s.outline()) != 0) return error::bad("rim");
             cells.each_touching(s.filled, [this](grid_point) noexcept { ++touching_; });
         }
         if (error e = make_lower_side(cells, base, slabs[0].filled, cut, space)) return e;

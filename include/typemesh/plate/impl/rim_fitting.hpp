@@ -95,7 +95,12 @@ public:
 
 private:
     /// What does not fit is made narrower so often, and then left out.
-    static constexpr int max_attempts = 16;
+    static constexpr int max_attempts = 32;
+    /// By quarters, and after half of the attempts by halves: from the widest offset down to a few cells.
+    static float narrower(float width, int attempt) noexcept
+    {
+        return width * (attempt < max_attempts / 2 ? 0.75f : 0.5f);
+    }
 
     [[nodiscard]] error try_to_fit(cell_set under, cell_set over, const rim_widths& wanted, rim_widths& made,
                                    triangulator_ref cut) noexcept
@@ -106,19 +111,17 @@ private:
         if (!fits) return {};  // it stands on the rim
         fits = false;
         float width = wanted.bevel;
-        for (int i = 0; width > 0.0f && !fits; width *= 0.75f) {
+        for (int i = 0; width > 0.0f && !fits && i < max_attempts; width = narrower(width, ++i)) {
             if (error e = move(inner_, under, how_.section, width, cut)) return e;
             if (error e = make_floor(under, over, {width, 0.0f}, fits, cut)) return e;
             if (fits) made.bevel = width;
-            if (++i == max_attempts) break;
         }
         width = wanted.fillet;
         fits = false;
-        for (int i = 0; width > 0.0f && !fits; width *= 0.75f) {
+        for (int i = 0; width > 0.0f && !fits && i < max_attempts; width = narrower(width, ++i)) {
             if (error e = move(outer_, over, rim_section::fillet, width, cut)) return e;
             if (error e = make_floor(under, over, {made.bevel, width}, fits, cut)) return e;
             if (fits) made.fillet = width;
-            if (++i == max_attempts) break;
         }
         if (made.fillet > 0.0f || !(made.bevel > 0.0f)) return {};
         return make_floor(under, over, made, fits, cut);
