@@ -19,7 +19,7 @@ TEST_CASE("the rims of a slab share its height, and a sixteenth of it stays a wa
     CHECK_FALSE(detail::settle_widths(base, {slabs, 2}, lower, widths));
     CHECK(same(lower, 0.1f));
     CHECK(same(widths[0].bevel, 0.2f));
-    CHECK(widths[0].fillet == 0.0f);  // nothing is below it
+    CHECK(widths[0].fillet == 0.0f);                 // nothing is below it
     CHECK(widths[1].bevel == Catch::Approx(0.075));  // each wants more than half of 0.15
     CHECK(widths[1].fillet == Catch::Approx(0.075));
     CHECK(same(base.depth(0.25f), 0.5f));

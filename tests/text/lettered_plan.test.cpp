@@ -446,11 +446,11 @@ TEMPLATE_TEST_CASE("every vertex of a letter is where its map puts it, with its 
     const auto axes = GENERATE(right_handed_y_up, left_handed_z_up);
     const affine3 turn = turned({0.6f, 0.0f, 0.8f}, 1.1);
     const affine3 letter_maps[] = {turn,
-                            shifted({0.25f, -1.0f, 2.0f}),
-                            turned({0, 0, 1}, 2.0) * scaled(3.0f),
-                            scaled(0.125f) * turn,
-                            affine3{{-1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {}} * turn,
-                            affine3{{2, 0, 0}, {0, 1, 0}, {0, 0.5f, 1}, {}}};
+                                   shifted({0.25f, -1.0f, 2.0f}),
+                                   turned({0, 0, 1}, 2.0) * scaled(3.0f),
+                                   scaled(0.125f) * turn,
+                                   affine3{{-1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {}} * turn,
+                                   affine3{{2, 0, 0}, {0, 1, 0}, {0, 0.5f, 1}, {}}};
     test::toy_font font;
     text_mesher mesher{font, TestType{}};
     const auto plan = test::required(mesher.plan(moving_text, {.frame = axes}));

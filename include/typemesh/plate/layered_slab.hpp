@@ -45,8 +45,8 @@ struct rim_widths {
     float bevel = 0.0f, fillet = 0.0f;
 };
 
-/// Takes the wanted widths of all rims. A sixteenth of a slab's height stays a wall: the wider one of its bevel and what
-/// is at its foot becomes narrower, and both if each needs more than half of the rest.
+/// Takes the wanted widths of all rims. A sixteenth of a slab's height stays a wall: the wider one of its bevel and
+/// what is at its foot becomes narrower, and both if each needs more than half of the rest.
 ///
 ///     lower     becomes the width of the bevel of the lower side
 ///     widths    one for each slab
