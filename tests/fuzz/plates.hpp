@@ -19,13 +19,32 @@
 /// Layers -> their arrangement -> solids of slabs.
 namespace fuzz {
 
+/// Bevels and fillets of at most the size of the layers, which is an output unit; a level with rims counts as two slabs.
+inline void add_rims(values& in, std::int32_t size, typemesh::layered_base& base,
+                     std::vector<typemesh::layered_solid::slab>& slabs)
+{
+    const auto width = [&] {
+        return in.below(4) == 0 ? 0.0f : 0.125f * static_cast<float>(in.below(static_cast<std::uint32_t>(size)));
+    };
+    base.bevel = width();
+    base.round = in.flag();
+    if (slabs.size() > typemesh::layered_solid::max_slabs / 2) slabs.resize(typemesh::layered_solid::max_slabs / 2);
+    for (typemesh::layered_solid::slab& s : slabs) {
+        s.bevel = width();
+        s.fillet = width();
+    }
+}
+
 inline broken_law plates(values in)
 {
     using namespace typemesh;
     const std::int32_t size = in.one_of({8, 60, 2000, 1 << 22});
     layer_arrangement cells;
     workspace space;
-    cells.begin({});
+    grid onto;  // a cell an em: rims are as wide as the layers
+    onto.cells = 1.0;
+    onto.units_per_em = 1.0;
+    cells.begin(onto);
     for (std::uint32_t layer = 0; layer < max_layers; ++layer) {
         contours drawn;
         bool ok = drawn.starts.push_back(0);
@@ -63,8 +82,10 @@ inline broken_law plates(values in)
     }
     layered_solid solid;
     const bool delaunay = in.flag();
-    const auto done = delaunay ? solid.plan(cells, 0.0f, {slabs.data(), slabs.size()}, 3, constrained_delaunay{}, space)
-                               : solid.plan(cells, 0.0f, {slabs.data(), slabs.size()}, 3, monotone{}, space);
+    layered_base base{.unit_per_em = 1.0 / size};
+    if (in.flag()) add_rims(in, size, base, slabs);
+    const auto done = delaunay ? solid.plan(cells, base, {slabs.data(), slabs.size()}, 3, constrained_delaunay{}, space)
+                               : solid.plan(cells, base, {slabs.data(), slabs.size()}, 3, monotone{}, space);
     if (!done) return "a solid was refused";
     std::vector<vec3> vertices;
     std::vector<std::uint32_t> indices;
