@@ -568,7 +568,7 @@ if "$program" --svg drawing.svg --output probe.glb >out 2>err; then
     that "an icon is as large as its box allows, and in the middle" grep -q "^icons.obj: 5 x 1.5" out
     that "each icon has its colours" [ "$(grep -c '^usemtl front_ff0000\|^usemtl front_0000ff' icons.obj)" = 4 ]
     expect 0 "" "a[box=2,1]b" --markup --icon icon.svg --font $sans --output icons.stl --bend cylinder:2 --picture icons.png
-    expect 1 "--icon needs --markup" "ab" --icon icon.svg --font $sans --output no.glb
+    expect 2 "--icon needs --markup" "ab" --icon icon.svg --font $sans --output no.glb
     expect 1 "--icon: none.svg cannot be read" "a[box=1,1]" --markup --icon none.svg --font $sans --output no.glb
     printf '<svg xmlns="http://www.w3.org/2000/svg"><text>a</text><text>b</text><path fill="url(#g)" d="M0 0h9v9z"/><linearGradient id="g"><stop stop-color="red"/></linearGradient><path d="M0 0h9v9zx"/></svg>' >lossy.svg
     expect 0 "^text_to_mesh: warning: <text> is not drawn\.$" --svg lossy.svg --output lossy.glb
