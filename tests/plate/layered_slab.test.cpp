@@ -25,6 +25,20 @@ TEST_CASE("the rims of a slab share its height, and a sixteenth of it stays a wa
     CHECK(same(base.depth(0.25f), 0.5f));
 }
 
+TEST_CASE("rims that floats cannot tell from nothing are left out", "[layered_slab]")
+{
+    constexpr cell_set whole = cells_of_layer(0);
+    const layered_slab slabs[] = {{whole, 1000.0f, 1e-5f}, {whole, 1000.001f, 0.01f, 0.01f}, {whole, 1001.0f, 0.01f}};
+    float lower = 0.0f;
+    detail::rim_widths widths[3];
+    CHECK_FALSE(detail::settle_widths({}, {slabs, 3}, lower, widths));
+    CHECK(widths[0].bevel == 0.0f);
+    CHECK(widths[1].bevel == 0.0f);
+    CHECK(widths[1].fillet == 0.0f);
+    CHECK(same(widths[2].bevel, 0.01f));
+    CHECK(1000.0f - static_cast<float>(detail::least_rim_width({}, {slabs, 3})) < 1000.0f);
+}
+
 TEST_CASE("a slab's pockets are what its rim surrounds and it does not fill", "[layered_slab]")
 {
     constexpr cell_set a = cells_of_layer(0), b = cells_of_layer(1);

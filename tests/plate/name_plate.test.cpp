@@ -239,6 +239,10 @@ TEST_CASE("bevels and fillets that do not fit become narrower, and the plate say
     CHECK(plate.rims().bevels == 3);
     CHECK(plate.rims().bevel == Catch::Approx(0.5 * 0.05 * 15.0 / 16.0));
     CHECK(plate.rims().fillet == Catch::Approx(0.5 * 0.05 * 15.0 / 16.0));
+    // Heights that floats cannot tell apart: no rims.
+    REQUIRE(plate.plan(*text, {.margin = 0.4f, .thickness = 1000.0f, .depth = 0.001f, .bevel = 0.01f, .fillet = 0.01f},
+                       monotone{}));
+    CHECK(same(plate.rims().fillet, 0.0f));
     // A fillet as wide as fits leaves a narrow bevel as it is.
     REQUIRE(plate.plan(*text, {.margin = 0.4f, .bevel = 0.01f, .fillet = 10.0f}, monotone{}));
     check_solid(plate, 0);

@@ -59,8 +59,8 @@ struct ruby_options {
 /// ruby then keeps to the line if the kana on its other side allows this. Without rooms, a ruby that is wider reaches
 /// beyond its text on both sides, `overhanging` counts it, and line_spacing must leave space for it.
 ///
-/// Text and ruby are taken to be as high as their fonts' ascenders and descenders say, but together at most one em, as
-/// browsers do: many fonts have more, and their rubies would stand too high.
+/// Text and ruby are taken to be as high as their fonts' ascenders and descenders say, but each at most one em from
+/// ascender to descender, as browsers do: many fonts have more, and their rubies would stand too high.
 ///
 /// A text that has several boxes, because of its directions or of line breaks in it, has its ruby above the first one,
 /// and `divided` counts it. A ruby whose text is dropped or blank is not drawn.

@@ -7,6 +7,7 @@
 #include <typemesh/core/point.hpp>
 #include <typemesh/plate/cell_set.hpp>
 
+#include <cmath>
 #include <cstddef>
 
 namespace typemesh::inline TYPEMESH_ABI {
@@ -45,8 +46,18 @@ struct rim_widths {
     float bevel = 0.0f, fillet = 0.0f;
 };
 
+/// The least width of a rim in em: four steps of a float at the greatest height, so that the rim's heights differ.
+[[nodiscard]] inline double least_rim_width(const layered_base& base, array_view<const layered_slab> slabs) noexcept
+{
+    double greatest = std::fabs(as_double(base.height));
+    for (const layered_slab& s : slabs)
+        if (std::fabs(as_double(s.top)) > greatest) greatest = std::fabs(as_double(s.top));
+    return 0x1p-21 * greatest / base.unit_per_em;
+}
+
 /// Takes the wanted widths of all rims. A sixteenth of a slab's height stays a wall: the wider one of its bevel and
-/// what is at its foot becomes narrower, and both if each needs more than half of the rest.
+/// what is at its foot becomes narrower, and both if each needs more than half of the rest. What floats cannot tell
+/// from nothing is left out.
 ///
 ///     lower     becomes the width of the bevel of the lower side
 ///     widths    one for each slab
@@ -59,6 +70,7 @@ struct rim_widths {
     if (!is_finite(base.unit_per_em) || !(base.unit_per_em > 0.0)) return error::bad("unit_per_em");
     if (!is_finite(base.tolerance) || !(base.tolerance >= 0.0)) return error::bad("tolerance");
     if (!is_width(base.bevel)) return error::bad("bevel");
+    const double least = least_rim_width(base, slabs);
     float below = base.height;
     for (std::size_t k = 0; k < slabs.size(); below = slabs[k++].top) {
         const layered_slab& s = slabs[k];
@@ -72,6 +84,9 @@ struct rim_widths {
             narrow = narrow < 0.5 * room ? narrow : 0.5 * room;
             wide = room - narrow;
         }
+        const bool has_wall = room > 8.0 * least;
+        if (!has_wall || upper < least) upper = 0.0;
+        if (!has_wall || foot < least) foot = 0.0;
         widths[k].bevel = static_cast<float>(upper);
         (k == 0 ? lower : widths[k].fillet) = static_cast<float>(foot);
     }

@@ -111,8 +111,8 @@ public:
     ///        slab's cells ("rim"); an unbounded set ("cells"); a scale that is not positive ("unit_per_em"); a
     ///        tolerance that is negative ("tolerance"); a bevel or a fillet on a grid without units ("units_per_em").
     ///        error::too_large, error::out_of_memory, and errors of the triangulator. The solid is then empty
-    /// Cost   one triangulation per level, and O(pieces * slabs). A level with a bevel or a fillet is swept once more
-    ///        for each, up to 32 times if they do not fit
+    /// Cost   one triangulation per level, and O(pieces * slabs). A level with a bevel or a fillet is offset and swept
+    ///        once more for each, up to 32 times if they do not fit
     [[nodiscard]] result<void> plan(layer_arrangement& cells, const layered_base& base, array_view<const slab> slabs,
                                     std::uint32_t rim_sources, triangulator_ref cut, workspace& space) noexcept
     {
@@ -217,6 +217,7 @@ private:
         cells_ = &cells;
         rim_sources_ = rim_sources;
         if (error e = detail::settle_widths(base, slabs, lower_, widths_)) return e;
+        least_width_ = static_cast<float>(detail::least_rim_width(base, slabs));
         for (const slab& s : slabs) {
             if (s.filled.is_unbounded()) return error::bad("cells");
             if (cells.doubled_area(s.filled & ~s.outline()) != 0) return error::bad("rim");
@@ -284,9 +285,9 @@ private:
         return keep_bevel(plate_part::back_bevel, base.height, -base.depth(lower_), base);
     }
 
-    static detail::rim_fitting::shape shape_of(const layered_base& base) noexcept
+    [[nodiscard]] detail::rim_fitting::shape shape_of(const layered_base& base) const noexcept
     {
-        return {base.round ? detail::rim_section::round : detail::rim_section::chamfer, base.tolerance};
+        return {base.round ? detail::rim_section::round : detail::rim_section::chamfer, base.tolerance, least_width_};
     }
 
     /// Keeps the strips of the bevel around a cap at a height, from the wall's end `deep` below it. Negative: above it.
@@ -357,8 +358,7 @@ private:
     /// Whether so many more points and triangles have numbers.
     [[nodiscard]] bool fits(std::size_t points, std::size_t triangles) const noexcept
     {
-        constexpr std::size_t most = 0xFFFF'FFFFu;
-        return points_.size() + points <= most && triangles_.size() + triangles <= most;
+        return points_.size() + points <= 0xFFFF'FFFFu && triangles_.size() + triangles <= 0xFFFF'FFFFu;
     }
     /// Adds the points of a cap whose triangles are the last ones.
     [[nodiscard]] error add_cap(level_cap made, array_view<const grid_point> points) noexcept
@@ -489,7 +489,7 @@ private:
     detail::rim_fitting rims_;
     detail::rim_sheets sheets_;
     detail::rim_widths widths_[max_slabs];  // of each slab's upper rim and of its foot
-    float lower_ = 0.0f;
+    float lower_ = 0.0f, least_width_ = 0.0f;
     double of_rims_ = 0.0;  // the volume beside the walls' slabs
     const layer_arrangement* cells_ = nullptr;
     std::uint32_t rim_sources_ = 0, touching_ = 0, hanging_ = 0;

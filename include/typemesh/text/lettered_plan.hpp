@@ -128,6 +128,7 @@ public:
     void each_moved_box(Motion&& motion, Put&& put) const noexcept
     {
         const text_letters& found = move_all(motion);
+        if (found.moves.empty()) return;
         each_box_on_stand(*self().run_, self().glyphs_->stands.view(), [&](const inline_box_place& box) noexcept {
             const letter_move& move = found.moves[found.row_at(box.unit)];
             const affine3 placed = self().glyphs_->placed.map_of(box.map, self().run_->units_per_em);

@@ -47,6 +47,7 @@ public:
     struct shape {
         rim_section section = rim_section::chamfer;  ///< of bevels
         double tolerance = 0.0;                      ///< see rim_offset
+        float least_width = 0.0f;                    ///< in em; what would have to be narrower is left out
     };
 
     /// Fits the widths of one level: they become what was reached, both 0 if nothing fits. points() and triangles() are
@@ -123,7 +124,8 @@ private:
             if (error e = make_floor(under, over, {made.bevel, width}, fits, cut)) return e;
             if (fits) made.fillet = width;
         }
-        if (made.fillet > 0.0f || !(made.bevel > 0.0f)) return {};
+        // The floor of the bevel alone is there already if no fillet was tried.
+        if (made.fillet > 0.0f || !(made.bevel > 0.0f) || !(wanted.fillet > 0.0f)) return {};
         return make_floor(under, over, made, fits, cut);
     }
 
@@ -135,7 +137,7 @@ private:
         const auto r = cells_->trace(cells, builder_.space(), loops_);
         if (!r) return r.error();
         const auto reached = to.plan(*r, section, width, how_.tolerance, cut);
-        width = reached ? *reached : 0.0f;
+        width = reached && *reached >= how_.least_width ? *reached : 0.0f;
         return reached.error();
     }
 

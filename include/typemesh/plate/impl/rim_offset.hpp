@@ -46,7 +46,8 @@ public:
     ///
     ///     tolerance   the deviation of round corners and sections, in cells
     ///
-    /// Returns the width that was reached; 0 if there are no strips. The region's loops may then change.
+    /// Returns the width that was reached; 0 if there are no strips. The region is copied: its loops may change
+    /// afterwards.
     /// Fails  as the triangulator and bevelled::plan() do
     [[nodiscard]] result<float> plan(const region& r, rim_section section, float width, double tolerance,
                                      triangulator_ref cut) noexcept

@@ -59,8 +59,8 @@ public:
     {
         const auto vertices = made.strip_vertices();
         const auto triangles = made.strip_triangles();
-        constexpr std::size_t most = 0xFFFF'FFFFu;
-        if (vertices_.size() + vertices.size() > most || triangles_.size() + triangles.size() > most)
+        constexpr std::size_t max_count = 0xFFFF'FFFFu;
+        if (vertices_.size() + vertices.size() > max_count || triangles_.size() + triangles.size() > max_count)
             return error::too_large;
         how.first_vertex = static_cast<std::uint32_t>(vertices_.size());
         how.vertex_count = static_cast<std::uint32_t>(vertices.size());
