@@ -316,7 +316,10 @@ private:
     [[nodiscard]] error unite(const colour_glyph& glyph, std::size_t first, std::size_t last,
                               detail::pooled_region& out) noexcept
     {
-        if (last - first == 1) return out = shapes_[glyph.layers[first].shape], error{};
+        if (last - first == 1) {
+            out = shapes_[glyph.layers[first].shape];
+            return {};
+        }
         const detail::region_pool::mark before = pool_.here();
         const std::size_t middle = first + (last - first) / 2;
         detail::pooled_region lower, upper;
