@@ -178,7 +178,7 @@ mogrify -resize 540x272^ -gravity center -extent 540x272 "$scratch"/{standing,in
 montage "$scratch"/{standing,inlay,stencil,keyring}.png -tile 2x2 -geometry +0+0 plates.png
 "$program" "Anna" --font $bold --plate 0.2,0.15,0.12 --depth 0.08 --bevel 0.015 --fillet 0.05 --colour '#c03a2b' --turn -32 --picture "$scratch/fillet.png"
 "$program" "Oslo" --font $serif-Bold.ttf --plate 0.2,0.1,0.1 --engrave 0.06 --bevel 0.025 --turn 24 --picture "$scratch/chamfer.png"
-mogrify -resize 540x272^ -gravity center -extent 540x272 "$scratch"/{fillet,chamfer}.png
+mogrify -resize 540x -gravity center -background '#eef0f3' -extent 540x320 "$scratch"/{fillet,chamfer}.png
 montage "$scratch"/{fillet,chamfer}.png -tile 2x1 -geometry +0+0 rims.png
 "$program" "CAD" --font $bold --depth 0.25 --taper 10 --turn -18 --picture "$scratch/headline.png"
 "$program" "Roofs" --font $serif-Bold.ttf --depth 0.3 --taper 40 --turn 22 --picture "$scratch/roofs.png"
