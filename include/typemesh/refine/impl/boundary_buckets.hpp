@@ -12,8 +12,8 @@ namespace typemesh::inline TYPEMESH_ABI::detail {
 
 /// Finds the boundary edges near a place outside the region, where the mesh has no triangles. The box of the region is
 /// divided into square buckets; each lists the boundary edges that may pass through it. A bucket with many edges that
-/// are short beside it is divided into 4 x 4 smaller ones, and these again. Its short edges are listed in them, its long
-/// ones stay, so that an edge is listed a few times only.
+/// are short beside it is divided into 4 x 4 smaller ones, and these again. Its short edges are listed in them, its
+/// long ones stay, so that an edge is listed a few times only.
 ///
 ///     +-------+-------+-------+
 ///     |       |       |       |     a bucket with a cluster of points
