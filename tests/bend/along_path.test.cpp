@@ -97,6 +97,12 @@ TEST_CASE("a path that is missing, empty or too short for a text around it is re
     CHECK(along_path{&nothing}.refused_options() == error::bad_option);
     CHECK(along_path{&failed}.refused_options() == error::bad_option);
     CHECK(along_path{&ring, 0.0, 0.0}.refused_options() == error::bad_option);
+    for (const double start : {0x1.0001p40, -0x1.0001p40, 1e17, std::nan("")}) {
+        const error e = along_path{&ring, start}.refused_options();
+        CHECK(e == error::bad_option);
+        CHECK(std::string{e.option} == "start");
+    }
+    CHECK_FALSE(along_path{&ring, -0x1p40}.refused_options());
     CHECK_FALSE(along_path{&ring}.refused_options());
     CHECK_FALSE(along_path{&ring}.refused_text({{-1, 0}, {5.2, 1}}));
     CHECK(along_path{&ring}.refused_text({{-1, 0}, {5.4, 1}}) == error::goes_around);

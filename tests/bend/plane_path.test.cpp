@@ -96,6 +96,14 @@ TEST_CASE("an open path goes on straight beyond its ends, a closed one around", 
     for (const point p : {point{3, 0}, point{3, 3}, point{0, 3}}) square.line(p);
     square.close();
     CHECK(square.length() == 12.0);
+    for (const double gap : {0x1p-29, 0x1p-31}) {  // a shorter gap than 2^-30 is left
+        plane_path triangle;
+        triangle.move({0, 0});
+        for (const point p : {point{3, 0}, point{3, 4}, point{gap, 0}}) triangle.line(p);
+        triangle.close();
+        const plane_path::place end = triangle.at(triangle.length());
+        CHECK((length(end.at + (triangle.length() - end.from) * end.tangent) < 0x1p-40) == (gap > 0x1p-30));
+    }
     for (const double s : {-5.0, 7.0, 19.0}) {
         const plane_path::place p = square.at(s);
         CHECK(p.at + (s - p.from) * p.tangent == point{2, 3});

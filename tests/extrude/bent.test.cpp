@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 
+#include <typemesh/bend/displaced.hpp>
 #include <typemesh/bend/on_cylinder.hpp>
 #include <typemesh/bend/on_sphere.hpp>
 #include <typemesh/bend/taper.hpp>
@@ -28,6 +29,22 @@ static_assert(extruder<bent<on_cylinder>> && extruder<bent<twist, flat>> && extr
 static_assert(has_heights<bent<on_cylinder>> && refuses_texts<bent<on_cylinder>> && !refuses_texts<extruded<>>);
 
 namespace {
+
+/// A height that is curved only near x = 0.4, and there strongly.
+struct ridge {
+    static constexpr double width = 0.004, curvature = 4000.0;
+
+    surface_height operator()(double x, double) const noexcept
+    {
+        const double u = x - 0.4, inside = std::clamp(u, -width, width), slope = curvature * inside;
+        return {0.5 * slope * inside + slope * (u - inside), slope, 0.0};
+    }
+    bend_bounds bend(const box3& b) const noexcept
+    {
+        return {.xx = b.high.x < 0.4 - width || b.low.x > 0.4 + width ? 0.0 : curvature};
+    }
+    error refused_options() const noexcept { return {}; }
+};
 
 /// A bent mesh, the flat mesh of the same vertices and triangles, and the plan.
 struct bent_mesh : built {
@@ -235,7 +252,8 @@ TEST_CASE("bevelled letters are bent with their bevels", "[extrude][bent]")
     // Too fine a tolerance for any number of points.
     {
         plan_data_of<bent<on_cylinder>> data;
-        CHECK(bend(shapes::letter_e(), bent<on_cylinder>{.tolerance = 1e-12}, data).error() == error::too_many_points);
+        CHECK(bend(shapes::letter_e(), bent<on_cylinder>{.tolerance = 1e-12, .max_points = 1000}, data).error() ==
+              error::too_many_points);
     }
     // The cap within the bevels gets points of its own.
     const shapes::shape sheet{"sheet", {shapes::polygon({{0, 0}, {900, 0}, {900, 900}, {0, 900}})}, {}, 1};
@@ -412,6 +430,20 @@ TEST_CASE("frames map bent letters like flat ones", "[extrude][bent]")
         CHECK(unlike == 0);
         CHECK(open_edges(*m) == 0);
     }
+}
+
+TEST_CASE("a ridge that is narrow beside a letter needs few points", "[extrude][bent]")
+{
+    const shapes::shape square{"square",
+                               {{shapes::line({0, 0}, {1000, 0}), shapes::line({1000, 0}, {1000, 1000}),
+                                 shapes::line({1000, 1000}, {0, 1000}), shapes::line({0, 1000}, {0, 0})}},
+                               {},
+                               1};
+    plan_data_of<bent<displaced<ridge>, flat>> data;
+    const auto made = bend(square, bent<displaced<ridge>, flat>{.max_points = 100}, data);
+    REQUIRE(made);
+    CHECK(made->sizes.total().vertices < 100);
+    CHECK(bend(square, bent<displaced<ridge>, flat>{.max_points = 20}, data).error() == error::too_many_points);
 }
 
 TEST_CASE("bent letters that fold, and options out of range, are refused", "[extrude][bent]")

@@ -149,6 +149,19 @@ TEST_CASE("at a sharp corner, no angle is below arctan(sin c / (2 - cos c))", "[
 TEST_CASE("a shape that needs too many points is refused", "[refine]")
 {
     delaunay_refinement refinement;
+    {  // The square needs no other points than its own.
+        const test::filled_shape square{{"square", {{{0, 0}, {400, 0}, {400, 400}, {0, 400}}}}};
+        workspace space;
+        triangle_list given;
+        REQUIRE_FALSE(monotone{}(square.filled, space, given));
+        auto limits = limits_for(20.0);
+        limits.max_points = 4;
+        CHECK_FALSE(refinement.run(square.filled, given.view(), limits));
+        limits.max_points = 3;
+        const error e = refinement.run(square.filled, given.view(), limits);
+        CHECK(e == error::too_many_points);
+        CHECK(e.count == 3);
+    }
     for (const test::shape& s : test::generated_regions()) {
         if (!has_long_gap(s)) continue;
         const test::filled_shape shape{s};

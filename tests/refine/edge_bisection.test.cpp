@@ -234,7 +234,7 @@ TEST_CASE("in a rectangle, a measure of widths adds columns of two points and no
         CHECK(out.loops.points.size() == std::size_t(2 * (columns + 1)));
         CHECK(out.triangles.size() == std::size_t(2 * columns));
     }
-    REQUIRE_FALSE(bisection.run(shape.filled, given.view(), extent_measure{}, 0));
+    REQUIRE_FALSE(bisection.run(shape.filled, given.view(), extent_measure{}, 4));
     CHECK(bisection.mesh().vertex_count() == 4);  // nothing is too large, so nothing is added
 }
 
@@ -246,6 +246,8 @@ TEST_CASE("bisection needs no more points than it is allowed, and says so", "[re
     triangle_list given;
     REQUIRE_FALSE(monotone{}(shape.filled, space, given));
     const auto given_points = static_cast<std::uint32_t>(shape.filled.points().size());
+    CHECK_FALSE(bisection.run(shape.filled, given.view(), extent_measure{}, given_points));
+    CHECK(bisection.run(shape.filled, given.view(), extent_measure{}, given_points - 1).count == given_points - 1);
     for (const double edge : {3e5, 1e5, 3e4}) {
         const extent_measure m{1.0 / edge, 0.5 / edge};
         REQUIRE_FALSE(bisection.run(shape.filled, given.view(), m, 1'000'000));

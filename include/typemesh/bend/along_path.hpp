@@ -13,13 +13,14 @@ namespace typemesh::inline TYPEMESH_ABI {
 /// The warp that bends letters along a path in the plane: x becomes the distance along the path, y the distance from
 /// it. on_path.hpp uses it for joined letters; alone, `warped{along_path{&way}}`, it bends every letter.
 ///
-/// Fails  error::bad_option: there is no path, it is empty or has failed ("path"); a number is not finite, or the
-///        stretch is not positive ("start", "stretch"); error::out_of_memory, if the path ran out of it
+/// Fails  error::bad_option: there is no path, it is empty or has failed ("path"); start is not within 2^40 of
+///        0, where doubles still tell letters apart, or stretch is not positive and finite ("start", "stretch")
+///        error::out_of_memory: the path ran out of it
 ///        error::folds_over: letters lie on a corner or a cusp, or reach the centre of the curvature
 ///        error::goes_around: the text is longer than a closed path
 struct along_path {
     const plane_path* path = nullptr;  ///< must outlive the plan, and must not change before it is written
-    double start = 0.0;                ///< the distance along the path of x = 0, in em
+    double start = 0.0;                ///< the distance along the path of x = 0, in em; |start| <= 2^40
     double stretch = 1.0;              ///< em along the path for an em of text
     bool backwards = false;            ///< whether the path is walked from its end: letters stand on its other side
 
@@ -29,7 +30,7 @@ struct along_path {
         if (path == nullptr) return error::bad("path");
         if (error e = path->failure()) return e;
         if (path->empty()) return error::bad("path");
-        if (!is_finite(start)) return error::bad("start");
+        if (!(std::fabs(start) <= 0x1p40)) return error::bad("start");
         return is_finite(stretch) && stretch > 0.0 ? error{} : error::bad("stretch");
     }
 

@@ -89,7 +89,9 @@ public:
         const detail::path_place end = made.at(made.size);
         add(made, full ? now_ : end.at);
     }
-    /// Leads back to the start by a line, if need be.
+    /// Leads back to the start, by a line if the start is not within 2^-30 (1 + |x| + |y|) of the path's end; x and y
+    /// are the start's. A shorter gap stays, so draw near 0 if letters must be placed exactly: at 2^20 em, where the
+    /// range ends, it may be 0.002 em wide.
     void close() noexcept
     {
         if (!may_draw({})) return;

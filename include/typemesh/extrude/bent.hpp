@@ -101,8 +101,6 @@ struct bent {
         measure.step /= form.segments;
         const Solid own = in_segments(form.segments);
         for (;; measure.margin *= 4.0) {
-            if (points_for(filled, measure, how.bend(around), measure.step) > max_points)
-                return error{error::too_many_points, max_points};
             data.flat.clear();
             auto made = plan_flat(own, filled, measure, data, caps);
             if (!made) return made;
@@ -245,8 +243,9 @@ private:
         }
     }
 
-    /// The number of segments that needs the fewest vertices. More segments make longer edges possible, because the
-    /// error of a wall grows with the product of both.
+    /// The number of segments that needs the fewest vertices, if the deformation bends as strongly everywhere as it
+    /// does somewhere in the letter. More segments make longer edges possible, because the error of a wall grows with
+    /// the product of both.
     [[nodiscard]] std::uint32_t segments_for([[maybe_unused]] const region& filled,
                                              [[maybe_unused]] const detail::bent_measure<Deformation>& measure,
                                              [[maybe_unused]] const box3& around) const noexcept

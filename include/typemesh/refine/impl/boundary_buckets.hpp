@@ -11,17 +11,28 @@
 namespace typemesh::inline TYPEMESH_ABI::detail {
 
 /// Finds the boundary edges near a place outside the region, where the mesh has no triangles. The box of the region is
-/// divided into square buckets; each lists the boundary edges that may pass through it.
+/// divided into square buckets; each lists the boundary edges that may pass through it. A bucket with many edges that
+/// are short beside it is divided into 4 x 4 smaller ones, and these again. Its short edges are listed in them, its
+/// long ones stay, so that an edge is listed a few times only.
+///
+///     +-------+-------+-------+
+///     |       |       |       |     a bucket with a cluster of points
+///     |       |       |     --|--
+///     +-------+-+-+-+-+----/--+     a long edge: listed in the large buckets
+///     |       +-+-+:+:|   /   |
+///     |       +-+-+:+-|  /    |     short edges (:): listed in the small ones
+///     |       +-+-+-+-| /     |
+///     +-------+-+-+-+-+-------+
 ///
 /// Cost   O(1) for each bucket that an edge or a query passes through
 class boundary_buckets {
 public:
-    explicit boundary_buckets(memory source = heap()) noexcept : heads_{source}, entries_{source} {}
+    explicit boundary_buckets(memory source = heap()) noexcept : buckets_{source}, entries_{source} {}
 
     /// Lists all boundary edges of a mesh. False if out of memory.
     [[nodiscard]] bool open(const refinable_mesh& mesh) noexcept
     {
-        heads_.clear();
+        buckets_.clear();
         entries_.clear();
         const std::uint32_t n = mesh.vertex_count();
         full_at_ = 2 * std::size_t{n} + 64;
@@ -32,15 +43,10 @@ public:
             high = {p.x > high.x ? p.x : high.x, p.y > high.y ? p.y : high.y};
         }
         const std::int64_t width = std::int64_t{high.x} - low.x, height = std::int64_t{high.y} - low.y;
-        shift_ = 4;
-        while (((width >> shift_) + 1) * ((height >> shift_) + 1) > 2 * std::int64_t{n} + 16) ++shift_;
-        low_ = low;
-        columns_ = (width >> shift_) + 1;
-        rows_ = (height >> shift_) + 1;
-        const auto count = static_cast<std::size_t>(columns_ * rows_);
-        std::uint32_t* const heads = heads_.append(count);
-        if (heads == nullptr) return false;
-        for (std::size_t i = 0; i < count; ++i) heads[i] = refinable_mesh::none;
+        int shift = 4;
+        while (((width >> shift) + 1) * ((height >> shift) + 1) > 2 * std::int64_t{n} + 16) ++shift;
+        whole_ = {.low = low, .columns = (width >> shift) + 1, .rows = (height >> shift) + 1, .shift = shift};
+        if (!append_buckets(static_cast<std::size_t>(whole_.columns * whole_.rows))) return false;
         for (std::uint32_t v = 0; v < n; ++v)
             if (mesh.at(v).boundary != refinable_mesh::none && !add(mesh, v)) return false;
         return true;
@@ -51,29 +57,24 @@ public:
     void clear() noexcept { full_at_ = 0; }
 
     /// Lists the boundary edge that leaves v. False if out of memory.
-    [[nodiscard]] bool add(const refinable_mesh& mesh, std::uint32_t v) noexcept
-    {
-        const grid_point ends[] = {mesh.place(v), mesh.place(mesh.next_on_boundary(v))};
-        return each_bucket(ends, [&](std::size_t bucket) noexcept {
-            if (!entries_.push_back({v, heads_[bucket]})) return false;
-            heads_[bucket] = static_cast<std::uint32_t>(entries_.size() - 1);
-            return true;
-        });
-    }
+    [[nodiscard]] bool add(const refinable_mesh& mesh, std::uint32_t v) noexcept { return add_in(whole_, mesh, v); }
 
     /// Whether the triangle a, p, b, which lies outside beyond the boundary edge from vertex `from`, meets no other
     /// boundary edge, not even in a point other than a and b.
     [[nodiscard]] bool is_free(const refinable_mesh& mesh, std::uint32_t from, grid_point p) const noexcept
     {
         const grid_point corners[] = {mesh.place(from), p, mesh.place(mesh.next_on_boundary(from))};
-        return each_bucket(corners, [&](std::size_t bucket) noexcept {
-            for (std::uint32_t e = heads_[bucket]; e != refinable_mesh::none; e = entries_[e].next) {
-                const std::uint32_t v = entries_[e].vertex;
-                if (v == from) continue;
-                if (!misses(corners, mesh.place(v), mesh.place(mesh.next_on_boundary(v)))) return false;
-            }
-            return true;
+        return each_near(corners, [&](std::uint32_t v) noexcept {
+            return v == from || misses(corners, mesh.place(v), mesh.place(mesh.next_on_boundary(v)));
         });
+    }
+
+    /// Visits the vertices whose edges may meet a triangle, some of them several times, until visit() returns false;
+    /// returns its last result.
+    template <class Visit>
+    [[nodiscard]] bool each_near(const grid_point (&corners)[3], Visit&& visit) const noexcept
+    {
+        return each_near_in(whole_, corners, visit);
     }
 
 private:
@@ -82,14 +83,124 @@ private:
         std::uint32_t next;
     };
 
-    [[nodiscard]] std::int64_t column_of(std::int64_t x) const noexcept
-    {
-        return clamped((x - low_.x) >> shift_, columns_);
-    }
-    [[nodiscard]] std::int64_t row_of(std::int64_t y) const noexcept { return clamped((y - low_.y) >> shift_, rows_); }
+    struct bucket {
+        std::uint32_t first;        // entry
+        std::uint32_t inner;        // the first of the smaller buckets
+        std::uint32_t short_count;  // short edges listed here, while there are no smaller buckets
+    };
+
+    /// Square buckets in rows and columns. Those at the border extend to the bounds.
+    struct bucket_grid {
+        grid_point low = {};
+        std::int64_t columns = 0, rows = 0;
+        int shift = 0;  // a bucket is 2^shift cells wide
+        std::size_t first = 0;
+        std::int64_t left = -limit, right = limit, bottom = -limit, top = limit;
+
+        [[nodiscard]] std::int64_t column_of(std::int64_t x) const noexcept
+        {
+            return clamped((x - low.x) >> shift, columns);
+        }
+        [[nodiscard]] std::int64_t row_of(std::int64_t y) const noexcept { return clamped((y - low.y) >> shift, rows); }
+        [[nodiscard]] std::int64_t x_of(std::int64_t column) const noexcept
+        {
+            return column == 0 ? left : column == columns ? right : low.x + (column << shift);
+        }
+        [[nodiscard]] std::int64_t y_of(std::int64_t row) const noexcept
+        {
+            return row == 0 ? bottom : row == rows ? top : low.y + (row << shift);
+        }
+        [[nodiscard]] std::size_t at(std::int64_t column, std::int64_t row) const noexcept
+        {
+            return first + static_cast<std::size_t>(row * columns + column);
+        }
+    };
+
+    static constexpr std::int64_t limit = std::int64_t{1} << 40;
+    static constexpr std::uint32_t max_short = 16;
+
     [[nodiscard]] static std::int64_t clamped(std::int64_t i, std::int64_t count) noexcept
     {
         return i < 0 ? 0 : i < count ? i : count - 1;
+    }
+
+    [[nodiscard]] bool append_buckets(std::size_t count) noexcept
+    {
+        bucket* const made = buckets_.append(count);
+        if (made == nullptr) return false;
+        for (std::size_t i = 0; i < count; ++i) made[i] = {refinable_mesh::none, refinable_mesh::none, 0};
+        return true;
+    }
+
+    /// The smaller buckets in a bucket of a grid.
+    [[nodiscard]] bucket_grid inner_of(const bucket_grid& in, std::int64_t column, std::int64_t row) const noexcept
+    {
+        return {.low = {static_cast<std::int32_t>(in.low.x + (column << in.shift)),
+                        static_cast<std::int32_t>(in.low.y + (row << in.shift))},
+                .columns = 4,
+                .rows = 4,
+                .shift = in.shift - 2,
+                .first = buckets_[in.at(column, row)].inner,
+                .left = in.x_of(column),
+                .right = in.x_of(column + 1),
+                .bottom = in.y_of(row),
+                .top = in.y_of(row + 1)};
+    }
+
+    /// Whether an edge is shorter than the smaller buckets in a bucket of a grid.
+    [[nodiscard]] static bool is_short(const bucket_grid& in, grid_point p, grid_point q) noexcept
+    {
+        const std::int64_t x = std::int64_t{q.x} - p.x, y = std::int64_t{q.y} - p.y,
+                           length = (x < 0 ? -x : x) + (y < 0 ? -y : y);
+        return in.shift >= 4 && length >> (in.shift - 2) == 0;
+    }
+
+    /// Lists an edge in the buckets of a grid.
+    [[nodiscard]] bool add_in(const bucket_grid& in, const refinable_mesh& mesh, std::uint32_t v) noexcept
+    {
+        const grid_point ends[] = {mesh.place(v), mesh.place(mesh.next_on_boundary(v))};
+        const bool is_inner = is_short(in, ends[0], ends[1]);
+        return each_bucket(in, ends, [&](std::int64_t column, std::int64_t row) noexcept {
+            bucket& to = buckets_[in.at(column, row)];
+            if (is_inner && to.inner != refinable_mesh::none) return add_in(inner_of(in, column, row), mesh, v);
+            if (!entries_.push_back({v, to.first})) return false;
+            to.first = static_cast<std::uint32_t>(entries_.size() - 1);
+            to.short_count += is_inner;
+            return to.short_count <= max_short || divide(in, column, row, mesh);
+        });
+    }
+
+    /// Divides a bucket, and lists its short edges in the smaller ones.
+    [[nodiscard]] bool divide(const bucket_grid& in, std::int64_t column, std::int64_t row,
+                              const refinable_mesh& mesh) noexcept
+    {
+        const std::size_t at = in.at(column, row);
+        std::uint32_t e = buckets_[at].first;
+        buckets_[at] = {refinable_mesh::none, static_cast<std::uint32_t>(buckets_.size()), 0};
+        if (!append_buckets(16)) return false;
+        const bucket_grid inner = inner_of(in, column, row);
+        while (e != refinable_mesh::none) {
+            const auto [v, next] = entries_[e];
+            if (is_short(in, mesh.place(v), mesh.place(mesh.next_on_boundary(v)))) {
+                if (!add_in(inner, mesh, v)) return false;
+            } else {
+                entries_[e].next = buckets_[at].first;
+                buckets_[at].first = e;
+            }
+            e = next;
+        }
+        return true;
+    }
+
+    template <class Visit>
+    [[nodiscard]] bool each_near_in(const bucket_grid& in, const grid_point (&corners)[3], Visit& visit) const noexcept
+    {
+        return each_bucket(in, corners, [&](std::int64_t column, std::int64_t row) noexcept {
+            const bucket& b = buckets_[in.at(column, row)];
+            for (std::uint32_t e = b.first; e != refinable_mesh::none; e = entries_[e].next)
+                if (!visit(entries_[e].vertex)) return false;
+            return b.inner == refinable_mesh::none || each_near_in(inner_of(in, column, row), corners, visit);
+        });
     }
 
     /// x where the segment from p to q has this y, which is clamped to the segment; rounded down or up by up to a cell.
@@ -101,20 +212,22 @@ private:
         return p.x + (std::int64_t{q.x} - p.x) * (y - p.y) / (std::int64_t{q.y} - p.y);
     }
 
-    /// Visits the buckets that a segment or a triangle may pass through, row by row, until visit() returns false;
-    /// returns its last result. A row's buckets lie between the smallest and the largest x of all sides in the row.
+    /// Visits the buckets of a grid that a segment or a triangle may pass through, row by row, until visit() returns
+    /// false; returns its last result. A row's buckets lie between the smallest and the largest x of all sides in the
+    /// row.
     template <std::size_t count, class Visit>
-    [[nodiscard]] bool each_bucket(const grid_point (&corners)[count], Visit&& visit) const noexcept
+    [[nodiscard]] static bool each_bucket(const bucket_grid& in, const grid_point (&corners)[count],
+                                          Visit&& visit) noexcept
     {
         std::int64_t bottom = corners[0].y, top = bottom;
         for (const grid_point c : corners) {
             bottom = c.y < bottom ? c.y : bottom;
             top = c.y > top ? c.y : top;
         }
-        for (std::int64_t row = row_of(bottom); row <= row_of(top); ++row) {
-            const std::int64_t y0 = row == 0 ? bottom : low_.y + (row << shift_),
-                               y1 = row == rows_ - 1 ? top : low_.y + ((row + 1) << shift_);
-            std::int64_t left = std::int64_t{1} << 40, right = -left;
+        if (bottom > in.top || top < in.bottom) return true;
+        for (std::int64_t row = in.row_of(bottom), last = in.row_of(top); row <= last; ++row) {
+            const std::int64_t y0 = in.y_of(row), y1 = in.y_of(row + 1);
+            std::int64_t left = limit, right = -left;
             const auto widen = [&](std::int64_t x) noexcept {
                 left = x - 1 < left ? x - 1 : left;
                 right = x + 1 > right ? x + 1 : right;
@@ -125,8 +238,9 @@ private:
                 widen(p.y == q.y ? q.x : x_at(p, q, y0));
                 widen(x_at(p, q, y1));
             }
-            for (std::int64_t column = column_of(left); column <= column_of(right); ++column)
-                if (!visit(static_cast<std::size_t>(row * columns_ + column))) return false;
+            if (left > in.right || right < in.left) continue;
+            for (std::int64_t column = in.column_of(left), end = in.column_of(right); column <= end; ++column)
+                if (!visit(column, row)) return false;
         }
         return true;
     }
@@ -155,12 +269,10 @@ private:
         return above + shared == 3 ? above > 0 : below + shared == 3 && below > 0;
     }
 
-    buffer<std::uint32_t> heads_;
+    buffer<bucket> buckets_;
     buffer<entry> entries_;
     std::size_t full_at_ = 0;  // points
-    grid_point low_ = {};
-    std::int64_t columns_ = 0, rows_ = 0;
-    int shift_ = 0;
+    bucket_grid whole_;
 };
 
 }  // namespace typemesh::inline TYPEMESH_ABI::detail

@@ -119,9 +119,14 @@ protected:  // for quadtree_refinement
         while (waiting_.has_more()) {
             if (error e = improve(waiting_.pop())) return e;
             if (error e = split_edges()) return e;
-            if (mesh_.vertex_count() > limits_.max_points) return error::too_many_points;
+            if (error e = too_many()) return e;
         }
-        return {};
+        return too_many();
+    }
+
+    [[nodiscard]] error too_many() const noexcept
+    {
+        return mesh_.vertex_count() > limits_.max_points ? error{error::too_many_points, limits_.max_points} : error{};
     }
 
     // ---- boundary edges
@@ -148,7 +153,7 @@ protected:  // for quadtree_refinement
             const grid_point p = mesh_.place(a), q = mesh_.place(mesh_.target(h));
             if (dot(mesh_.place(mesh_.apex(h)), p, q) >= 0 && !is_too_long(squared_distance(p, q))) continue;
             if (error e = split(a)) return e;
-            if (mesh_.vertex_count() > limits_.max_points) return error::too_many_points;
+            if (error e = too_many()) return e;
         }
         return {};
     }

@@ -64,13 +64,11 @@ public:
             if (is_too_large(measure, v) && !edges_.push_back(v)) return error::out_of_memory;
         for (std::uint32_t t = 0; t < mesh_.triangle_count(); ++t)
             if (!list(measure, t)) return error::out_of_memory;
-        while (!edges_.empty() || !waiting_.empty()) {
-            const std::uint32_t before = mesh_.vertex_count();
+        while (mesh_.vertex_count() <= max_points) {
+            if (edges_.empty() && waiting_.empty()) return {};
             if (error e = halve_next(measure)) return e;
-            const std::uint32_t after = mesh_.vertex_count();
-            if (after != before && after > max_points) return error::too_many_points;
         }
-        return {};
+        return {error::too_many_points, max_points};
     }
 
     /// Writes the refined cap. Fails with error::out_of_memory.
