@@ -9,8 +9,20 @@
 
 namespace text_to_mesh {
 
+namespace {
+
+typemesh::palette_colour text_colour_of(const options& o)
+{
+    const rgb_colour c = o.colour.value_or(rgb_colour{{0, 0, 0}});
+    return {c.rgb[0], c.rgb[1], c.rgb[2], static_cast<float>(c.alpha) / 255.0f};
+}
+
+}  // namespace
+
 colour_layers::colour_layers(font_set& fonts, const options& o)
-    : fonts_{fonts}, source_{fonts, {.layers = *o.colour_layers, .tolerance = o.tolerance}}
+    : fonts_{fonts},
+      source_{fonts,
+              {.layers = *o.colour_layers, .tolerance = o.tolerance, .choice = {.foreground = text_colour_of(o)}}}
 {
 }
 

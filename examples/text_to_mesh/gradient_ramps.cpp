@@ -60,6 +60,7 @@ void gradient_ramps::place_vertices()
         const typemesh::affine& m = look.map;
         const double own_per_unit = o_.layers->source().units_per_em(look.face) / run.units_per_em;
         const double scale = (m.xx * m.yy - m.xy * m.yx) / own_per_unit;
+        if (scale == 0.0) continue;  // it has no area
         for (const typemesh::part p : plan_.parts()) {
             const typemesh::mesh_range r = plan_.range(g, p);
             for (std::uint32_t v = r.first_vertex; v < r.first_vertex + r.vertex_count; ++v) {

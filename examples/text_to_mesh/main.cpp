@@ -117,13 +117,14 @@ typemesh::result<void> tell_letters(const options& o, const chosen_plan& plan, m
     return {};
 }
 
-/// The font's name for a letter.
+/// The font's name for a letter; what is no letter has a name, too.
 std::string name_of_letter(const chosen_plan& plan, const font_set& fonts, const typemesh::glyph_mesh& letter)
 {
     const typemesh::glyph_run& all = plan.run();
     const std::uint32_t glyph_style = all.glyphs[plan.glyphs()[letter.first_glyph].glyph].glyph_style;
     const std::uint32_t face = all.glyph_styles.empty() ? 0 : all.glyph_styles[glyph_style].face;
     if (face == typemesh::bar_face) return "bar";
+    if (face >= fonts.face_count()) return "icon";
     char name[64];
     hb_font_glyph_to_string(fonts.font(face).handle(), letter.id, name, sizeof name);
     return name;
@@ -240,14 +241,23 @@ void add_level(model& all, const model& level)
     all.has_levels = true;
 }
 
+/// Gives a mesher what draws the glyphs of the run, if that is not the fonts alone.
+void use_source(const options& o, chosen_mesher& mesher)
+{
+    if (o.layers) mesher.use(o.layers->source());
+    if (o.drawing) mesher.use(*o.drawing);
+    if (o.placed_icons) mesher.use(*o.placed_icons);
+}
+
 /// The whole mesh, in which the letters of each solid that tags ask for are planned apart. Their backs lie in one plane.
 typemesh::result<void> write_solids(const options& o, font_set& font, const typemesh::glyph_run& page,
                                     typemesh::text_options how, model& out)
 {
     chosen_mesher mesher{font};
+    use_source(o, mesher);
     for (std::uint32_t solid = 0; solid < solids_of(o); ++solid) {
         typemesh::glyph_run run;
-        const auto is_its = [&](typemesh::style_id s) noexcept { return o.marked->styles.solid_of(s) == solid; };
+        const auto is_its = [&](typemesh::style_id s) noexcept { return solid_of_style(o, s) == solid; };
         if (const auto done = typemesh::select_glyphs(page, is_its, run); !done) return done.error();
         if (run.glyphs.empty()) continue;
         const options own = options_of_solid(o, solid);
@@ -300,22 +310,14 @@ typemesh::result<void> write_levels(const options& o, const typemesh::glyph_run&
                      : write_levels(o, o.layers->source(), page, how, out);
 }
 
-/// Gives a mesher what draws the glyphs of the run, if that is not the fonts alone.
-void use_source(const options& o, chosen_mesher& mesher)
-{
-    if (o.layers) mesher.use(o.layers->source());
-    if (o.drawing) mesher.use(*o.drawing);
-    if (o.placed_icons) mesher.use(*o.placed_icons);
-}
-
 /// Makes the parts of each colour a solid, so that they are sewn to no other colour's: in layers of colours each of them
-/// is closed, and they touch along walls.
+/// is closed, and they touch along walls. A letter and the ring around it stay two.
 void part_colours_from_each_other(model& mesh)
 {
     std::vector<std::optional<rgb_colour>> seen;
     for (model::part& p : mesh.parts) {
         const auto known = std::find(seen.begin(), seen.end(), p.colour);
-        p.solid = static_cast<unsigned>(known - seen.begin());
+        p.solid += 2 * static_cast<unsigned>(known - seen.begin());
         if (known == seen.end()) seen.push_back(p.colour);
     }
 }
@@ -328,7 +330,7 @@ std::string write_output(const options& o, const chosen_plan& plan, model& mesh,
     case file_kind::obj: return write_obj(mesh, o.output, files);
     case file_kind::ply: return write_ply(mesh, o.output, files);
     case file_kind::three_mf:
-        if (o.layers || o.drawing) part_colours_from_each_other(mesh);
+        if (o.layers || o.drawing || o.placed_icons) part_colours_from_each_other(mesh);
         return write_3mf(sewn(mesh), o.output, files);
     case file_kind::stl: {
         if (solids_of(o) == 1 && !o.plate.is_on) mesh.indices = solid_by_solid(plan, mesh.indices);
@@ -658,6 +660,18 @@ std::string run(const options& o, progress& tell, font_set& fonts)
     return one_text{o, tell, fonts}.make();
 }
 
+/// Reads the files of --icon, as finely as the largest of their boxes in any text needs. Gives an empty string, or one
+/// sentence.
+std::string open_icons(options& o, const std::vector<text_job>& jobs, font_set& fonts)
+{
+    double side = 1.0;
+    for (const text_job& job : jobs) side = std::max(side, largest_box(job.text, o.icons.size()));
+    auto icons = std::make_shared<text_icons>(fonts);
+    if (std::string trouble = icons->open(o, side); !trouble.empty()) return trouble;
+    o.placed_icons = std::move(icons);
+    return {};
+}
+
 /// All texts, one after the other. Gives the program's exit status.
 int run_all(options& o)
 {
@@ -674,6 +688,7 @@ int run_all(options& o)
         tell.begin("opening the fonts");
         trouble = fonts.open(o);
     }
+    if (trouble.empty() && !o.icons.empty()) trouble = open_icons(o, jobs, fonts.set());
     if (!trouble.empty()) return complain(trouble);
     int status = 0;
     for (const text_job& job : jobs) {
@@ -690,10 +705,6 @@ int run_all(options& o)
                 o.drawing = std::make_shared<svg_layers>();
                 trouble = o.drawing->open(o.svg, o.tolerance, o.colour_layers.value_or(typemesh::layer_cut::visible),
                                           o.colour.value_or(rgb_colour{{0, 0, 0}}));
-            }
-            if (trouble.empty() && !o.icons.empty() && !o.placed_icons) {
-                o.placed_icons = std::make_shared<text_icons>(fonts.set());
-                trouble = o.placed_icons->open(o);
             }
             if (trouble.empty()) trouble = run(o, tell, fonts.set());
         }

@@ -90,6 +90,10 @@ std::string read_markup(options& o)
         return "--markup: [font=...] must be 1 for --font, 2 for the first --fallback, or a font as it is given there.";
     else if (!set)
         return "--markup: " + std::string{set.error().message()};
+    const std::size_t boxes = m.read.boxes().size(), icons = o.icons.size();
+    if (boxes < icons && o.batch.empty())  // the lines of a batch share the files
+        return "--icon: there " + std::string{icons == 1 ? "is 1 file" : "are " + std::to_string(icons) + " files"} +
+               ", but the text has " + (boxes == 0 ? "no" : "only " + std::to_string(boxes)) + " [box=W,H].";
     const std::string trouble = refused_solids(o);
     return trouble.empty() ? trouble : "--markup: " + trouble + ".";
 }
@@ -114,7 +118,7 @@ std::optional<rgb_colour> colour_of_style(const options& o, typemesh::style_id s
 std::optional<std::uint32_t> tag_of_style(const options& o, typemesh::style_id style)
 {
     if (!o.marked || (o.layers && o.layers->owns(style))) return {};
-    if (o.placed_icons && o.placed_icons->owns(style)) return {};
+    if (o.placed_icons) style = o.placed_icons->style_of_box(style);
     const typemesh::markup_paint& p = o.marked->styles.paints()[static_cast<std::size_t>(style)];
     if (!p.has(typemesh::markup_tag::style)) return {};
     return p.style;
@@ -123,6 +127,11 @@ std::optional<std::uint32_t> tag_of_style(const options& o, typemesh::style_id s
 std::uint32_t solids_of(const options& o)
 {
     return o.marked ? static_cast<std::uint32_t>(o.marked->styles.solids().size()) : 1;
+}
+
+std::uint32_t solid_of_style(const options& o, typemesh::style_id style)
+{
+    return o.marked->styles.solid_of(o.placed_icons ? o.placed_icons->style_of_box(style) : style);
 }
 
 options options_of_solid(const options& o, std::uint32_t solid)

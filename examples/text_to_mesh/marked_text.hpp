@@ -32,6 +32,8 @@ struct marked_text {
 
 /// How many different solids the tags ask for, with the usual one. Solid 0 is the usual one.
 [[nodiscard]] std::uint32_t solids_of(const options& o);
+/// The number of the solid of a style; of a drawing in a box, by the box.
+[[nodiscard]] std::uint32_t solid_of_style(const options& o, typemesh::style_id style);
 /// The options with which a solid is made. `o` has a marked text.
 [[nodiscard]] options options_of_solid(const options& o, std::uint32_t solid);
 

@@ -943,6 +943,17 @@ std::string settle_svg(options& out, const raw_values& raw)
     return {};
 }
 
+/// Why there can be no drawings in the text, or an empty string.
+std::string refused_icons(const options& o)
+{
+    if (o.icons.empty()) return {};
+    if (!o.markup) return "--icon needs --markup, and a tag [box=W,H] for each file";
+    if (o.discretiser != discretiser_name::certified) return "--icon needs --discretiser certified";
+    if (o.show_contours || o.show_points || o.show_control)
+        return "--show contours, points and control do not work with --icon";
+    return {};
+}
+
 /// Finds out what is to be written. Gives an empty string, or what is wrong.
 std::string settle_files(options& out, const raw_values& raw)
 {
@@ -1046,7 +1057,7 @@ std::string settle(options& out, const raw_values& raw)
     out.checker = shown("checker");
 
     if (out.markup && !out.styles.empty()) return "--style does not work with --markup: give its settings as tags";
-    if (!out.icons.empty() && !out.markup) return "--icon needs --markup, and a tag [box=W,H] for each file";
+    if (std::string trouble = refused_icons(out); !trouble.empty()) return trouble;
     if (!out.svg.empty()) {
         if (std::string trouble = settle_svg(out, raw); !trouble.empty()) return trouble;
     } else if (std::string trouble = settle_font(out, raw); !trouble.empty()) {

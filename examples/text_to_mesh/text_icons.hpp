@@ -7,10 +7,13 @@
 #include <typemesh/layout/glyph_run.hpp>
 #include <typemesh/outline/face_source.hpp>
 
+#include <cstddef>
 #include <cstdint>
 #include <list>
 #include <optional>
 #include <string>
+#include <string_view>
+#include <vector>
 
 namespace text_to_mesh {
 
@@ -22,13 +25,15 @@ class text_icons {
 public:
     explicit text_icons(font_set& fonts) : fonts_{fonts} {}
 
-    /// Reads the files. Gives an empty string, or one sentence.
-    [[nodiscard]] std::string open(const options& o);
+    /// Reads the files, for boxes with sides of up to this many em. Gives an empty string, or one sentence.
+    [[nodiscard]] std::string open(const options& o, double largest_side);
 
     /// Puts each drawing into its box, as large as fits and in the middle: a glyph for each colour, or its silhouette.
     [[nodiscard]] typemesh::result<void> place(typemesh::glyph_run& page, bool colours);
 
-    [[nodiscard]] bool owns(typemesh::style_id style) const { return icon_of(style) != nullptr; }
+    [[nodiscard]] bool owns(typemesh::style_id style) const { return number_of(style).has_value(); }
+    /// The style of the text in which a drawing's box stands; any other style is its own.
+    [[nodiscard]] typemesh::style_id style_of_box(typemesh::style_id style) const;
     /// The colour of one of its styles, or nothing.
     [[nodiscard]] std::optional<rgb_colour> colour_of(typemesh::style_id style) const;
 
@@ -68,11 +73,17 @@ private:
     static constexpr std::uint32_t first_style = 0x2000'0000, styles_each = 0x1'0000;
 
     [[nodiscard]] const svg_layers* icon(std::uint32_t face) noexcept;
-    [[nodiscard]] const svg_layers* icon_of(typemesh::style_id style) const;
+    /// The number of the drawing that a style belongs to, or nothing.
+    [[nodiscard]] std::optional<std::uint32_t> number_of(typemesh::style_id style) const;
+    [[nodiscard]] const svg_layers& drawing(std::uint32_t number) const;
 
     font_set& fonts_;
     std::list<svg_layers> icons_;
+    std::vector<typemesh::style_id> box_styles_;  // of each drawing's box in the last text
 };
 static_assert(typemesh::face_source<text_icons>);
+
+/// The largest side, in em, of the first `count` boxes of a text of mark-up; 0 if there are none.
+[[nodiscard]] double largest_box(std::string_view source, std::size_t count);
 
 }  // namespace text_to_mesh

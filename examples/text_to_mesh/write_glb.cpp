@@ -43,13 +43,15 @@ int add_accessor(tinygltf::Model& file, int view, std::size_t offset, std::size_
     return static_cast<int>(file.accessors.size()) - 1;
 }
 
-/// The texture of each ramp of a model, with the same number. Its bytes are behind the geometry.
-void add_ramps(tinygltf::Model& file, const model& mesh)
+/// The texture of each ramp of a model, with the same number. Its bytes are behind the geometry. False if one cannot be
+/// compressed.
+bool add_ramps(tinygltf::Model& file, const model& mesh)
 {
     for (const model::ramp& ramp : mesh.ramps) {
         std::vector<unsigned char> pixels;
         for (const rgb_colour& c : ramp.texels) pixels.insert(pixels.end(), {c.rgb[0], c.rgb[1], c.rgb[2], c.alpha});
         const auto png = png_with_alpha(pixels, static_cast<int>(ramp.texels.size()), 1);
+        if (png.empty()) return false;
         std::vector<unsigned char>& bytes = file.buffers[0].data;
         bytes.resize((bytes.size() + 3) / 4 * 4);
         tinygltf::Image image;
@@ -69,6 +71,7 @@ void add_ramps(tinygltf::Model& file, const model& mesh)
         texture.sampler = static_cast<int>(file.samplers.size()) - 1;
         file.textures.push_back(std::move(texture));
     }
+    return true;
 }
 
 /// The material of a part, made if it does not exist yet. A ramp has the part's colours, which its shade multiplies.
@@ -309,22 +312,30 @@ void add_levels(tinygltf::Model& file, const model& mesh)
     file.extensionsUsed.emplace_back("MSFT_lod");
 }
 
-void add_scene(tinygltf::Model& file, const model& mesh, const std::string& name,
+/// False if a ramp cannot be compressed.
+bool add_scene(tinygltf::Model& file, const model& mesh, const std::string& name,
                const std::optional<merged_indices>& merged)
 {
     std::vector<model::letter> letters = mesh.letters;
     if (letters.empty()) letters.push_back({name, 0, mesh.vertices.size(), 0, mesh.parts.size()});
     const geometry made = add_geometry(file, mesh, letters, merged.value_or(merged_indices{}));
-    add_ramps(file, mesh);
+    if (!add_ramps(file, mesh)) return false;
     for (const model::letter& l : letters) add_mesh(file, mesh, l, made);
     if (merged) add_manifold(file, mesh, made, *merged);
-    if (mesh.has_levels) return add_levels(file, mesh);
-    if (!mesh.letters.empty()) return add_places(file, mesh, name);
+    if (mesh.has_levels) {
+        add_levels(file, mesh);
+        return true;
+    }
+    if (!mesh.letters.empty()) {
+        add_places(file, mesh, name);
+        return true;
+    }
     tinygltf::Node node;
     node.name = name;
     node.extras = facts_of(mesh);
     node.mesh = 0;
     file.nodes.push_back(std::move(node));
+    return true;
 }
 
 }  // namespace
@@ -351,7 +362,8 @@ std::string write_glb(const model& mesh, const std::string& path, file_set& file
     tinygltf::Scene scene;
     scene.name = name;  // also keeps an empty scene from being written as null
     if (!mesh.indices.empty()) {
-        add_scene(file, mesh, name, merged);
+        if (!add_scene(file, mesh, name, merged))
+            return path + " cannot be written: there is no memory to compress a gradient.";
         scene.nodes.push_back(0);
     }
     file.scenes.push_back(std::move(scene));

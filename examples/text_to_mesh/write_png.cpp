@@ -43,6 +43,7 @@ std::string write_png(std::span<const unsigned char> rgb, int width, int height,
 
 std::vector<unsigned char> png_with_alpha(std::span<const unsigned char> rgba, int width, int height)
 {
+    if (width <= 0 || height <= 0 || rgba.size() != std::size_t(width) * std::size_t(height) * 4) return {};
     return png_bytes(rgba.data(), width, height, 4);
 }
 

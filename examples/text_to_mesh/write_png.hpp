@@ -15,7 +15,7 @@ namespace text_to_mesh {
 [[nodiscard]] std::string write_png(std::span<const unsigned char> rgb, int width, int height, const std::string& path,
                                     file_set& files);
 
-/// The bytes of a PNG whose pixels have alpha, 4 bytes each; empty if there is no memory.
+/// The bytes of a PNG whose pixels have alpha, 4 bytes each; empty if there are none or no memory.
 [[nodiscard]] std::vector<unsigned char> png_with_alpha(std::span<const unsigned char> rgba, int width, int height);
 
 }  // namespace text_to_mesh

@@ -570,6 +570,32 @@ if "$program" --svg drawing.svg --output probe.glb >out 2>err; then
     expect 0 "" "a[box=2,1]b" --markup --icon icon.svg --font $sans --output icons.stl --bend cylinder:2 --picture icons.png
     expect 2 "--icon needs --markup" "ab" --icon icon.svg --font $sans --output no.glb
     expect 1 "--icon: none.svg cannot be read" "a[box=1,1]" --markup --icon none.svg --font $sans --output no.glb
+    printf 'a[box=1,1]\nb[box=1,1]\n' >boxes.txt
+    expect 1 "^text_to_mesh: --icon: none.svg cannot be read" --batch boxes.txt --markup --icon none.svg --font $sans --output "boxed{n}.stl"
+    that "no line of a batch is made without its icon" [ ! -e boxed1.stl -a ! -e boxed2.stl ]
+    printf 'a\nb[box=1,1]\n' >boxes.txt
+    expect 0 "" --batch boxes.txt --markup --icon icon.svg --font $sans --output "boxed{n}.stl"
+    expect 1 "--icon: there are 2 files, but the text has only 1 \\[box=W,H\\]\.$" "a[box=1,1]" --markup --icon icon.svg --icon icon.svg --font $sans --output no.glb
+    expect 1 "--icon: there is 1 file, but the text has no \\[box=W,H\\]\.$" "a" --markup --icon icon.svg --font $sans --output no.glb
+    expect 2 "--icon needs --discretiser certified" "a[box=1,1]" --markup --icon icon.svg --font $sans --output no.glb --discretiser adaptive
+    for show in contours points control; do
+        expect 2 "--show contours, points and control do not work with --icon" "a[box=1,1]" --markup --icon icon.svg --font $sans --picture no.png --show $show
+    done
+    expect 0 "" "a[box=1,1]" --markup --icon icon.svg --font $sans --instances --output icons.glb
+    that "an icon has a name among letters" grep -aq '"icon_[0-9]' icons.glb
+    expect 0 "" "[b]Hi[/b] [box=1,1]" --markup --icon icon.svg --font $sans --output icons.glb --picture icons.png
+    expect 0 "" "[depth=0.5][box=1,1][/depth]a" --markup --icon icon.svg --font $sans --output solids.obj
+    that "an icon is as deep as its box" [ "$(depth_of side_ff0000)" = 0.500 ]
+    expect 0 "" "[style=7][box=1,1][/]" --markup --icon icon.svg --font $sans --output icons.obj
+    that "a box's style is in the names of its icon's parts" grep -q '^usemtl front_ff0000-style7' icons.obj
+    printf '<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 10 10"><path fill="red" d="M5 0a5 5 0 0 1 0 10z"/><path fill="blue" d="M5 0a5 5 0 0 0 0 10z"/></svg>' >disc.svg
+    expect 0 "" "[box=10,10]" --markup --icon disc.svg --font $sans --output disc.obj --depth 0 --tolerance 0.001
+    that "a large icon is as fine as the text" awk '$1 == "v" { x[++n] = $2; y[n] = $3 } $1 == "f" {
+        split($2, a, "/"); split($3, b, "/"); split($4, c, "/"); i = a[1]; j = b[1]; k = c[1]
+        area += ((x[j] - x[i]) * (y[k] - y[i]) - (x[k] - x[i]) * (y[j] - y[i])) / 2 }
+        END { exit !(area > 78.5398 - 0.001 * 31.416 && area < 78.5398 + 0.001 * 31.416) }' disc.obj
+    awk 'BEGIN { printf "<svg viewBox=\"0 0 2400 2400\"><path d=\""; for (i = 0; i < 2400; i += 2) printf "M%d 0h1v2400h-1zM0 %dh2400v1h-2400z", i, i; print "\"/></svg>" }' >woven.svg
+    expect 1 "^text_to_mesh: woven.svg is too complex at this quality: choose a coarser --quality, or divide the drawing\.$" --svg woven.svg --output no.glb
     printf '<svg xmlns="http://www.w3.org/2000/svg"><text>a</text><text>b</text><path fill="url(#g)" d="M0 0h9v9z"/><linearGradient id="g"><stop stop-color="red"/></linearGradient><path d="M0 0h9v9zx"/></svg>' >lossy.svg
     expect 0 "^text_to_mesh: warning: <text> is not drawn\.$" --svg lossy.svg --output lossy.glb
     that "each kind of loss is named once" lines 3
@@ -612,7 +638,8 @@ if "$program" --svg drawing.svg --output probe.glb >out 2>err; then
         'BEGIN { ratio = again * side * side / 100 / text; exit !(text > 0 && ratio > 0.9995 && ratio < 1.0005) }'
     that "nothing is left of refused drawings" [ ! -e no.glb ]
 else
-    expect 1 "^text_to_mesh: --svg is not built in: this program was built without pugixml, which reads XML\.$" --svg drawing.svg --output probe.glb
+    expect 1 "^text_to_mesh: --icon: SVG is not built in: " "[box=1,1]" --markup --icon drawing.svg --font $sans --output probe.glb
+    expect 1 "^text_to_mesh: SVG is not built in: this program was built without pugixml, which reads XML\.$" --svg drawing.svg --output probe.glb
     that "nothing is left without pugixml" [ ! -e probe.glb ]
 fi
 
@@ -650,6 +677,13 @@ if "$program" x --font $sans --output probe.3mf >out 2>err; then
         unzip -p framed.3mf 3D/3dmodel.model >framed.xml
         that "a ring and its letter are closed solids in a 3MF" closed_3mf framed.xml
         that "a bevelled 3MF is painted by five parts" [ "$(grep -cE '<base name="[a-z_]+" displaycolor="#[0-9A-F]{6}(FF)?" />' bevelled.xml)" = 5 ]
+    fi
+    [ -e disc.svg ] && expect 0 "" "[box=1,1]" --markup --icon disc.svg --font $sans --output icon.3mf --bevel 0.02
+    expect 0 "" "بِ" --font $coloured --colour-layers --output ringed.3mf --outline 0.02 --outline-letter
+    if command -v unzip >/dev/null 2>&1; then
+        [ -e disc.svg ] && unzip -p icon.3mf 3D/3dmodel.model >icon.xml && that "an icon of two colours is two closed solids in a 3MF" closed_3mf icon.xml
+        unzip -p ringed.3mf 3D/3dmodel.model >ringed.xml
+        that "coloured letters and their rings are closed solids in a 3MF" closed_3mf ringed.xml
     fi
     for look in "--tube 0.02" "--inflate 1" "--plate 0.2 --bevel 0.01 --fillet 0.02"; do
         # shellcheck disable=SC2086  # words

@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <string>
@@ -340,4 +341,9 @@ TEST_CASE("a gradient is a texture of one row, which its parts share", "[write_g
     CHECK(count("\"baseColorTexture\"") == 3);
     CHECK(count("\"alphaMode\":\"BLEND\"") == 3);
     CHECK(count("-gradient0\"") == 3);
+
+    ring.ramps[0].texels.clear();  // as without memory, nothing can be compressed
+    CHECK(written_alone(write_glb, ring, folder.file("none.glb")) ==
+          folder.file("none.glb") + " cannot be written: there is no memory to compress a gradient.");
+    CHECK_FALSE(std::filesystem::exists(folder.file("none.glb")));
 }

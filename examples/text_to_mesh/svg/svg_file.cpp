@@ -18,7 +18,7 @@ std::string read_svg(const std::string& path, const svg_options& how, svg_drawin
 
 std::string read_svg(const std::string&, const svg_options&, svg_drawing&)
 {
-    return "--svg is not built in: this program was built without pugixml, which reads XML.";
+    return "SVG is not built in: this program was built without pugixml, which reads XML.";
 }
 
 #endif

@@ -27,9 +27,10 @@ std::string svg_layers::open(const std::string& path, double tolerance, layer_cu
     const auto built = build(tolerance, cut);
     if (built) return {};
     const error& e = built.error();
-    if (e == error::too_many_points || e == error::too_many_pieces)
-        return path + " has more than " + std::to_string(default_max_pieces) +
-               " points at this quality: choose a coarser --quality, or divide the drawing.";
+    const std::string advice = " at this quality: choose a coarser --quality, or divide the drawing.";
+    if (e == error::too_many_points)
+        return path + " has more than " + std::to_string(default_max_pieces) + " points" + advice;
+    if (e == error::too_many_pieces) return path + " is too complex" + advice;
     return path + ": " + in_words(e);
 }
 
