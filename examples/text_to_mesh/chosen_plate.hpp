@@ -23,7 +23,7 @@ struct chosen_plate {
 };
 
 /// The options that do not work with a plate.
-inline constexpr const char* not_with_plates[] = {
+inline constexpr std::initializer_list<const char*> not_with_plates = {
     "--bevel-out", "--bevel-sides", "--bevel-mode", "--bevel-steps",   "--bevel-depth", "--carve",
     "--outline",   "--refine",      "--inflate",    "--segments",      "--normals",     "--crease",
     "--uv",        "--no-merge",    "--lod",        "--morph",         "--instances",   "--letters",

@@ -68,13 +68,13 @@ TEST_CASE("the curvature of a piece and its derivative stay within their bounds"
         constexpr double h = 1e-3;
         for (double s = h; s < piece.size - h; s += 0.05) {
             const detail::path_place at = piece.at(s);
-            REQUIRE(at.turn >= piece.bounds.low);
-            REQUIRE(at.turn <= piece.bounds.high);
-            turn = (std::max)(turn, std::fabs(at.turn));
-            by = (std::max)(by, std::fabs(piece.at(s + h).turn - piece.at(s - h).turn) / (2.0 * h));
+            REQUIRE(at.curvature >= piece.bounds.low);
+            REQUIRE(at.curvature <= piece.bounds.high);
+            turn = (std::max)(turn, std::fabs(at.curvature));
+            by = (std::max)(by, std::fabs(piece.at(s + h).curvature - piece.at(s - h).curvature) / (2.0 * h));
         }
         CHECK(by <= piece.bounds.by * (1.0 + 1e-6));
-        if (turn > 0.1) loosest = (std::max)(loosest, piece.bounds.turn() / turn);
+        if (turn > 0.1) loosest = (std::max)(loosest, piece.bounds.sharpest() / turn);
     }
     CHECK(even > 100);
     CAPTURE(loosest);
@@ -87,7 +87,7 @@ TEST_CASE("a piece with a cusp is not even, whatever is left of it", "[bend][pat
     for (int i = 0; i < 20; ++i) {
         detail::path_piece piece;
         REQUIRE_FALSE(detail::path_piece::read(left, piece));
-        CHECK(piece.bounds.turn() >= detail::path_bounds::endless);
+        CHECK(piece.bounds.sharpest() >= detail::path_bounds::endless);
         left = half_of(left, false);
     }
 }

@@ -70,12 +70,12 @@ TEST_CASE("a circle is round, and its middle is on top", "[bend][path]")
             CHECK(std::fabs(length(arm) - radius) < 1e-11 * radius);
             CHECK(std::fabs(dot(arm, p.tangent)) < 1e-11 * radius);
             CHECK(cross(arm, p.tangent) < 0.0);  // clockwise
-            CHECK(p.turn == Catch::Approx(-1.0 / radius));
+            CHECK(p.curvature == Catch::Approx(-1.0 / radius));
             const double angle = -0.5 * pi - 2.0 * pi * share;
             CHECK(length(arm - radius * point{std::cos(angle), std::sin(angle)}) < 1e-10 * radius);
         }
         CHECK(ring.at(0.5 * ring.length()).at.y == Catch::Approx(radius - 2.0));
-        CHECK(ring.between(0.0, ring.length()).turn() == Catch::Approx(1.0 / radius));
+        CHECK(ring.between(0.0, ring.length()).sharpest() == Catch::Approx(1.0 / radius));
     }
 }
 
@@ -90,7 +90,7 @@ TEST_CASE("an open path goes on straight beyond its ends, a closed one around", 
     CHECK(length(before.tangent - point{1, 0}) < 1e-11);
     CHECK(length(behind.at - point{2, 0}) < 1e-11);
     CHECK(length(behind.tangent - point{0, -1}) < 1e-11);
-    CHECK(behind.turn == 0.0);
+    CHECK(behind.curvature == 0.0);
     plane_path square;
     square.move({0, 0});
     for (const point p : {point{3, 0}, point{3, 3}, point{0, 3}}) square.line(p);
@@ -115,7 +115,7 @@ TEST_CASE("corners and cusps have no bounded curvature, smooth joints have", "[b
     plane_path way;
     draw(way);
     const auto endless = [](const plane_path& w, double low, double high) {
-        return w.between(low, high).turn() >= plane_path::bounds::endless;
+        return w.between(low, high).sharpest() >= plane_path::bounds::endless;
     };
     const double arc = 1.5 * pi * 2.0 / 3.0;
     CHECK_FALSE(endless(way, 1.5, 2.0 + arc + 0.5));  // line, arc and quadratic

@@ -106,7 +106,7 @@ TEST_CASE("no determinant in a box is below the bound", "[bend]")
                     (std::min)(detail::bound_determinant(d, {middle - off - half, middle - off + half}).lowest,
                                detail::bound_determinant(d, {middle + off - half, middle + off + half}).lowest);
                 best = (std::max)(best, lowest);
-                if (axis == bound.longest) named = lowest;
+                if (axis == bound.cut_axis) named = lowest;
             }
             if (bound.lowest < bound.middle - 1e-6 && best > bound.lowest) CHECK_QUICKLY(named > bound.lowest);
         }

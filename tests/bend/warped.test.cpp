@@ -46,3 +46,36 @@ TEST_CASE("outlines that fold, and more curves than allowed, are refused", "[ben
     CHECK(warped{arc{.degrees = 40, .width = 1.0}}.refused({{0.0, 0.0}, {9.0, 0.0}}) == error::none);
     CHECK(warped{arc{.degrees = -361}}.refused(wide) == error::goes_around);
 }
+
+namespace {
+
+/// Two affine halves that meet at x = 0, where the derivative jumps.
+struct hinged {
+    double before = 1.0, after = 1.0;
+
+    [[nodiscard]] error refused_options() const noexcept { return {}; }
+    [[nodiscard]] warped_point operator()(point p) const noexcept
+    {
+        const double factor = p.x < 0.0 ? before : after;
+        return {{factor * p.x, p.y}, {factor, 0.0}, {0.0, 1.0}};
+    }
+    [[nodiscard]] bend_bounds bend(const box& b) const noexcept
+    {
+        return {.x_jump = b.low.x < 0.0 && b.high.x > 0.0 ? std::fabs(after - before) : 0.0};
+    }
+};
+
+}  // namespace
+
+TEST_CASE("a jump of a warp's derivative counts for its proofs", "[bend][warp]")
+{
+    test::toy_font font;
+    outline drawn, out;
+    REQUIRE(record(font, 1, drawn));  // from x = 100 to 500
+    const drawn_place across{{-0.3, 0.0}, 1e-3, {{-1.0, 0.0}, {1.0, 1.0}}};
+    CHECK(warped{hinged{1.0, -0.5}}(drawn, across, 0.01, 1000, out).error() == error::folds_over);
+    const auto left = warped{hinged{1.0, 1.5}}(drawn, across, 0.01, 1000, out);
+    REQUIRE(left);
+    CHECK(*left < 0.01);  // it is not exact
+    CHECK(out.curves.size() > drawn.curves.size());
+}

@@ -6,6 +6,7 @@
 
 #include <typemesh/colour/layer_regions.hpp>
 #include <typemesh/colour/read_colour_glyph.hpp>
+#include <typemesh/inspect/polyline.hpp>
 
 #include <cmath>
 #include <cstdint>
@@ -16,20 +17,6 @@ using namespace typemesh;
 using namespace test;
 
 namespace {
-
-std::int64_t twice_area(const region& r)
-{
-    std::int64_t sum = 0;
-    for (std::uint32_t loop = 0; loop < r.loop_count(); ++loop) {
-        grid_point a = r.points()[r.starts()[loop + 1] - 1];
-        for (std::uint32_t i = r.starts()[loop]; i < r.starts()[loop + 1]; ++i) {
-            const grid_point b = r.points()[i];
-            sum += std::int64_t{a.x} * b.y - std::int64_t{a.y} * b.x;
-            a = b;
-        }
-    }
-    return sum;
-}
 
 constexpr double cells = 512.0 * 512.0;  // in a square unit
 
@@ -59,13 +46,13 @@ areas areas_of(Source& outlines, const colour_font& font, layer_cut cut)
         const auto r = regions.layer(i, loops);
         REQUIRE(r);
         CHECK(regions.is_empty(i) == r->points().empty());
-        sum += twice_area(*r);
-        all.layers[regions.number_in_glyph(i)] += static_cast<double>(twice_area(*r)) / 2.0 / cells;
+        sum += inspect::doubled_area(*r);
+        all.layers[regions.number_in_glyph(i)] += static_cast<double>(inspect::doubled_area(*r)) / 2.0 / cells;
     }
     const auto whole = regions.silhouette(loops);
     REQUIRE(whole);
-    all.silhouette = static_cast<double>(twice_area(*whole)) / 2.0 / cells;
-    all.add_up = sum == twice_area(*whole);
+    all.silhouette = static_cast<double>(inspect::doubled_area(*whole)) / 2.0 / cells;
+    all.add_up = sum == inspect::doubled_area(*whole);
     return all;
 }
 
@@ -148,10 +135,10 @@ TEST_CASE("of hundreds of layers each is what those above it leave of it", "[col
         std::vector<double> found;
         for (std::uint32_t i = 0; i < count; ++i) {
             CHECK(regions.number_in_glyph(i) == i);
-            found.push_back(static_cast<double>(twice_area(*regions.layer(i, loops))) / 2.0 / cells);
+            found.push_back(static_cast<double>(inspect::doubled_area(*regions.layer(i, loops))) / 2.0 / cells);
         }
         CHECK(are(found, expected));
-        CHECK(are({static_cast<double>(twice_area(*regions.silhouette(loops))) / 2.0 / cells}, {whole}));
+        CHECK(are({static_cast<double>(inspect::doubled_area(*regions.silhouette(loops))) / 2.0 / cells}, {whole}));
     }
 }
 
@@ -223,14 +210,14 @@ TEST_CASE("a translucent layer is divided by what shines through it, and takes i
         contours loops;
         std::int64_t sum = 0;
         for (std::size_t i = 0; i < regions.layer_count(); ++i) {
-            const std::int64_t area = twice_area(*regions.layer(i, loops));
+            const std::int64_t area = inspect::doubled_area(*regions.layer(i, loops));
             const glyph_paint paint = regions.paint(i, g);
             sum += area;
             if (area == 0) continue;
             all.push_back(
                 {regions.number_in_glyph(i), static_cast<double>(area) / 2.0 / cells, paint.colour, paint.entry});
         }
-        CHECK(sum == twice_area(*regions.silhouette(loops)));
+        CHECK(sum == inspect::doubled_area(*regions.silhouette(loops)));
         return all;
     };
     const auto two = parts_of(flat_font({{1, {{5, 0}, {9, 3}}}}));  // red below a larger square

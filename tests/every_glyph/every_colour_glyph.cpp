@@ -9,6 +9,7 @@
 #include <typemesh/colour/layer_regions.hpp>
 #include <typemesh/colour/read_colour_glyph.hpp>
 #include <typemesh/discretise/quality.hpp>
+#include <typemesh/inspect/polyline.hpp>
 
 #include <cstdint>
 #include <cstdio>
@@ -18,20 +19,6 @@
 namespace {
 
 using namespace typemesh;
-
-std::int64_t twice_area(const region& r)
-{
-    std::int64_t sum = 0;
-    for (std::uint32_t loop = 0; loop < r.loop_count(); ++loop) {
-        grid_point a = r.points()[r.starts()[loop + 1] - 1];
-        for (std::uint32_t i = r.starts()[loop]; i < r.starts()[loop + 1]; ++i) {
-            const grid_point b = r.points()[i];
-            sum += std::int64_t{a.x} * b.y - std::int64_t{a.y} * b.x;
-            a = b;
-        }
-    }
-    return sum;
-}
 
 struct totals {
     unsigned glyphs = 0, layers = 0, empty = 0, refused = 0, wrong = 0, blended = 0, translucent = 0, unbounded = 0;
@@ -70,7 +57,7 @@ int main(int argc, char** argv)
         std::vector<double> areas(glyph.layers.size(), 0.0);
         for (std::size_t i = 0; i < regions.layer_count(); ++i) {
             const auto layer = regions.layer(i, loops);
-            const std::int64_t area = layer ? twice_area(*layer) : 0;
+            const std::int64_t area = layer ? inspect::doubled_area(*layer) : 0;
             const double cells = loops.grid.cells;
             sum += area;
             if (area != 0) areas[regions.number_in_glyph(i)] += static_cast<double>(area) / 2.0 / cells / cells;
@@ -82,7 +69,7 @@ int main(int argc, char** argv)
         }
         if (prints) std::puts("");
         const auto whole = regions.silhouette(loops);
-        if (!whole || sum != twice_area(*whole)) {
+        if (!whole || sum != inspect::doubled_area(*whole)) {
             ++seen.wrong;
             std::fprintf(stderr, "glyph %u: its layers are not its silhouette\n", id);
         }

@@ -182,6 +182,36 @@ TEST_CASE("slopes are divided only where the map bends", "[extrude][bevel_bisect
     CHECK(before.triangles.size() == triangles);
 }
 
+TEST_CASE("both triangles of an edge that is flipped belong to the larger one's face, even if nothing is halved",
+          "[extrude][bevel_bisection]")
+{
+    //        .--2--.          Beyond the edge from 0 to 1 lies a thin triangle of another face; its image turns.
+    //      0---------1
+    //       \__   __/
+    //          \3/
+    struct turning_sliver : bending_along {
+        [[nodiscard]] bool turns(const detail::raised_point& a, const detail::raised_point& b,
+                                 const detail::raised_point& c) const
+        {
+            return (std::min)({a.at.y, b.at.y, c.at.y}) == 0;
+        }
+    };
+    swept_region swept;
+    for (const swept_node n : {swept_node{{0, 0}, 0.0f}, {{1000, 0}, 9.0f}, {{500, 10}, 9.0f}, {{500, -400}, 0.0f}})
+        REQUIRE(swept.nodes.push_back(n));
+    for (const triangle t : {triangle{0, 1, 2}, {0, 3, 1}}) REQUIRE(swept.triangles.push_back(t));
+    for (const swept_cell c : {swept_cell{0, 0, 0}, {1, 0, 1}, {2, 0, 2}}) REQUIRE(swept.cells.push_back(c));
+    for (const double level : {0.0, 9.0}) REQUIRE(swept.levels.push_back(level));
+    for (const swept_edge_at e : {swept_edge_at{1, 0, 3}, {1, 2, 1}}) REQUIRE(swept.edges_at.push_back(e));
+    for (const std::uint32_t n : {0u, 1u, 2u}) REQUIRE(swept.at_level.push_back(n));
+    const profile_scale scale{9.0, 9.0, 0.0};
+    detail::bevel_bisection divide;
+    REQUIRE_FALSE(divide.run(swept, {{chamfer_profile().at(scale), scale}, 9.0}, turning_sliver{}, 100));
+    REQUIRE((swept.nodes.size() == 4 && swept.triangles.size() == 2));
+    CHECK((swept.cells[0].first_triangle == 0 && swept.cells[1].first_triangle == 0));
+    CHECK(swept.cells[2].first_triangle == 2);
+}
+
 TEST_CASE("dividing a bevel fails cleanly without memory, and needs no more once it is warm",
           "[extrude][bevel_bisection]")
 {

@@ -64,13 +64,6 @@ std::vector<polyline> random_loops(std::mt19937& random, int range)
     return all;
 }
 
-std::int64_t twice_area(const contours& loops)
-{
-    std::int64_t sum = 0;
-    for (const edge& e : edges_of(loops)) sum += std::int64_t{e.a.x} * e.b.y - std::int64_t{e.a.y} * e.b.x;
-    return sum;
-}
-
 }  // namespace
 
 TEST_CASE("after the cut, edges have at most ends in common, and no edge has moved by more than a cell", "[cut]")
@@ -120,7 +113,7 @@ TEST_CASE("crossing squares are cut in their two crossings, and coinciding edges
     CHECK(loops.starts[3] == 7 + 6 + 7);
     CHECK(loops.starts[4] == 7 + 6 + 7 + 4);
     for (std::uint32_t i = 0; i < 7; ++i) CHECK(loops.points[i] == loops.points[13 + i]);
-    CHECK(twice_area(loops) == 2 * (3 * 10'000 + 3'000));
+    CHECK(inspect::doubled_area(loops) == 2 * (3 * 10'000 + 3'000));
 }
 
 TEST_CASE("regions that were cut together are joined and cut without moving a point", "[cut]")
@@ -147,7 +140,7 @@ TEST_CASE("regions that were cut together are joined and cut without moving a po
             return some;
         };
         contours one = filled(0, 1), others = filled(1, loops.contour_count());
-        const std::int64_t a = twice_area(one), b = twice_area(others);
+        const std::int64_t a = inspect::doubled_area(one), b = inspect::doubled_area(others);
         contours both;
         REQUIRE(both.starts.push_back(0));
         for (const contours* part : {&one, &others})
@@ -163,7 +156,7 @@ TEST_CASE("regions that were cut together are joined and cut without moving a po
         REQUIRE(apart.starts.append(both.starts.view()));
         REQUIRE(resolve(both, fill_rule::non_zero, space));
         REQUIRE(resolve(apart, fill_rule::even_odd, space));
-        const std::int64_t either = twice_area(both), only_one = twice_area(apart);
+        const std::int64_t either = inspect::doubled_area(both), only_one = inspect::doubled_area(apart);
         CHECK(2 * either == a + b + only_one);  // exactly: nothing was rounded
     }
 }

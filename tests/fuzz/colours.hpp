@@ -6,6 +6,7 @@
 
 #include <typemesh/colour/layer_regions.hpp>
 #include <typemesh/colour/read_colour_glyph.hpp>
+#include <typemesh/inspect/polyline.hpp>
 
 #include <cstddef>
 #include <cstdint>
@@ -41,20 +42,6 @@ inline test::colour_font read_font(values& in)
     return font;
 }
 
-inline std::int64_t twice_area(const region& r)
-{
-    std::int64_t sum = 0;
-    for (std::uint32_t loop = 0; loop < r.loop_count(); ++loop) {
-        grid_point a = r.points()[r.starts()[loop + 1] - 1];
-        for (std::uint32_t i = r.starts()[loop]; i < r.starts()[loop + 1]; ++i) {
-            const grid_point b = r.points()[i];
-            sum += std::int64_t{a.x} * b.y - std::int64_t{a.y} * b.x;
-            a = b;
-        }
-    }
-    return sum;
-}
-
 }  // namespace colour_laws
 
 inline broken_law colours(values in)
@@ -75,12 +62,12 @@ inline broken_law colours(values in)
         for (std::size_t i = 0; i < regions.layer_count(); ++i) {
             const auto layer = regions.layer(i, loops);
             if (!layer) return layer.error().message();
-            const std::int64_t area = twice_area(*layer);
+            const std::int64_t area = inspect::doubled_area(*layer);
             if (area < 0) return "a layer is inside out";
             sum += area;
         }
         const auto all = regions.silhouette(loops);
-        if (!all || sum != twice_area(*all)) return "the layers are not the silhouette";
+        if (!all || sum != inspect::doubled_area(*all)) return "the layers are not the silhouette";
     }
     return {};
 }

@@ -8,6 +8,7 @@
 #include "text_to_mesh/svg/svg_glyph.hpp"
 
 #include <typemesh/colour/layer_regions.hpp>
+#include <typemesh/inspect/polyline.hpp>
 
 #include <cmath>
 #include <cstddef>
@@ -185,20 +186,6 @@ inline broken_law of_drawing(const text_to_mesh::svg_drawing& made, const text_t
     return {};
 }
 
-inline std::int64_t twice_area(const region& r)
-{
-    std::int64_t sum = 0;
-    for (std::uint32_t loop = 0; loop < r.loop_count(); ++loop) {
-        grid_point a = r.points()[r.starts()[loop + 1] - 1];
-        for (std::uint32_t i = r.starts()[loop]; i < r.starts()[loop + 1]; ++i) {
-            const grid_point b = r.points()[i];
-            sum += std::int64_t{a.x} * b.y - std::int64_t{a.y} * b.x;
-            a = b;
-        }
-    }
-    return sum;
-}
-
 /// The visible layers add up to the silhouette, as integers; or an error says why there are none.
 inline broken_law of_layers(const text_to_mesh::svg_drawing& drawing)
 {
@@ -214,10 +201,10 @@ inline broken_law of_layers(const text_to_mesh::svg_drawing& drawing)
     for (std::size_t i = 0; i < regions.layer_count(); ++i) {
         const auto layer = regions.layer(i, loops);
         if (!layer) return "no memory";
-        sum += twice_area(*layer);
+        sum += inspect::doubled_area(*layer);
     }
     const auto whole = regions.silhouette(loops);
-    return whole && sum == twice_area(*whole) ? broken_law{} : "the layers are not the silhouette";
+    return whole && sum == inspect::doubled_area(*whole) ? broken_law{} : "the layers are not the silhouette";
 }
 
 }  // namespace svg_laws

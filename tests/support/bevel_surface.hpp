@@ -144,7 +144,7 @@ private:
     /// areas in the plane add up to the region's.
     void check_triangles()
     {
-        const double whole = static_cast<double>(inspect::doubled_area(inspect::loops_of(region_)));
+        const double whole = static_cast<double>(inspect::doubled_area(region_));
         for (const bool in_front : {true, false}) {
             double area = 0.0;
             for (const part p :

@@ -10,6 +10,7 @@
 #include <typemesh/fill/boundary_curves.hpp>
 #include <typemesh/fill/fill.hpp>
 #include <typemesh/inspect/impl/curve_chords.hpp>
+#include <typemesh/inspect/polyline.hpp>
 #include <typemesh/outline/draw_outline.hpp>
 #include <typemesh/outline/outline_recorder.hpp>
 #include <typemesh/outline/svg_path.hpp>
@@ -105,7 +106,7 @@ public:
         workspace space;
         const auto differ = fill(both, fill_rule::even_odd, space);
         if (!differ) return f.wrong = "not compared", f;
-        const double area = doubled_area(*differ) / 2.0;
+        const double area = 0.5 * static_cast<double>(inspect::doubled_area(*differ));
         f.area = area > 0.0 ? area / length / tolerance : 0.0;
         if (area > (tolerance + 2.0) * length) f.wrong = "another area: " + std::to_string(f.area);
         if (f.moved > 4.0 + 4.0 / tolerance) f.wrong = "too far: " + std::to_string(f.moved);
@@ -155,20 +156,6 @@ private:
             ok = ok && to.starts.push_back(static_cast<std::uint32_t>(to.points.size()));
         }
         return ok;
-    }
-
-    [[nodiscard]] static double doubled_area(const typemesh::region& of)
-    {
-        std::int64_t sum = 0;
-        for (std::uint32_t k = 0; k < of.loop_count(); ++k) {
-            typemesh::grid_point a = of.points()[of.starts()[k + 1] - 1];
-            for (std::uint32_t i = of.starts()[k]; i < of.starts()[k + 1]; ++i) {
-                const typemesh::grid_point b = of.points()[i];
-                sum += std::int64_t{a.x} * b.y - std::int64_t{a.y} * b.x;
-                a = b;
-            }
-        }
-        return static_cast<double>(sum);
     }
 
     /// The farthest point of a region's boundary from another region's, in cells.

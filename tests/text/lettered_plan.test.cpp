@@ -487,3 +487,25 @@ TEMPLATE_TEST_CASE("every vertex of a letter is where its map puts it, with its 
         CHECK(other == 0);
     }
 }
+
+TEST_CASE("letters that nobody has looked for are neither moved nor named, and nothing is written", "[letters]")
+{
+    test::toy_font font;
+    text_mesher mesher{font};
+    std::vector<test::lit_vertex> vertices(1);
+    std::vector<std::uint32_t> indices(1, 7u);
+    const auto check = [&](const auto& plan) {
+        text_chunks chunks;
+        REQUIRE(chunks.cut(plan));
+        std::vector<std::uint16_t> letters(plan.size().vertices, std::uint16_t{9});
+        std::vector<std::uint32_t> corners(plan.size().indices(), 7u);
+        const stream_sink naming{std::span{corners}, stream<attribute::letter, std::uint16_t>{std::span{letters}}};
+        CHECK(plan.write(into(vertices, indices), mixed_motion{}).error() == error::unknown_letters);
+        CHECK(plan.write(stream_sink{naming}).error() == error::unknown_letters);
+        CHECK(chunks.write(plan, 0, stream_sink{naming}).error() == error::unknown_letters);
+        CHECK((letters.front() == 9 && corners.front() == 7 && vertices.size() == 1 && indices.size() == 1));
+    };
+    check(*test::required(mesher.plan("oEi")));
+    REQUIRE(test::required(mesher.plan("oE"))->find_letters("oE"));
+    check(*test::required(mesher.plan("oEi")));  // the letters were another plan's
+}

@@ -3,11 +3,10 @@
 
 #include <typemesh/bend/deformation.hpp>
 #include <typemesh/bend/double3.hpp>
+#include <typemesh/bend/impl/farthest.hpp>
 #include <typemesh/bend/text_path.hpp>
 #include <typemesh/core/error.hpp>
 #include <typemesh/core/finite.hpp>
-
-#include <cmath>
 
 namespace typemesh::inline TYPEMESH_ABI {
 
@@ -54,10 +53,7 @@ struct along_curve {
     [[nodiscard]] bend_bounds bend(const box3& b) const noexcept
     {
         const text_path::bounds by = path->between(start + b.low.x, start + b.high.x);
-        const auto farthest = [](double low, double high) noexcept {
-            return std::fabs(low) > std::fabs(high) ? std::fabs(low) : std::fabs(high);
-        };
-        const double across = farthest(b.low.y, b.high.y) + farthest(b.low.z, b.high.z);
+        const double across = detail::farthest(b.low.y, b.high.y, 0.0) + detail::farthest(b.low.z, b.high.z, 0.0);
         return {.xx = by.bend + across * by.turn_2, .xy = by.turn, .xz = by.turn};
     }
 };

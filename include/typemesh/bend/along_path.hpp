@@ -50,7 +50,7 @@ struct along_path {
         plane_path::place p = path->at(path->length() - distance);
         p.from = path->length() - p.from;
         p.tangent = -1.0 * p.tangent;
-        p.turn = 0.0 - p.turn;
+        p.curvature = 0.0 - p.curvature;
         return p;
     }
 
@@ -60,14 +60,14 @@ struct along_path {
         const plane_path::place on = place_at(p.x);
         const point left{0.0 - on.tangent.y, on.tangent.x};
         return {on.at + (start + stretch * p.x - on.from) * on.tangent + p.y * left,
-                (stretch * (1.0 - on.turn * p.y)) * on.tangent, left};
+                (stretch * (1.0 - on.curvature * p.y)) * on.tangent, left};
     }
 
     /// See plane_warp.
     [[nodiscard]] bend_bounds bend(const box& b) const noexcept
     {
         const plane_path::bounds by = bounds_in(b);
-        const double turn = by.turn(), high = std::fmax(std::fabs(b.low.y), std::fabs(b.high.y));
+        const double turn = by.sharpest(), high = std::fmax(std::fabs(b.low.y), std::fabs(b.high.y));
         return {.xx = stretch * stretch * (by.by * high + turn * (1.0 + turn * high)),
                 .xy = stretch * turn,
                 .x_jump = stretch * by.jump * high};
@@ -78,7 +78,7 @@ struct along_path {
     {
         const plane_path::bounds by = bounds_in(b);
         const double low = backwards ? 0.0 - by.high : by.low, high = backwards ? 0.0 - by.low : by.high;
-        if (by.turn() >= plane_path::bounds::endless) return false;
+        if (by.sharpest() >= plane_path::bounds::endless) return false;
         for (const double y : {b.low.y, b.high.y})
             for (const double turn : {low, high})
                 if (!(1.0 - turn * y > 0x1p-20)) return false;

@@ -22,7 +22,8 @@ namespace typemesh::inline TYPEMESH_ABI {
 /// With width = 0, the arc is fitted to the text: its middle is the middle of the text. Otherwise the curvature is the
 /// same for every text: so many degrees on `width` em, and only x = middle stays where it is.
 ///
-/// Fails  error::bad_option: a number is not finite, width is negative ("degrees", "width", "middle")
+/// Fails  error::bad_option: a number is not finite, degrees is beyond 2^20, width is negative or below 2^-20, but
+///        not 0 ("degrees", "width", "middle")
 ///        error::goes_around: the text is longer than a full turn; error::folds_over: the letters reach the centre
 struct arc {
     double degrees = 90.0;

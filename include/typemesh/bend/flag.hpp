@@ -15,7 +15,8 @@ namespace typemesh::inline TYPEMESH_ABI {
 ///
 /// With length = 0 one wave fits the text. The wave that moves text towards the reader is wave.hpp.
 ///
-/// Fails  error::bad_option: a number is not finite, length is negative ("height", "length", "left", "phase")
+/// Fails  error::bad_option: a number is not finite, length is negative or below 2^-20, but not 0 ("height",
+///        "length", "left", "phase")
 struct flag {
     double height = 0.2;  ///< of a crest above the baseline, in em
     double length = 0.0;  ///< from crest to crest, in em; 0: as wide as the text

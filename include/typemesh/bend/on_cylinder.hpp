@@ -3,6 +3,7 @@
 
 #include <typemesh/bend/deformation.hpp>
 #include <typemesh/bend/double3.hpp>
+#include <typemesh/bend/impl/farthest.hpp>
 #include <typemesh/core/error.hpp>
 #include <typemesh/core/finite.hpp>
 #include <typemesh/core/impl/steady.hpp>
@@ -20,8 +21,8 @@ namespace typemesh::inline TYPEMESH_ABI {
 ///                                radius > 0    the reader looks at the outside, as on a cup
 ///                                radius < 0    the reader looks at the inside, as in a round room
 ///
-/// Fails  error::bad_option: the radius is 0 or not finite ("radius"); error::goes_around: the text is longer than the
-///        circumference; error::folds_over: the letters are as deep as the radius
+/// Fails  error::bad_option: the radius is not finite, or nearer to 0 than 2^-20 ("radius"); error::goes_around: the
+///        text is longer than the circumference; error::folds_over: the letters are as deep as the radius
 struct on_cylinder {
     double radius = 2.0;             ///< in em
     text_axis axis = text_axis::up;  ///< the direction of the cylinder's axis
@@ -62,9 +63,8 @@ struct on_cylinder {
     /// See deformation.
     [[nodiscard]] bend_bounds bend(const box3& b) const noexcept
     {
-        const double curvature = 1.0 / std::fabs(radius), low = std::fabs(radius + b.low.z),
-                     high = std::fabs(radius + b.high.z);
-        const double bent = (low > high ? low : high) * curvature * curvature;
+        const double curvature = 1.0 / std::fabs(radius),
+                     bent = detail::farthest(b.low.z, b.high.z, -radius) * curvature * curvature;
         if (axis == text_axis::up) return {.xx = bent, .xz = curvature};
         return {.yy = bent, .yz = curvature};
     }

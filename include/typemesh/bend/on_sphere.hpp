@@ -3,6 +3,7 @@
 
 #include <typemesh/bend/deformation.hpp>
 #include <typemesh/bend/double3.hpp>
+#include <typemesh/bend/impl/farthest.hpp>
 #include <typemesh/core/error.hpp>
 #include <typemesh/core/finite.hpp>
 #include <typemesh/core/impl/steady.hpp>
@@ -21,8 +22,8 @@ namespace typemesh::inline TYPEMESH_ABI {
 ///      '.       .'     radius < 0    the reader looks at the inside, as in a dome
 ///        '-___-'
 ///
-/// Fails  error::bad_option: the radius is 0 or not finite ("radius"); error::goes_around: the text is longer than the
-///        equator; error::folds_over: letters reach a pole, or are as deep as the radius
+/// Fails  error::bad_option: the radius is not finite, or nearer to 0 than 2^-20 ("radius"); error::goes_around: the
+///        text is longer than the equator; error::folds_over: letters reach a pole, or are as deep as the radius
 struct on_sphere {
     double radius = 3.0;  ///< in em
 
@@ -61,11 +62,8 @@ struct on_sphere {
     [[nodiscard]] bend_bounds bend(const box3& b) const noexcept
     {
         const double curvature = 1.0 / std::fabs(radius);
-        const auto greater = [](double p, double q) noexcept {
-            return std::fabs(p) > std::fabs(q) ? std::fabs(p) : std::fabs(q);
-        };
-        const double bent = greater(radius + b.low.z, radius + b.high.z) * curvature * curvature;
-        const double latitude = greater(b.low.y, b.high.y) * curvature;  // not below its sine
+        const double bent = detail::farthest(b.low.z, b.high.z, -radius) * curvature * curvature;
+        const double latitude = detail::farthest(b.low.y, b.high.y, 0.0) * curvature;  // not below its sine
         return {
             .xx = bent, .yy = bent, .xy = bent * (latitude < 1.0 ? latitude : 1.0), .xz = curvature, .yz = curvature};
     }

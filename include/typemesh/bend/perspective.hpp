@@ -18,8 +18,8 @@ namespace typemesh::inline TYPEMESH_ABI {
 ///
 /// With width = 0 the ends are the text's.
 ///
-/// Fails  error::bad_option: scale is not 1/1024 to 1024, another number is not finite, width is negative ("scale",
-///        "horizon", "width", "left"); error::folds_over: letters reach behind the reader
+/// Fails  error::bad_option: scale is not 1/1024 to 1024, another number is not finite, width is negative or below
+///        2^-20, but not 0 ("scale", "horizon", "width", "left"); error::folds_over: letters reach behind the reader
 struct perspective {
     /// See plane_warp.
     static constexpr bool keeps_lines = true;

@@ -151,7 +151,7 @@ public:
         place p;
         if (along < 0.0 || along > length_) {
             p = along < 0.0 ? pieces_[0].at(0.0) : pieces_.back().at(pieces_.back().size);
-            p.turn = 0.0;
+            p.curvature = 0.0;
         } else {
             const detail::path_piece& own = pieces_[piece_at(along)];
             const double rest = along - own.start;
@@ -172,7 +172,7 @@ public:
         }
         const double rounds = rounds_before(low), from = low - rounds, to = high - rounds;
         include_between(from, to, all);
-        if (!closed_ && to >= length_) all.jump += std::fabs(pieces_.back().at(pieces_.back().size).turn);
+        if (!closed_ && to >= length_) all.jump += std::fabs(pieces_.back().at(pieces_.back().size).curvature);
         if (closed_ && to >= length_) include_between(0.0, to - length_, all);
         return all;
     }
@@ -206,7 +206,7 @@ private:
         const place a = from.at(from.size), b = to.at(0.0);
         const bool turns = std::fabs(cross(a.tangent, b.tangent)) > 0x1p-20 || dot(a.tangent, b.tangent) < 0.0;
         to.corner = !from.even || !to.even || turns;  // more than roundings
-        to.jump = std::fabs(b.turn - a.turn);
+        to.jump = std::fabs(b.curvature - a.curvature);
     }
 
     void add(detail::path_piece made, point to) noexcept
@@ -216,7 +216,7 @@ private:
         if (pieces_.size() >= max_pieces) return fail();
         made.start = length_;
         if (pieces_.empty())
-            made.jump = std::fabs(made.at(0.0).turn);  // before its start, the path is straight
+            made.jump = std::fabs(made.at(0.0).curvature);  // before its start, the path is straight
         else
             join(pieces_.back(), made);
         length_ += made.size;

@@ -15,7 +15,7 @@ namespace detail {
 struct determinant_bound {
     double middle = 0.0;  ///< the determinant there
     double lowest = 0.0;  ///< no determinant in the box is lower
-    int longest = 0;      ///< the axis along which the box must be cut to raise that bound most: 0, 1 or 2
+    int cut_axis = 0;     ///< the axis along which the box must be cut to raise that bound most: 0, 1 or 2
 };
 
 template <deformation D>
@@ -25,7 +25,7 @@ template <deformation D>
     const deformed_point j = d(b.low + half);
     const bend_bounds by = d.bend(b);
     // No column differs by more than this from the column in the middle.
-    const double3 by_x{by.xx * half.x, by.xy * half.y, by.xz * half.z},
+    const double3 by_x{by.xx * half.x + by.x_jump, by.xy * half.y, by.xz * half.z},
         by_y{by.xy * half.x, by.yy * half.y, by.yz * half.z}, by_z{by.xz * half.x, by.yz * half.y, by.zz * half.z};
     const auto sum = [](double3 a) noexcept { return a.x + a.y + a.z; };
     const double x = length(j.x), y = length(j.y), z = length(j.z);
@@ -37,7 +37,7 @@ template <deformation D>
     const double from_x = by_x.x * y * z + by_y.x * z * x + by_z.x * x * y,
                  from_y = by_x.y * y * z + by_y.y * z * x + by_z.y * x * y,
                  from_z = by_x.z * y * z + by_y.z * z * x + by_z.z * x * y;
-    out.longest = from_x >= from_y && from_x >= from_z ? 0 : from_y >= from_z ? 1 : 2;
+    out.cut_axis = from_x >= from_y && from_x >= from_z ? 0 : from_y >= from_z ? 1 : 2;
     return out;
 }
 
@@ -65,7 +65,7 @@ template <deformation D>
         if (!(bound.middle > least) || pieces >= 4096 || count + 2 > depth) return false;
         box3 first = b, second = b;
         const double3 middle = 0.5 * (b.low + b.high);
-        switch (bound.longest) {
+        switch (bound.cut_axis) {
         case 0: first.high.x = second.low.x = middle.x; break;
         case 1: first.high.y = second.low.y = middle.y; break;
         default: first.high.z = second.low.z = middle.z; break;

@@ -31,7 +31,7 @@ struct warp_in_space {
     [[nodiscard]] bend_bounds bend(const box3& b) const noexcept
     {
         const bend_bounds own = warps->bend({{b.low.x, b.low.y}, {b.high.x, b.high.y}});
-        return {.xx = own.xx, .yy = own.yy, .xy = own.xy};
+        return {.xx = own.xx, .yy = own.yy, .xy = own.xy, .x_jump = own.x_jump};
     }
 };
 

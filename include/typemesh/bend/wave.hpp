@@ -15,7 +15,8 @@ namespace typemesh::inline TYPEMESH_ABI {
 /// A surface of waves, like a flag's: z = height * sin(2 pi (x cos d + y sin d) / length + phase), where d is the
 /// waves' direction. Moving waves are phases that change from frame to frame.
 ///
-/// Fails  error::bad_option: a number is not finite, or the length is 0 ("height", "length", "direction", "phase")
+/// Fails  error::bad_option: a number is not finite, or the length is nearer to 0 than 2^-20 ("height", "length",
+///        "direction", "phase")
 struct wave {
     double height = 0.1;     ///< of a crest above z = 0, in em
     double length = 2.0;     ///< from crest to crest, in em

@@ -48,6 +48,7 @@ struct [[nodiscard]] error {
         nothing_left,         ///< the glyph is everywhere thinner than the thickness that is removed
         edges_not_moved,      ///< a glyph's edges cannot be moved: on the grid they cross, even if moved less far
         folds_over,           ///< a deformation turns letters inside out, or would need to bend them too tightly
+        unknown_letters,      ///< letters are moved, or their data is wanted, and find_letters() was not called
         goes_around,          ///< a text is longer than the circumference or the curve that it follows
         bad_tolerance,        ///< a tolerance is not a positive finite number
         bad_option,           ///< an option is outside its range; `option` names it
@@ -143,6 +144,7 @@ struct [[nodiscard]] error {
         case nothing_left: return "Nothing is left of the glyph, which is too thin: take off less.";
         case edges_not_moved: return "The glyph's edges cross on the grid after any move: do not move them.";
         case folds_over: return "The deformation folds the letters: bend them less, or make them smaller.";
+        case unknown_letters: return "Nobody has looked for the letters: call find_letters() of the plan, then write.";
         case goes_around: return "The text is longer than the circumference or curve that it follows: shorten it.";
         case bad_tolerance: return "The tolerance is not a positive finite number: give for example quality::high.";
         case bad_option: return "An option is outside its range: give a value within the documented range.";

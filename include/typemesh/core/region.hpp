@@ -22,8 +22,9 @@ namespace typemesh::inline TYPEMESH_ABI {
 ///
 /// outer_of() (fill/outer_of.hpp) finds the outer loop around a hole.
 ///
-/// A region is a view: it refers to the contours that were proven, which must outlive it. Only fill and proving
-/// triangulators make a region, by calling proven(). The caller of proven() guarantees everything above.
+/// A region is a view: it refers to the contours that were proven, which must outlive it. Who makes a region
+/// calls proven(): fill, proving triangulators, and stages that change a region in steps that keep all this. The caller
+/// of proven() guarantees everything above.
 class region {
 public:
     region() noexcept = default;

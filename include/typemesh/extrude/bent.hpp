@@ -5,8 +5,8 @@
 #include <typemesh/bend/deformation.hpp>
 #include <typemesh/bend/unfolded.hpp>
 #include <typemesh/core/box.hpp>
+#include <typemesh/core/contours.hpp>
 #include <typemesh/core/finite.hpp>
-#include <typemesh/core/max_pieces.hpp>
 #include <typemesh/extrude/bendable.hpp>
 #include <typemesh/extrude/extruded.hpp>
 #include <typemesh/extrude/extruder.hpp>

@@ -13,7 +13,6 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <cstring>
 
 namespace typemesh::inline TYPEMESH_ABI {
 
@@ -60,21 +59,18 @@ struct carved_data {
 
     // --- as bytes: see plan_arrays
 
-    [[nodiscard]] std::size_t bytes() const noexcept { return 8 + own.bytes() + bevel.bytes(); }
+    [[nodiscard]] std::size_t bytes() const noexcept { return own.bytes() + bevel.bytes(); }
 
-    ///     block   [ start of the bevel ][ own ][ bevel ]
+    ///     block   [ own ][ bevel ]
     void copy_to(std::byte* block) const noexcept
     {
-        const std::uint64_t at = 8 + own.bytes();
-        std::memcpy(block, &at, sizeof at);
-        own.copy_to(block + sizeof at);
-        bevel.copy_to(block + at);
+        own.copy_to(block);
+        bevel.copy_to(block + own.bytes());
     }
     [[nodiscard]] static view read_from(const std::byte* block) noexcept
     {
-        std::uint64_t at = 0;
-        std::memcpy(&at, block, sizeof at);
-        return {own_arrays::read_from(block + sizeof at), bevel_data::read_from(block + at)};
+        const typename own_arrays::view own = own_arrays::read_from(block);
+        return {own, bevel_data::read_from(block + own.bytes())};
     }
 };
 

@@ -24,6 +24,28 @@ struct read_array {
     array_view<const T> values;
 };
 
+[[nodiscard]] constexpr std::size_t rounded_up_to_8(std::size_t bytes) noexcept
+{
+    return (bytes + 7) & ~std::size_t{7};
+}
+
+/// Stores an array as bytes, and moves `block` behind it, to a multiple of 8 bytes.
+template <class T>
+void store_array(array_view<const T> array, std::byte*& block) noexcept
+{
+    if (!array.empty()) std::memcpy(block, array.data(), array.size_bytes());
+    block += rounded_up_to_8(array.size_bytes());
+}
+/// The array that store_array() has stored, and moves `block` behind it.
+template <class T>
+[[nodiscard]] array_view<const T> stored_array(std::uint64_t count, const std::byte*& block) noexcept
+{
+    const T *first = reinterpret_cast<const T*>(block), *last = first + count;
+    const array_view<const T> array{first, static_cast<std::size_t>(last - first)};
+    block += rounded_up_to_8(array.size_bytes());
+    return array;
+}
+
 template <class T, class... Values>
 inline constexpr int times_among = (0 + ... + int{std::same_as<T, Values>});
 
@@ -82,6 +104,12 @@ public:
                           "typemesh: these plan_arrays have no array of this type");
             return detail::read_array<T>::values;
         }
+        /// The number of bytes that copy_to() writes for these arrays; a multiple of 8.
+        [[nodiscard]] std::size_t bytes() const noexcept
+        {
+            return (std::size_t{0} + ... +
+                    (8 + detail::rounded_up_to_8(detail::read_array<Values>::values.size_bytes())));
+        }
     };
 
     explicit plan_arrays(memory source = heap()) noexcept : detail::growing_array<Values>{buffer<Values>{source}}... {}
@@ -107,10 +135,7 @@ public:
     // --- as bytes: for the storage of a glyph
 
     /// The number of bytes that copy_to() writes; a multiple of 8.
-    [[nodiscard]] std::size_t bytes() const noexcept
-    {
-        return (std::size_t{0} + ... + (8 + rounded(detail::growing_array<Values>::values.view().size_bytes())));
-    }
+    [[nodiscard]] std::size_t bytes() const noexcept { return read().bytes(); }
 
     ///     block   [ count | values, up to a multiple of 8 bytes ][ count | ... ] ...        aligned to 8
     void copy_to(std::byte* block) const noexcept { (copy(detail::growing_array<Values>::values.view(), block), ...); }
@@ -124,16 +149,13 @@ public:
     }
 
 private:
-    static constexpr std::size_t rounded(std::size_t bytes) noexcept { return (bytes + 7) & ~std::size_t{7}; }
-
     template <class T>
     static void copy(array_view<const T> array, std::byte*& block) noexcept
     {
         const std::uint64_t count = array.size();
         std::memcpy(block, &count, 8);
         block += 8;
-        if (!array.empty()) std::memcpy(block, array.data(), array.size_bytes());
-        block += rounded(array.size_bytes());
+        detail::store_array(array, block);
     }
 
     template <class T>
@@ -142,9 +164,7 @@ private:
         std::uint64_t count = 0;
         std::memcpy(&count, block, 8);
         block += 8;
-        const T *first = reinterpret_cast<const T*>(block), *last = first + count;
-        array = {first, static_cast<std::size_t>(last - first)};
-        block += rounded(array.size_bytes());
+        array = detail::stored_array<T>(count, block);
     }
 };
 

@@ -74,6 +74,8 @@ using loop = std::span<const grid_point>;
     for (const loop l : loops) sum += static_cast<std::uint64_t>(doubled_area(l));
     return static_cast<std::int64_t>(sum);
 }
+[[nodiscard]] inline std::int64_t doubled_area(const contours& c) { return doubled_area(loops_of(c)); }
+[[nodiscard]] inline std::int64_t doubled_area(const region& r) { return doubled_area(loops_of(r)); }
 
 /// The winding number of l around p, which must not lie on l: counted along the ray from p to the right.
 [[nodiscard]] constexpr std::int32_t winding(loop l, grid_point p) noexcept

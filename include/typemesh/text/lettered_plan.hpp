@@ -77,7 +77,7 @@ public:
     /// Writes the mesh with moved letters: positions by the motion's map, normals by its inverse transpose, and the
     /// corners of triangles in the order that keeps them outside. Texture coordinates and letter data stay. Sizes and
     /// ranges stay as the plan says. Letters with the identity are written bit for bit as without a motion. A map that
-    /// flattens a letter flattens its triangles, too: this hides a letter. Needs find_letters().
+    /// flattens a letter flattens its triangles, too: this hides a letter. Without find_letters(): unknown_letters.
     template <class Sink, letter_motion Motion>
         requires mesh_sink<std::remove_reference_t<Sink>>
     result<void> write(Sink&& sink, Motion&& motion) const noexcept
@@ -112,6 +112,7 @@ public:
     template <letter_motion Motion, class Put>
     void write_instances(Motion&& motion, Put&& put) const noexcept
     {
+        (void)known();
         const text_letters& found = move_all(motion);
         self().write_instances([&](const glyph_instance& drawn) noexcept {
             const letter_move* move = found.move_of(drawn.glyph);
@@ -127,6 +128,7 @@ public:
     template <letter_motion Motion, class Put>
     void each_moved_box(Motion&& motion, Put&& put) const noexcept
     {
+        (void)known();
         const text_letters& found = move_all(motion);
         if (found.moves.empty()) return;
         each_box_on_stand(*self().run_, self().glyphs_->stands.view(), [&](const inline_box_place& box) noexcept {
@@ -141,10 +143,11 @@ public:
     template <letter_motion Motion>
     [[nodiscard]] bounds3 moved_bounds(Motion&& motion) const noexcept
     {
+        (void)known();
         const text_letters& found = move_all(motion);
         bounds3 all;
         bool is_first = true;
-        for (std::size_t i = 0; i < found.rows.size(); ++i) {
+        for (std::size_t i = 0; i < found.moves.size(); ++i) {
             if (found.rows[i].bonds == letter_bond::inline_box) continue;
             const bounds3 own = found.moves[i](found.rows[i].bounds);
             if (is_first) all = own;
@@ -172,13 +175,13 @@ private:
         return self().fresh().letters;
     }
 
-    /// Asks the motion once for each letter.
+    /// Asks the motion once for each letter, if they have been found.
     template <class Motion>
     const text_letters& move_all(Motion& motion) const noexcept
     {
-        (void)known();
         text_letters& found = self().glyphs_->letters;
         found.moves.clear();
+        if (!self().fresh().letters_are_found()) return found;
         for (std::size_t i = 0; i < found.rows.size(); ++i)
             found.moves.push_back_unchecked(letter_move{motion(found.place(i, self().glyphs_->placed.frame))});
         return found;

@@ -135,6 +135,7 @@ public:
         requires chunked_sink<std::remove_reference_t<Sink>>
     result<void> write(const text_plan<Extruder>& plan, Sink&& sink, Executor& workers) const noexcept
     {
+        if (error e = detail::refused_letters<std::remove_cvref_t<Sink>>(fresh(plan))) return e;
         if (error e = sink.begin_chunks(size(), largest_)) return e;
         const text_glyphs& all = fresh(plan);
         workers.run(chunks_.size(), [&, this](std::size_t k, std::size_t) noexcept {
@@ -158,6 +159,7 @@ public:
     result<void> write(const text_plan<Extruder>& plan, std::size_t k, Sink&& sink) const noexcept
     {
         const text_chunk& chunk = chunks_[k];
+        if (error e = detail::refused_letters<std::remove_cvref_t<Sink>>(fresh(plan))) return e;
         if (error e = sink.begin(chunk.size())) return e;
         put(fresh(plan), chunk, plan.extruder_, sink);
         return end_of(sink);

@@ -294,11 +294,12 @@ public:
     }
 
     /// Emits every vertex and every triangle once, in ascending order. Only the sink can fail, in begin() or end();
-    /// nothing is allocated.
+    /// nothing is allocated. error::unknown_letters: the sink wants letter data; call find_letters() first.
     template <class Sink>
         requires mesh_sink<std::remove_reference_t<Sink>>
     result<void> write(Sink&& sink) const noexcept
     {
+        if (error e = detail::refused_letters<std::remove_cvref_t<Sink>>(fresh())) return e;
         if (error e = sink.begin(size())) return e;
         whole().everything(extruder_, sink);
         return end_of(sink);
@@ -311,6 +312,7 @@ public:
         requires ranged_sink<std::remove_reference_t<Sink>>
     result<void> write(Sink&& sink, Executor& workers) const noexcept
     {
+        if (error e = detail::refused_letters<std::remove_cvref_t<Sink>>(fresh())) return e;
         if (error e = sink.begin(size())) return e;
         const mesh_layout all = whole();
         const std::size_t shares = shares_for(workers.workers());
@@ -337,6 +339,7 @@ public:
         requires ranged_sink<std::remove_reference_t<Sink>>
     result<void> write(glyph_span some, Sink&& sink) const noexcept
     {
+        if (error e = detail::refused_letters<std::remove_cvref_t<Sink>>(fresh())) return e;
         const mesh_layout all = whole();
         if (error e = sink.begin(all.size())) return e;
         for (const part p : parts_of<Extruder>) {

@@ -16,7 +16,7 @@ struct path_place {
     point at;
     double from = 0.0;
     point tangent{1.0, 0.0};
-    double turn = 0.0;  ///< the curvature, positive to the left
+    double curvature = 0.0;  ///< positive to the left
 };
 
 /// Bounds over a part of a path: of its curvature, of the derivative of the curvature by the length, and of its jumps.
@@ -34,7 +34,8 @@ struct path_bounds {
         by = b.by > by ? b.by : by;
         jump += b.jump;
     }
-    [[nodiscard]] constexpr double turn() const noexcept { return high > 0.0 - low ? high : 0.0 - low; }
+    /// The greatest size of the curvature.
+    [[nodiscard]] constexpr double sharpest() const noexcept { return high > 0.0 - low ? high : 0.0 - low; }
 };
 
 /// The length of a cubic from its start to t, by Gauss's rule with 12 points. See path_piece::is_even().
@@ -52,6 +53,14 @@ struct path_bounds {
     return 1.5 * t * sum;
 }
 
+/// An arc of a circle. Angles are in radians, counter-clockwise.
+struct arc_piece {
+    point centre;
+    double radius = 0.0;
+    double first = 0.0;  ///< the angle at which it begins
+    double angle = 0.0;  ///< its own
+};
+
 /// A piece of a plane_path: a line, an arc of a circle, or a cubic whose speed changes little.
 struct path_piece {
     enum class form : std::uint8_t { line, arc, cubic };
@@ -62,7 +71,8 @@ struct path_piece {
     bool even = true;     ///< whether a cubic's length is certain
     double start = 0.0;   ///< the length of the path before it
     double size = 0.0;    ///< its own length
-    cubic c;              ///< line: p0 to p3; arc: the centre, {radius, first angle}, {angle, direction}, unused
+    cubic c;              ///< a line runs from p0 to p3
+    arc_piece round;      ///< of an arc
     path_bounds bounds;
 
     [[nodiscard]] static path_piece line(point from, point to) noexcept
@@ -79,10 +89,13 @@ struct path_piece {
         path_piece p;
         p.is = form::arc;
         const point arm = from - centre;
-        const double radius = length(arm), side = angle < 0.0 ? -1.0 : 1.0;
-        p.c = {centre, {radius, steady(std::atan2(arm.y, arm.x))}, {angle, side}, {}};
+        const double radius = length(arm);
+        p.round = {centre, radius, steady(std::atan2(arm.y, arm.x)), angle};
         p.size = radius * std::fabs(angle);
-        (side > 0.0 ? p.bounds.high : p.bounds.low) = side / radius;
+        if (angle < 0.0)
+            p.bounds.low = -1.0 / radius;
+        else
+            p.bounds.high = 1.0 / radius;
         return p;
     }
 
@@ -128,9 +141,9 @@ struct path_piece {
 private:
     [[nodiscard]] path_place arc_at(double along) const noexcept
     {
-        const double radius = c.p1.x, side = c.p2.y, angle = c.p1.y + c.p2.x * (along / size);
+        const double side = round.angle < 0.0 ? -1.0 : 1.0, angle = round.first + round.angle * (along / size);
         const point arm{steady_cosine(angle), steady_sine(angle)};
-        return {c.p0 + radius * arm, start + along, {-side * arm.y, side * arm.x}, side / radius};
+        return {round.centre + round.radius * arm, start + along, {-side * arm.y, side * arm.x}, side / round.radius};
     }
 
     [[nodiscard]] path_place cubic_at(double along) const noexcept

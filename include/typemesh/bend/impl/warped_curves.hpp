@@ -40,7 +40,7 @@ public:
         for (std::uint32_t i = 0; i <= c.degree; ++i) own.p[i] = in_text(c.p[i]);
         const bend_bounds by = warps_.bend(box_of(own.p, c.degree));
         const bool straight = c.degree == 1 && stays_line(own, by);
-        if (straight || (is_zero(by.xx) && is_zero(by.xy) && is_zero(by.yy))) {
+        if (straight || (is_zero(by.xx) && is_zero(by.xy) && is_zero(by.yy) && is_zero(by.x_jump))) {
             for (std::uint32_t i = 0; i <= c.degree; ++i) own.p[i] = drawn(warps_(own.p[i]).at);
             return keep(own);
         }

@@ -44,7 +44,8 @@ private:
     std::uint32_t max_points_;
 };
 
-/// Refines the caps of a solid that makes its own, and keeps their edges: see bendable_caps.
+/// Refines the caps of a solid that makes its own, and keeps their edges: see bendable_caps. Nothing here asks how many
+/// holes they have, so their regions do not count them.
 template <class Solid, deformation Deformation>
 class bent_caps {
 public:

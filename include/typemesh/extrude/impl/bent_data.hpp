@@ -77,11 +77,8 @@ struct bent_data {
     }
     [[nodiscard]] static view read_from(const std::byte* block) noexcept
     {
-        view all;
-        all.form = arrays::read_from(block);
-        // As many bytes as plan_arrays use for one bent_form, or for none.
-        all.flat = refined_solid<Solid>::read_from(block + 8 + all.form.template of<bent_form>().size_bytes());
-        return all;
+        const typename arrays::view own = arrays::read_from(block);
+        return {own, refined_solid<Solid>::read_from(block + own.bytes())};
     }
 };
 

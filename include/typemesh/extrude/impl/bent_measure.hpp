@@ -4,7 +4,6 @@
 #include <typemesh/bend/bend_error.hpp>
 #include <typemesh/bend/deformation.hpp>
 #include <typemesh/bend/double3.hpp>
-#include <typemesh/core/array_view.hpp>
 #include <typemesh/core/point.hpp>
 #include <typemesh/core/triangle.hpp>
 #include <typemesh/extrude/impl/bevel_bisection.hpp>
@@ -12,8 +11,6 @@
 #include <typemesh/refine/impl/stretched_circle.hpp>
 
 #include <algorithm>
-#include <cmath>
-#include <cstdint>
 
 namespace typemesh::inline TYPEMESH_ABI::detail {
 
@@ -103,18 +100,10 @@ struct bent_measure {
     {
         const double size = size_of(around(p, q, r), 0.0);
         if (size > 1.0) return size;
-        return turns(p, q, r, low) || turns(p, q, r, high) ? 2.0 : size;
-    }
-
-    /// Whether the image of a triangle at a height faces away from the direction in which the bent surface faces at one
-    /// of its corners.
-    [[nodiscard]] bool turns(grid_point p, grid_point q, grid_point r, double height) const noexcept
-    {
-        const deformed_point corners[] = {bends(at(p, height)), bends(at(q, height)), bends(at(r, height))};
-        const double3 facing = cross(corners[1].at - corners[0].at, corners[2].at - corners[0].at);
-        for (const deformed_point& c : corners)
-            if (!(dot(facing, cross(c.x, c.y)) > 0.0)) return true;
-        return false;
+        const double thin = thinnest * em_per_cell;
+        for (const double height : {low, high})
+            if (is_turned(bends, {at(p, height), at(q, height), at(r, height)}, thin)) return 2.0;
+        return size;
     }
 
     /// The extents on which the sizes of triangles in a box depend, in em.

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <typemesh/core/array_view.hpp>
 #include <typemesh/core/buffer.hpp>
 #include <typemesh/core/error.hpp>
 #include <typemesh/core/impl/in_circle.hpp>
@@ -119,7 +118,7 @@ public:
             if (!halve_within(measure, t)) return error::out_of_memory;
             if (!halved_.empty() && swept.nodes.size() > max_points) return {error::too_many_points, max_points};
         }
-        if (halved_.empty()) return {};
+        if (halved_.empty() && !has_flipped_) return {};
         std::sort(halved_.begin(), halved_.end(), [](const half& a, const half& b) noexcept { return a.key < b.key; });
         return sort_cells() && divide_levels() && divide_cap() ? error{} : error{error::out_of_memory};
     }
@@ -156,6 +155,7 @@ private:
         const auto count = static_cast<std::uint32_t>(swept_->triangles.size());
         for (auto* all : {&twins_, &cells_, &levels_, &waiting_}) all->clear();
         halved_.clear();
+        has_flipped_ = false;
         if (twins_.append(3 * std::size_t{count}) == nullptr || cells_.append(count) == nullptr ||
             levels_.append(swept_->nodes.size()) == nullptr || !waiting_.reserve(count))
             return false;
@@ -341,6 +341,7 @@ private:
         connect(3 * t + 2, 3 * u + 2);
         connect(3 * u, db);
         connect(3 * u + 1, bc);
+        has_flipped_ = true;
         fits = waiting_.push_back(t) && waiting_.push_back(u);
         return true;
     }
@@ -447,6 +448,7 @@ private:
     buffer<std::uint32_t> indices_;
     swept_region* swept_ = nullptr;
     const swept_heights* heights_ = nullptr;
+    bool has_flipped_ = false;
 };
 
 }  // namespace typemesh::inline TYPEMESH_ABI::detail

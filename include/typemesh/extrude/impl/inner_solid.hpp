@@ -12,6 +12,7 @@
 #include <typemesh/extrude/cap_maker.hpp>
 #include <typemesh/extrude/extruder.hpp>
 #include <typemesh/extrude/inner_region.hpp>
+#include <typemesh/extrude/plan_arrays.hpp>
 
 #include <cstddef>
 #include <cstdint>
@@ -96,9 +97,9 @@ struct inner_solid : inner_region {
         const std::uint64_t counts[] = {loops.points.size(), loops.starts.size(), triangles.size()};
         std::memcpy(block, counts, sizeof counts);
         std::byte* to = block + sizeof counts;
-        copy(loops.points.view(), to);
-        copy(loops.starts.view(), to);
-        copy(triangles.view(), to);
+        detail::store_array(loops.points.view(), to);
+        detail::store_array(loops.starts.view(), to);
+        detail::store_array(triangles.view(), to);
         data.copy_to(to);
     }
     [[nodiscard]] static view read_from(const std::byte* block) noexcept
@@ -107,35 +108,19 @@ struct inner_solid : inner_region {
         std::memcpy(counts, block, sizeof counts);
         const std::byte* from = block + sizeof counts;
         view all;
-        all.points = found<grid_point>(counts[0], from);
-        all.starts = found<std::uint32_t>(counts[1], from);
-        all.triangles = found<triangle>(counts[2], from);
+        all.points = detail::stored_array<grid_point>(counts[0], from);
+        all.starts = detail::stored_array<std::uint32_t>(counts[1], from);
+        all.triangles = detail::stored_array<triangle>(counts[2], from);
         all.data = plan_data_of<E>::read_from(from);
         return all;
     }
 
 private:
-    static constexpr std::size_t rounded(std::size_t bytes) noexcept { return (bytes + 7) & ~std::size_t{7}; }
-
     [[nodiscard]] std::size_t own_bytes() const noexcept
     {
-        return 3 * sizeof(std::uint64_t) + rounded(loops.points.view().size_bytes()) +
-               rounded(loops.starts.view().size_bytes()) + rounded(triangles.view().size_bytes());
-    }
-
-    template <class T>
-    static void copy(array_view<const T> array, std::byte*& to) noexcept
-    {
-        if (!array.empty()) std::memcpy(to, array.data(), array.size_bytes());
-        to += rounded(array.size_bytes());
-    }
-    template <class T>
-    static array_view<const T> found(std::uint64_t count, const std::byte*& from) noexcept
-    {
-        const T *first = reinterpret_cast<const T*>(from), *last = first + count;
-        const array_view<const T> array{first, static_cast<std::size_t>(last - first)};
-        from += rounded(array.size_bytes());
-        return array;
+        return 3 * sizeof(std::uint64_t) + detail::rounded_up_to_8(loops.points.view().size_bytes()) +
+               detail::rounded_up_to_8(loops.starts.view().size_bytes()) +
+               detail::rounded_up_to_8(triangles.view().size_bytes());
     }
 };
 

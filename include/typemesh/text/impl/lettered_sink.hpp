@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <typemesh/core/assert.hpp>
+#include <typemesh/core/error.hpp>
 #include <typemesh/text/impl/text_glyphs.hpp>
 #include <typemesh/vertex/ranged_sink.hpp>
 
@@ -42,18 +42,23 @@ struct letter_namer {
     void end() noexcept {}
 };
 
+/// error::unknown_letters if a sink moves letters, or wants their data, and they have not been found.
+template <class Sink>
+[[nodiscard]] error refused_letters(const text_glyphs& all) noexcept
+{
+    if constexpr (moves_letters<Sink> || has(Sink::wants, letter_attributes))
+        return all.letters_are_found() ? error{} : error{error::unknown_letters};
+    else
+        return {};
+}
+
 /// Calls write(sink, placement), with a sink that adds the letter data of a glyph if the sink wants any.
 template <class Sink, class Write>
 void write_named(const text_glyphs& all, std::size_t glyph, Sink& sink, const placement& at,
                  const Write& write) noexcept
 {
     if constexpr (has(Sink::wants, letter_attributes)) {
-        TYPEMESH_ASSERT(all.letters_are_found(),
-                        "a vertex wants letter data: call find_letters(text) of the plan before it is written");
-        static constexpr text_letter unknown{};
-        const bool known = all.letters_are_found();
-        letter_namer<Sink> named{sink, known ? all.letters.rows[all.letters.row_of[glyph]] : unknown,
-                                 all.letter_of(glyph)};
+        letter_namer<Sink> named{sink, all.letters.rows[all.letters.row_of[glyph]], all.letter_of(glyph)};
         write(named, at);
     } else {
         write(sink, at);
