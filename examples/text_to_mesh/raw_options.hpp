@@ -40,7 +40,7 @@ struct raw_options {
 
 struct options;
 
-/// Takes some steps, each of which gives an empty string or one sentence of what is wrong, until one is wrong.
+/// Takes steps until one gives a sentence of what is wrong; the others give an empty string.
 template <class... Steps>
 [[nodiscard]] std::string settle_all(options& out, const raw_options& raw, Steps... steps)
 {

@@ -20,8 +20,8 @@ namespace typemesh::inline TYPEMESH_ABI {
 /// In between and beyond, the lift changes evenly from the baseline (y = 0) to `top`. Negative lifts go down. With
 /// width = 0 the parabola is fitted to the text.
 ///
-/// Fails  error::bad_option: a number is not finite, top is nearer to 0 than 2^-20, width is negative or below 2^-20, but
-///        not 0 ("rise", "baseline", "top", "width", "middle"); error::folds_over: the baseline rises through the tops
+/// Fails  error::bad_option: a number is not finite, top is nearer to 0 than 2^-20, width is negative or below
+///        2^-20, but not 0 ("rise", "baseline", "top", "width", "middle"); error::folds_over: the baseline rises through the tops
 struct arch {
     double rise = 0.3;      ///< of the height `top`, in the middle of the text, in em
     double baseline = 0.0;  ///< of the baseline
