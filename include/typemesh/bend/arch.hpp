@@ -21,7 +21,8 @@ namespace typemesh::inline TYPEMESH_ABI {
 /// width = 0 the parabola is fitted to the text.
 ///
 /// Fails  error::bad_option: a number is not finite, top is nearer to 0 than 2^-20, width is negative or below
-///        2^-20, but not 0 ("rise", "baseline", "top", "width", "middle"); error::folds_over: the baseline rises through the tops
+///        2^-20, but not 0 ("rise", "baseline", "top", "width", "middle")
+///        error::folds_over: the baseline rises through the tops
 struct arch {
     double rise = 0.3;      ///< of the height `top`, in the middle of the text, in em
     double baseline = 0.0;  ///< of the baseline
