@@ -63,6 +63,19 @@ std::vector<shapes::shape> curved_shapes()
                            shapes::pair(21));
 }
 
+/// The contours of a shape with more than a thousand points.
+contours finely_flattened(const shapes::shape& s)
+{
+    outline drawn;
+    REQUIRE(drawn.curves.append(array_view<const curve>{s.curves}));
+    REQUIRE(drawn.starts.append(array_view<const std::uint32_t>{{0, static_cast<std::uint32_t>(s.curves.size())}}));
+    contours fine;
+    const certified flatten;
+    REQUIRE(discretise(drawn, flatten, 0.002, s.loops.grid, fine));
+    fine.curves = array_view<const curve>{s.curves};
+    return fine;
+}
+
 /// A half moon over a line, and a triangle between the two: the hole or, if the moon lies outside it, a second letter.
 shapes::shape moon_with_speck(double height, int pieces)
 {
@@ -200,6 +213,13 @@ TEST_CASE("the levels do not depend on where a contour begins, and memory may fa
               contours made = copy_of(s.loops);
               return detail::curve_coarsener{source}(made, 3000.0);
           }) > 0);
+    const contours many = finely_flattened(s);
+    REQUIRE(many.points.size() > 512);  // enough for a tree of chunks
+    const std::size_t requests = test::check_each_failure([&](memory source) {
+        contours made = copy_of(many);
+        return detail::curve_coarsener{source}(made, 3000.0);
+    });
+    CHECK(requests == 6);  // the last one for the tree
     test::counting_memory counted;
     detail::curve_coarsener drop{counted.source()};
     for (int again = 0; again < 2; ++again) {
