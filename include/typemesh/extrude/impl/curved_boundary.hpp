@@ -28,9 +28,9 @@ namespace typemesh::inline TYPEMESH_ABI::detail {
 ///
 /// Consecutive edges of one curve become a run. A run is divided where a cubic turns to the other side, then into as
 /// few equal parts as suffice, up to four: each piece is an arc within 2 cells of the curve (conic_fit) and within 3
-/// cells of the region's points that it skips. If four do not suffice, it is halved until they do. If two control triangles meet, the larger
-/// one is divided at a point of the region, or inside an edge if only one is left. At last a piece is an edge of the
-/// region, and these do not cross: the region proves it.
+/// cells of the region's points that it skips. If four do not suffice, it is halved until all are. If two control
+/// triangles meet, the larger one is divided at a point of the region, or inside an edge if only one is left. At last
+/// a piece is an edge of the region, and these do not cross: the region proves it.
 ///
 ///         .--c--.                   .-c-.-c-.
 ///        / .---. \                 /.--- ---.\        .

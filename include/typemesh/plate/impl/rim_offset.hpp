@@ -42,7 +42,7 @@ public:
     {
     }
 
-    /// Moves the outline of a region by `width` em, at most by 2^24 cells. A fillet moves it at most by a quarter of its
+    /// Moves the outline of a region by `width` em, at most by 2^24 cells, and for a fillet at most by a quarter of its
     /// distance from the grid's end, less 32 cells. It moves less if the offset is not proven simple.
     ///
     ///     tolerance   the deviation of round corners and sections, in cells
