@@ -163,9 +163,9 @@ public:
     }
 
     /// Emits every vertex and every triangle once, in ascending order, part by part. Of a surface point's attributes,
-    /// position, normal, tangent, part and uv are set; the others say that they are unknown. uv are those of caps
-    /// in em mapping (texture.hpp), on walls as well: they do not change from bottom to top there, so a wall's tangent
-    /// is the one of box mapping (texture_tangent.hpp).
+    /// position, normal, tangent, part and uv are set; the others say that they are unknown. uv are everywhere as on
+    /// caps in em mapping (texture.hpp). On walls they do not change from bottom to top, so the tangent there is the
+    /// one of box mapping (texture_tangent.hpp).
     template <class Sink>
         requires mesh_sink<std::remove_reference_t<Sink>>
     result<void> write(Sink&& sink, const layered_placement& to) const noexcept

@@ -380,7 +380,7 @@ private:
         }
     }
 
-    /// A point's coordinate across the bars of a direction, and the point with two coordinates: across bars, along them.
+    /// A point's coordinate across the bars of a direction, and the point with two coordinates: across, and along them.
     static std::int32_t across(grid_point p, bool upright) noexcept { return upright ? p.x : p.y; }
     static grid_point place(std::int32_t beside, std::int32_t on, bool upright) noexcept
     {
