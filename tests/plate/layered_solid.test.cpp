@@ -38,7 +38,7 @@ mesh written(const layered_solid& solid)
     return m;
 }
 
-void add(layer_arrangement& cells, const std::vector<grid_point>& p, std::uint32_t layer)
+void add_polygon(layer_arrangement& cells, const std::vector<grid_point>& p, std::uint32_t layer)
 {
     const std::array<std::uint32_t, 2> starts{0, static_cast<std::uint32_t>(p.size())};
     REQUIRE(cells.add({p.data(), p.size()}, {starts.data(), 2}, layer));
@@ -46,7 +46,7 @@ void add(layer_arrangement& cells, const std::vector<grid_point>& p, std::uint32
 void add_box(layer_arrangement& cells, std::int32_t x, std::int32_t y, std::int32_t width, std::int32_t height,
              std::uint32_t layer)
 {
-    add(cells, {{x, y}, {x + width, y}, {x + width, y + height}, {x, y + height}}, layer);
+    add_polygon(cells, {{x, y}, {x + width, y}, {x + width, y + height}, {x, y + height}}, layer);
 }
 
 }  // namespace
