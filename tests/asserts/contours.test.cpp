@@ -6,6 +6,7 @@
 
 #include "support/catch.hpp"
 
+#include <typemesh/plate/layer_arrangement.hpp>
 #include <typemesh/sweep/impl/sweep_order.hpp>
 
 using namespace typemesh;
@@ -38,5 +39,24 @@ TEST_CASE("moving points after they were sorted is asserted", "[asserts]")
     loops.points[0].x = 1;
     (void)loops.order();
     CHECK(test::failed_asserts == stale);
+    test::failed_asserts.clear();
+}
+
+TEST_CASE("points of an arrangement that come without the starts of their loops are asserted", "[asserts]")
+{
+    const std::vector<std::string> missing{"the starts of loops begin with 0 and end with the number of points"};
+    const grid_point points[] = {{0, 0}, {4, 0}, {0, 3}};
+    const std::uint32_t starts[] = {0, 3}, too_few[] = {0, 2};
+    layer_arrangement cells;
+    cells.begin({});
+    test::failed_asserts.clear();
+    REQUIRE(cells.add({points, 3}, {starts, 2}, 0));
+    REQUIRE(cells.add({}, {}, 0));
+    CHECK(test::failed_asserts.empty());
+    REQUIRE(cells.add({points, 3}, {}, 0));
+    CHECK(test::failed_asserts == missing);
+    test::failed_asserts.clear();
+    REQUIRE(cells.add({points, 3}, {too_few, 2}, 0));
+    CHECK(test::failed_asserts == missing);
     test::failed_asserts.clear();
 }

@@ -57,10 +57,24 @@ std::size_t points_after(const contours& loops, double tolerance)
     return made.points.size();
 }
 
-std::vector<shapes::shape> curved_shapes()
+const std::vector<shapes::shape>& curved_shapes()
 {
-    return shapes::several(shapes::ring(32), shapes::letter_d(40), shapes::ribbon(37), shapes::drop(48),
-                           shapes::pair(21));
+    static const std::vector<shapes::shape> all =
+        shapes::several(shapes::ring(32), shapes::letter_d(40), shapes::ribbon(37), shapes::drop(48), shapes::pair(21));
+    return all;
+}
+
+/// The contours of a shape with more than a thousand points.
+contours finely_flattened(const shapes::shape& s)
+{
+    outline drawn;
+    REQUIRE(drawn.curves.append(array_view<const curve>{s.curves}));
+    REQUIRE(drawn.starts.append(array_view<const std::uint32_t>{{0, static_cast<std::uint32_t>(s.curves.size())}}));
+    contours fine;
+    const certified flatten;
+    REQUIRE(discretise(drawn, flatten, 0.002, s.loops.grid, fine));
+    fine.curves = array_view<const curve>{s.curves};
+    return fine;
 }
 
 /// A half moon over a line, and a triangle between the two: the hole or, if the moon lies outside it, a second letter.
@@ -135,7 +149,7 @@ TEST_CASE("points stay where a chord would run over another loop", "[glyph][leve
 TEST_CASE("points stay where a hole's chord would run over its letter", "[glyph][levels]")
 {
     // Two arcs of a stroke of one unit: the inner chord of a quarter would cross the outer arc's chords.
-    const shapes::shape s{"hairline", {shapes::cubic_circle({0, 0}, 400)}, {shapes::cubic_circle({0, 0}, 399)}, 64};
+    const shapes::shape s{"hairline", {shapes::cubic_circle({0, 0}, 400)}, {shapes::cubic_circle({0, 0}, 399)}, 32};
     contours made = copy_of(s.loops);
     for (const double tolerance : {300.0, 2000.0, 20000.0, 1e6}) {
         REQUIRE_FALSE(detail::curve_coarsener{}(made, tolerance));
@@ -200,6 +214,13 @@ TEST_CASE("the levels do not depend on where a contour begins, and memory may fa
               contours made = copy_of(s.loops);
               return detail::curve_coarsener{source}(made, 3000.0);
           }) > 0);
+    const contours many = finely_flattened(s);
+    REQUIRE(many.points.size() > 512);  // enough for a tree of chunks
+    const std::size_t requests = test::check_each_failure([&](memory source) {
+        contours made = copy_of(many);
+        return detail::curve_coarsener{source}(made, 3000.0);
+    });
+    CHECK(requests == 6);  // the last one for the tree
     test::counting_memory counted;
     detail::curve_coarsener drop{counted.source()};
     for (int again = 0; again < 2; ++again) {

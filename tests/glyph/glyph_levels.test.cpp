@@ -218,3 +218,42 @@ TEST_CASE("kept glyphs allocate nothing after warm-up, and fail as memory does",
               return run(failing);
           }) > 10);
 }
+
+TEST_CASE("a glyph that memory does not suffice to keep leaves all others as they are", "[glyph][levels]")
+{
+    recorded_outlines font = dotted_rings(2);
+    const certified flatten;
+    const monotone cut;
+    no_observer nobody;
+    glyph_builder builders[2];
+    std::vector<region> filled;
+    for (std::uint32_t id = 0; id < 2; ++id)
+        filled.push_back(
+            *builders[id].build_region(font, id, {.tolerance = 0.0005}, cap_policies{flatten, cut, nobody}));
+    constexpr std::size_t count = 5;
+    std::size_t failures = 0;
+    for (std::size_t at = 1;; ++at) {
+        test::counting_memory failing{.fail_at = at, .fail_once = true};
+        glyph_levels levels{failing.source()};
+        for (std::size_t k = 0; k < count; ++k) {
+            const error e = levels.keep(filled[k % 2]);
+            if (!e) continue;
+            CHECK(e == error::out_of_memory);
+            CHECK(levels.size() == k);
+            REQUIRE_FALSE(levels.keep(filled[k % 2]));
+            ++failures;
+        }
+        if (failing.requests < at) break;
+        for (std::size_t k = 0; k < count; ++k) {
+            const auto made = levels.coarser(k, 0.0, cut);
+            REQUIRE(made);
+            const region& given = filled[k % 2];
+            CHECK(test::loops_with(made->points(), made->starts()) == test::loops_with(given.points(), given.starts()));
+            bool has_edges = made->edges().size() == given.edges().size();
+            for (std::size_t i = 0; has_edges && i < given.edges().size(); ++i)
+                has_edges = made->edges()[i].curve == given.edges()[i].curve;
+            CHECK(has_edges);
+        }
+    }
+    CHECK(failures > 10);
+}

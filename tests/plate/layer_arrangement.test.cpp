@@ -116,6 +116,7 @@ TEST_CASE("regions of any layers are proven regions, and their areas add up exac
             REQUIRE(one);
             CHECK(doubled_area(*one) == cells.doubled_area({1u << label}));
             CHECK(cells.doubled_area({1u << label}) >= 0);
+            CHECK(cells.doubled_area({~(1u << label)}) == -cells.doubled_area({1u << label}));  // of the whole plane
             sum += doubled_area(*one);
             check_region(*one);
         }

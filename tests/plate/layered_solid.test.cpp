@@ -9,6 +9,8 @@
 #include "support/catch.hpp"
 
 #include <array>
+#include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <limits>
 #include <random>
@@ -36,7 +38,7 @@ mesh written(const layered_solid& solid)
     return m;
 }
 
-void add(layer_arrangement& cells, const std::vector<grid_point>& p, std::uint32_t layer)
+void add_polygon(layer_arrangement& cells, const std::vector<grid_point>& p, std::uint32_t layer)
 {
     const std::array<std::uint32_t, 2> starts{0, static_cast<std::uint32_t>(p.size())};
     REQUIRE(cells.add({p.data(), p.size()}, {starts.data(), 2}, layer));
@@ -44,7 +46,7 @@ void add(layer_arrangement& cells, const std::vector<grid_point>& p, std::uint32
 void add_box(layer_arrangement& cells, std::int32_t x, std::int32_t y, std::int32_t width, std::int32_t height,
              std::uint32_t layer)
 {
-    add(cells, {{x, y}, {x + width, y}, {x + width, y + height}, {x, y + height}}, layer);
+    add_polygon(cells, {{x, y}, {x + width, y}, {x + width, y + height}, {x, y + height}}, layer);
 }
 
 }  // namespace
@@ -152,7 +154,7 @@ TEST_CASE("slabs that cannot be are refused, and the solid is empty", "[layered_
     CHECK(refusal({{layer_a, 1.0f}, {layer_a, 1.0f}}) == "top");
     CHECK(refusal({{layer_a, std::numeric_limits<float>::infinity()}}) == "top");
     CHECK(refusal({{~layer_a, 1.0f}}) == "cells");
-    CHECK(refusal({{layer_a, 1.0f}}, std::numeric_limits<float>::quiet_NaN()) == "bottom");
+    CHECK(refusal({{layer_a, 1.0f}}, std::numeric_limits<float>::quiet_NaN()) == "height");
     CHECK(refusal({{layer_a, 1.0f, -0.1f}}) == "bevel");
     CHECK(refusal({{layer_a, 1.0f}, {layer_a, 2.0f, 0.0f, std::numeric_limits<float>::infinity()}}) == "bevel");
     CHECK(refusal({{layer_a, 1.0f, 0.1f, 0.0f, layer_a}, {layer_a, 2.0f}}) == "rim");
@@ -206,4 +208,73 @@ TEST_CASE("boxes with bevels and fillets in a grid of their own are closed, wher
     }
     CHECK(with_fillet > 2);
     CHECK(without > 2);
+}
+
+TEST_CASE("tangents are perpendicular to the normals, and on all but walls they point where u grows", "[layered_solid]")
+{
+    struct lit {
+        vec3 position, normal;
+        vec4 tangent;
+        vec2 uv;
+    };
+    constexpr auto all = attribute::position | attribute::normal | attribute::tangent | attribute::uv;
+    constexpr auto as_lit = [](const surface_point<all>& p) noexcept {
+        return lit{p.position, p.normal, p.tangent, p.uv};
+    };
+    const auto dot = [](vec3 a, vec3 b) { return a.x * b.x + a.y * b.y + a.z * b.z; };
+    const auto minus = [](vec3 a, vec3 b) { return vec3{a.x - b.x, a.y - b.y, a.z - b.z}; };
+    const auto turned = [](vec3 a, vec3 b) {
+        return vec3{a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+    };
+    layer_arrangement cells;
+    layered_solid solid;
+    workspace space;
+    grid em;
+    em.cells = 1000.0;
+    em.units_per_em = 1.0;
+    cells.begin(em);
+    add_box(cells, 0, 0, 1000, 1000, 0);
+    add_box(cells, 300, 300, 400, 400, 1);
+    REQUIRE(cells.cut(space));
+    const layered_solid::slab slabs[] = {{layer_a, 1.0f, 0.1f}, {layer_b, 2.0f, 0.05f, 0.05f}};
+    REQUIRE(solid.plan(cells, {.bevel = 0.1f, .round = true}, {slabs, 2}, 4, monotone{}, space));
+    for (const bool mirrored : {false, true})
+        for (const uv_origin origin : {uv_origin::top_left, uv_origin::bottom_left})
+            for (const frame& axes : {right_handed_y_up, left_handed_y_up, right_handed_z_up}) {
+                layered_placement to{{.unit_per_cell = 0.001, .em_per_cell = 0.001, .frame = axes}, mirrored};
+                to.at.frame.uv = origin;
+                std::vector<lit> vertices;
+                std::vector<std::uint32_t> indices;
+                REQUIRE(solid.write(into(vertices, indices, as_lit), to));
+                std::size_t leaning = 0, wrong_u = 0, wrong_v = 0, outside = 0;
+                for (const lit& v : vertices) {
+                    const vec3 t{v.tangent.x, v.tangent.y, v.tangent.z};
+                    leaning += !(std::fabs(dot(t, t) - 1.0f) < 1e-5f && std::fabs(dot(t, v.normal)) < 1e-5f);
+                    const float upright = origin == uv_origin::top_left ? 1.0f - v.uv.y : v.uv.y;
+                    outside += !(upright >= 0.0f && upright <= 1.0f);
+                }
+                std::size_t flat = 0;
+                for (std::size_t i = 0; i < indices.size(); i += 3) {
+                    const lit &a = vertices[indices[i]], &b = vertices[indices[i + 1]], &c = vertices[indices[i + 2]];
+                    const vec3 p = minus(b.position, a.position), q = minus(c.position, a.position);
+                    const vec2 s{b.uv.x - a.uv.x, b.uv.y - a.uv.y}, r{c.uv.x - a.uv.x, c.uv.y - a.uv.y};
+                    const float area = s.x * r.y - r.x * s.y;
+                    if (!(std::fabs(area) > 1e-9f)) continue;  // of a wall
+                    ++flat;
+                    const vec3 u{(p.x * r.y - q.x * s.y) / area, (p.y * r.y - q.y * s.y) / area,
+                                 (p.z * r.y - q.z * s.y) / area};
+                    const vec3 v{(q.x * s.x - p.x * r.x) / area, (q.y * s.x - p.y * r.x) / area,
+                                 (q.z * s.x - p.z * r.x) / area};
+                    for (const lit& l : {a, b, c}) {
+                        const vec3 t{l.tangent.x, l.tangent.y, l.tangent.z};
+                        wrong_u += !(dot(t, u) > 0.0f);
+                        wrong_v += !(l.tangent.w * dot(turned(l.normal, t), v) > -1e-5f);  // 0 at a wall's end
+                    }
+                }
+                CHECK(flat > 20);
+                CHECK(leaning == 0);
+                CHECK(wrong_u == 0);
+                CHECK(wrong_v == 0);
+                CHECK(outside == 0);
+            }
 }

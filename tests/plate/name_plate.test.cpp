@@ -20,6 +20,7 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <map>
 #include <set>
 #include <string>
 #include <utility>
@@ -545,5 +546,38 @@ TEST_CASE("whichever request for memory fails, a plate says so, and then it is m
             }
             CHECK(counted.bytes_held == 0);
         }
+    }
+}
+
+TEST_CASE("a picture lies on a plate as on its letters: u and v are the text's own, to the bit", "[plate]")
+{
+    struct textured {
+        vec3 position;
+        vec2 uv;
+    };
+    constexpr auto as_textured = [](const surface_point<attribute::position | attribute::uv>& p) noexcept {
+        return textured{p.position, p.uv};
+    };
+    auto font = test::opened(test::dejavu);
+    text_mesher mesher{font, flat{}};
+    for (const uv_origin origin : {uv_origin::top_left, uv_origin::bottom_left}) {
+        auto text = test::required(mesher.plan("B8\ng", {.size = 3.0, .frame = {.uv = origin}}));
+        std::vector<textured> letters, vertices;
+        std::vector<std::uint32_t> indices;
+        REQUIRE(text->write(into(letters, indices, as_textured)));
+        std::map<std::pair<float, float>, vec2> of_letters;
+        for (const textured& v : letters) of_letters[{v.position.x, v.position.y}] = v.uv;
+        name_plate plate;
+        REQUIRE(plate.plan(*text, {}, monotone{}));
+        REQUIRE(plate.write(0, into(vertices, indices, as_textured)));
+        std::size_t found = 0, wrong = 0;
+        for (const textured& v : vertices) {
+            const auto letter = of_letters.find({v.position.x, v.position.y});
+            if (letter == of_letters.end()) continue;
+            ++found;
+            wrong += !(letter->second == v.uv);
+        }
+        CHECK(found >= letters.size());
+        CHECK(wrong == 0);
     }
 }

@@ -12,21 +12,21 @@
 
 namespace test {
 
-/// A box of 1000 cells, which are one em, and a box of 400 cells at a place within it.
+/// A box of 1000 cells, which are one em, and a box of 400 cells at a place within it, which is counted from `origin`.
 struct rim_boxes {
     static constexpr typemesh::cell_set pocket = typemesh::cells_of_layer(0), plate = typemesh::cells_of_layer(1);
 
     typemesh::layer_arrangement cells;
     typemesh::workspace space;
 
-    explicit rim_boxes(std::int32_t x = 300, std::int32_t y = 300)
+    explicit rim_boxes(std::int32_t x = 300, std::int32_t y = 300, typemesh::grid_point origin = {})
     {
         typemesh::grid em;
         em.cells = 1000.0;
         em.units_per_em = 1.0;
         cells.begin(em);
-        add(0, 0, 1000, 1);
-        add(x, y, 400, 0);
+        add(origin.x, origin.y, 1000, 1);
+        add(origin.x + x, origin.y + y, 400, 0);
         REQUIRE(cells.cut(space));
     }
 

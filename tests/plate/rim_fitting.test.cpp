@@ -54,3 +54,19 @@ TEST_CASE("what meets a rim becomes narrower, and what stands on a rim or beyond
         CHECK(widths.fillet == 0.0f);
     }
 }
+
+TEST_CASE("a fillet near the grid's end becomes narrower until its surroundings have room there", "[rim_fitting]")
+{
+    constexpr auto end = static_cast<std::int32_t>(grid::reach);
+    test::rim_boxes boxes{300, 300, {end - 1010, -500}};  // the box has 310 cells beside it
+    rim_fitting rims;
+    rim_widths widths{0.05f, 0.1f};
+    CHECK_FALSE(rims.fit(boxes.cells, test::rim_boxes::plate, test::rim_boxes::pocket, widths, {}, monotone{}));
+    CHECK(widths.bevel == 0.05f);
+    CHECK(widths.fillet > 0.04f);
+    CHECK(widths.fillet < 0.1f);
+    test::rim_boxes last{580, 300, {end - 1010, -500}};  // 30 cells, which have room for no surroundings
+    widths = {0.0f, 0.1f};
+    CHECK_FALSE(rims.fit(last.cells, test::rim_boxes::plate, test::rim_boxes::pocket, widths, {}, monotone{}));
+    CHECK(widths.fillet == 0.0f);
+}

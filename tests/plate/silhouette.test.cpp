@@ -88,6 +88,7 @@ TEST_CASE("a union has no overlap, and its holes can be filled", "[silhouette]")
     CHECK(s.starts().size() == 2);
     s.begin({});
     CHECK(s.empty());
+    CHECK((s.low() == grid_point{} && s.high() == grid_point{}));
     REQUIRE(s.fill(space));
     REQUIRE(s.fill_holes(space));
     REQUIRE(s.add_diamond({5, 5}, 3));
@@ -95,4 +96,14 @@ TEST_CASE("a union has no overlap, and its holes can be filled", "[silhouette]")
     s.begin({});
     REQUIRE(s.add_rectangle({5, 5}, {5, 9}, 0.0, 1.0));  // without width
     CHECK(s.empty());
+}
+
+TEST_CASE("a loop keeps its first point, wherever the one before it has ended", "[silhouette]")
+{
+    silhouette alone, after;
+    for (silhouette* s : {&alone, &after}) s->begin({});
+    REQUIRE(after.add_rectangle({0, 0}, {1000, 1000}, 100.0, 1.0));  // it ends at (1000, 100), where the next begins
+    for (silhouette* s : {&alone, &after}) REQUIRE(s->add_rectangle({0, -800}, {1000, 200}, 100.0, 1.0));
+    const array_view<const grid_point> wanted = alone.points(), found = after.points().subspan(after.starts()[1]);
+    CHECK(std::equal(found.begin(), found.end(), wanted.begin(), wanted.end()));
 }

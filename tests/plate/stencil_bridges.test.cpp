@@ -172,3 +172,55 @@ TEST_CASE("after the last bars, the islands that are loose are counted anew", "[
     CHECK(bridges.report().islands == 1);
     CHECK(bridges.report().bridges == 2);
 }
+
+TEST_CASE("the bridges of an island are the same wherever it lies among others", "[plate][stencil]")
+{
+    workspace space;
+    layer_arrangement cells;
+    silhouette plate, outer, inner, bars;
+    stencil_bridges bridges;
+    const cell_set solid = cells_of_layer(0) & ~(cells_of_layer(1) & ~cells_of_layer(2));
+    for (const std::int32_t width : {1, 300, 1500}) {  // the last one is wider than the islands
+        std::vector<stencil_bar> alone;
+        for (const std::int32_t count : {1, 7}) {
+            for (silhouette* s : {&plate, &outer, &inner, &bars}) s->begin({});
+            REQUIRE(plate.add_rectangle({0, 0}, {9000 * count, 9000 * count}, 0.0, 1.0));
+            for (std::int32_t k = 0; k < count * count; ++k) {
+                const std::int32_t x = 9000 * (k % count), y = 9000 * (k / count);
+                REQUIRE(outer.add_rectangle({x + 2000, y + 2000}, {x + 7100, y + 6000}, 700.0, 9.0));
+                REQUIRE(inner.add_rectangle({x + 4000, y + 3900}, {x + 5000, y + 4900}, 300.0, 9.0));
+            }
+            cells.begin({});
+            std::uint32_t layer = 0;
+            for (const silhouette* s : {&plate, &outer, &inner}) REQUIRE(cells.add(s->points(), s->starts(), layer++));
+            REQUIRE(cells.cut(space));
+            bridges.clear();
+            CHECK(std::string{bridges.tie(cells, solid, 4, {width, 9}, bars, space).error().option} == "per_island");
+            CHECK((bridges.bars().empty() && bars.empty()));
+            REQUIRE(bridges.tie(cells, solid, 4, {width, 3}, bars, space));
+            CHECK(bridges.report().islands == static_cast<std::uint32_t>(count * count));
+            std::vector<stencil_bar> made{bridges.bars().begin(), bridges.bars().end()};
+            if (count == 1) alone = made;
+            REQUIRE((alone.size() >= 2 && made.size() == alone.size() * bridges.report().islands));
+            std::size_t others = 0;
+            for (std::size_t i = 0; i < made.size(); ++i) {
+                const stencil_bar &own = made[i], &one = alone[i % alone.size()];
+                const std::int32_t x = own.low.x - one.low.x, y = own.low.y - one.low.y;
+                others += x % 9000 != 0 || y % 9000 != 0 || own.upright != one.upright ||
+                          own.high.x - one.high.x != x || own.high.y - one.high.y != y;
+            }
+            CHECK(others == 0);
+        }
+    }
+}
+
+TEST_CASE("bridges that are wanted narrower than a cell still tie", "[plate][stencil]")
+{
+    auto font = test::opened(test::dejavu);
+    text_mesher mesher{font, flat{}};
+    auto text = test::required(mesher.plan("O", {}));
+    name_plate plate;
+    REQUIRE(plate.plan(*text, {.style = plate_style::cut, .bridge_width = 1e-9f}, monotone{}));
+    CHECK(plate.stencil().islands == 1);
+    CHECK(plate.stencil().loose == 0);
+}

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <typemesh/core/contours.hpp>
-#include <typemesh/core/impl/same.hpp>
 #include <typemesh/core/memory.hpp>
 #include <typemesh/core/triangle.hpp>
 #include <typemesh/extrude/extruder.hpp>

@@ -65,7 +65,7 @@ public:
     /// Keeps a copy of a region, with its curves, as the next glyph's finest level. A region without points is a blank
     /// glyph.
     ///
-    /// Fails  only with error::out_of_memory
+    /// Fails  only with error::out_of_memory. The glyphs that are kept already stay as they are
     [[nodiscard]] error keep(const region& filled) noexcept
     {
         kept made;
@@ -82,13 +82,13 @@ public:
         made.is_touching = filled.is_touching();
         made.corners = filled.corners();
         made.is_sorted = !filled.order().empty();
-        if (!points_.append(filled.points()) || !edges_.append(filled.edges()) || !starts_.append(filled.starts()) ||
-            !curves_.append(filled.curves()))
-            return error::out_of_memory;
-        std::uint32_t* const order = order_.append(made.points);
-        if (order == nullptr && made.points != 0) return error::out_of_memory;
-        for (std::size_t i = 0; i < filled.order().size(); ++i) order[i] = filled.order()[i];
-        return glyphs_.push_back(made) ? error{} : error{error::out_of_memory};
+        if (append(filled) && glyphs_.push_back(made)) return {};
+        points_.truncate(made.point);
+        edges_.truncate(made.point);
+        order_.truncate(made.point);
+        starts_.truncate(made.start);
+        curves_.truncate(made.curve);
+        return error::out_of_memory;
     }
 
     /// The number of glyphs.
@@ -130,7 +130,7 @@ public:
     [[nodiscard]] array_view<const triangle> triangles() const noexcept { return triangles_.view(); }
 
 private:
-    /// A glyph's part of the arrays below. Its points and loops become fewer.
+    /// A glyph's part of the arrays below. Its points become fewer.
     struct kept {
         std::size_t point = 0, start = 0, curve = 0;  // the first
         std::size_t points = 0, loops = 0, curves = 0;
@@ -140,6 +140,17 @@ private:
         bool is_touching = false, is_sorted = false;
         touching corners = touching::keep;
     };
+
+    /// Copies a region to the ends of all arrays. False if out of memory; some of them may then be longer.
+    [[nodiscard]] bool append(const region& filled) noexcept
+    {
+        const std::size_t count = filled.points().size();
+        std::uint32_t* const order = order_.append(count);
+        if (order == nullptr && count != 0) return false;
+        for (std::size_t i = 0; i < filled.order().size(); ++i) order[i] = filled.order()[i];
+        return points_.append(filled.points()) && edges_.append(filled.edges()) && starts_.append(filled.starts()) &&
+               curves_.append(filled.curves());
+    }
 
     /// Drops points first, then lets the triangulator prove the level.
     ///

@@ -61,6 +61,7 @@ public:
     /// traced edge names its source as its curve. Where boundaries coincide, the lowest number is named, so add first
     /// what should be named.
     ///
+    ///     starts   the number of each loop's first point, and at the end the number of points; empty without points
     ///     layer    below max_layers. Points are processed 2^layer times: the largest region should have layer 0
     ///
     /// Fails  error::too_large, error::out_of_memory; the layers are then unchanged
@@ -71,11 +72,13 @@ public:
         clear_pieces();
         const std::size_t copies = std::size_t{1} << layer, count = points.size();
         if (count == 0) return {};
+        TYPEMESH_ASSERT(!starts.empty() && starts.front() == 0 && starts.back() == count,
+                        "the starts of loops begin with 0 and end with the number of points");
         if (count > (std::size_t{1} << 29) / copies || loops_.points.size() > (std::size_t{1} << 29) - copies * count)
             return error::too_large;
-        const std::size_t loops = starts.size() - 1, room = copies * count;
+        const std::size_t room = copies * count;
         if (!loops_.points.reserve(loops_.points.size() + room) || !loops_.edges.reserve(loops_.edges.size() + room) ||
-            !loops_.starts.reserve(loops_.starts.size() + copies * loops + 1))
+            !loops_.starts.reserve(loops_.starts.size() + copies * starts.size() + 1))
             return error::out_of_memory;
         if (loops_.starts.empty()) loops_.starts.push_back_unchecked(0);
         for (std::size_t copy = 0; copy < copies; ++copy) {
@@ -84,7 +87,7 @@ public:
                 loops_.points.push_back_unchecked(points[i]);
                 loops_.edges.push_back_unchecked({sources_ + static_cast<std::uint32_t>(i), 0.0f, 1.0f});
             }
-            for (std::size_t k = 1; k <= loops; ++k) loops_.starts.push_back_unchecked(first + starts[k]);
+            for (std::size_t k = 1; k < starts.size(); ++k) loops_.starts.push_back_unchecked(first + starts[k]);
         }
         sources_ += static_cast<std::uint32_t>(count);
         loops_.forget_order();
@@ -169,7 +172,8 @@ public:
         return region::proven(out, cycles.holes, cycles.outers, touches);
     }
 
-    /// Twice the area that some cells fill, in cells of the grid; exact. The set must be bounded.
+    /// Twice the area that some cells fill, in cells of the grid; exact. An unbounded set has minus the area of its
+    /// complement: what is missing from the whole plane.
     [[nodiscard]] std::int64_t doubled_area(cell_set cells) const noexcept
     {
         std::uint64_t sum = 0;  // partial sums may wrap; the total, below 2^59, cannot

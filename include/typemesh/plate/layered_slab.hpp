@@ -30,8 +30,10 @@ struct layered_slab {
     float top = 0.0f;     ///< the height of its upper side, in output units
     float bevel = 0.0f;   ///< the width and depth of the bevel along its upper rim, in em; 0: none
     float fillet = 0.0f;  ///< the radius of the fillet at its foot, where it stands on the slab below, in em
-    cell_set rim = {};    ///< for the last slab only: the cells whose outline is bevelled, if it is not `filled`.
-                          ///< They contain `filled`; the rims of what is missing stay sharp
+    cell_set rim = {};    ///< the cells whose outline is bevelled, if it is not the one of `filled`. They contain
+                          ///< `filled`; the rims of the pockets that are missing from it stay sharp: what fills the
+                          ///< pockets of an inlay meets them there. For the last slab only: inside of a bevel there
+                          ///< may be pockets, or the foot of the next slab, but not both
 
     /// The cells whose outline is bevelled.
     [[nodiscard]] constexpr cell_set outline() const noexcept { return rim.labels != 0 ? rim : filled; }

@@ -10,7 +10,8 @@
 #include <typemesh/core/result.hpp>
 #include <typemesh/core/triangle.hpp>
 #include <typemesh/core/workspace.hpp>
-#include <typemesh/extrude/placement.hpp>
+#include <typemesh/extrude/texture.hpp>
+#include <typemesh/extrude/texture_tangent.hpp>
 #include <typemesh/plate/cell_set.hpp>
 #include <typemesh/plate/impl/edge_normals.hpp>
 #include <typemesh/plate/impl/rim_fitting.hpp>
@@ -18,7 +19,9 @@
 #include <typemesh/plate/impl/rim_sheets.hpp>
 #include <typemesh/plate/impl/slab_walls.hpp>
 #include <typemesh/plate/layer_arrangement.hpp>
+#include <typemesh/plate/layered_placement.hpp>
 #include <typemesh/plate/layered_slab.hpp>
+#include <typemesh/plate/plate_part.hpp>
 #include <typemesh/triangulate/impl/triangulator_ref.hpp>
 #include <typemesh/vertex/mesh_range.hpp>
 #include <typemesh/vertex/mesh_sink.hpp>
@@ -30,34 +33,6 @@
 #include <type_traits>
 
 namespace typemesh::inline TYPEMESH_ABI {
-
-/// The position of a layered solid in the output.
-struct layered_placement {
-    placement at;           ///< maps the grid's cells to the plane of the output; heights are in output units
-    bool mirrored = false;  ///< x is replaced by -x before `at` is applied, and the triangles stay outward
-
-    /// The point of the plane where a point of the solid lies.
-    [[nodiscard]] grid_point place(grid_point p) const noexcept { return {mirrored ? -p.x : p.x, p.y}; }
-    /// Whether triangles are written the other way round, so that they stay outward.
-    [[nodiscard]] bool turns_triangles() const noexcept { return at.frame.turns_triangles() != mirrored; }
-};
-
-/// The parts of a layered solid, in the order of the output. As numbers of typemesh::part the first three are front,
-/// back and side, and two are the bevels.
-enum class plate_part : std::uint8_t {
-    front,        ///< the faces towards the reader at the highest level: letters that stand, or the face of a cut plate
-    back,         ///< the faces away from the reader
-    rim,          ///< the walls on the edges of the sources below `rim_sources`
-    front_bevel,  ///< the bevel around the front
-    back_bevel,   ///< the bevel around the back
-    floor,        ///< the faces towards the reader at lower levels
-    wall,         ///< all other walls
-    floor_bevel,  ///< the bevels and fillets around floors
-};
-/// All parts of a layered solid.
-inline constexpr plate_part all_plate_parts[] = {plate_part::front,       plate_part::back,       plate_part::rim,
-                                                 plate_part::front_bevel, plate_part::back_bevel, plate_part::floor,
-                                                 plate_part::wall,        plate_part::floor_bevel};
 
 /// A solid made of horizontal slabs. In each slab, it fills a set of cells of one arrangement.
 ///
@@ -106,7 +81,8 @@ public:
     ///     rim_sources  walls on sources with lower numbers belong to plate_part::rim, all others to plate_part::wall
     ///
     /// Fails  error::bad_option: no slab or more than max_slabs, where a level with a bevel or a fillet counts as one
-    ///        more ("slabs"); heights that do not ascend or are not finite ("top"); a bevel or a fillet that is not
+    ///        more ("slabs"); a lower side that is not at a finite height ("height"); upper sides that do not ascend
+    ///        or are not finite ("top"); a bevel or a fillet that is not
     ///        finite or is negative ("bevel"); a rim of another slab than the last, or one that does not contain the
     ///        slab's cells ("rim"); an unbounded set ("cells"); a scale that is not positive ("unit_per_em"); a
     ///        tolerance that is negative ("tolerance"); a bevel or a fillet on a grid without units ("units_per_em").
@@ -187,7 +163,9 @@ public:
     }
 
     /// Emits every vertex and every triangle once, in ascending order, part by part. Of a surface point's attributes,
-    /// position, normal, part and uv are set. uv are the coordinates in the plane, in em.
+    /// position, normal, tangent, part and uv are set; the others say that they are unknown. uv are everywhere as on
+    /// caps in em mapping (texture.hpp). On walls they do not change from bottom to top, so the tangent there is the
+    /// one of box mapping (texture_tangent.hpp).
     template <class Sink>
         requires mesh_sink<std::remove_reference_t<Sink>>
     result<void> write(Sink&& sink, const layered_placement& to) const noexcept
@@ -213,7 +191,7 @@ private:
                                     std::uint32_t rim_sources, triangulator_ref cut, workspace& space) noexcept
     {
         if (slabs.empty() || slabs.size() > max_slabs) return error::bad("slabs");
-        if (!is_finite(as_double(base.height))) return error::bad("bottom");
+        if (!is_finite(as_double(base.height))) return error::bad("height");
         cells_ = &cells;
         rim_sources_ = rim_sources;
         if (error e = detail::settle_widths(base, slabs, lower_, widths_)) return e;
@@ -411,39 +389,47 @@ private:
     void write_vertices(plate_part p, Sink& sink, const layered_placement& to) const noexcept
     {
         constexpr attribute wants = std::remove_reference_t<Sink>::wants;
-        const auto put = [&](grid_point at, float height, vec3 normal) noexcept {
+        const planar_texture uv{texture_mapping::em, to.at};
+        const texture_tangent tangents{to.at.frame};
+        const auto put = [&](grid_point at, float height, vec3 normal, const auto& tangent) noexcept {
             const grid_point placed = to.place(at);
             surface_point<wants> v;
             if constexpr (has(wants, attribute::position)) v.position = to.at.position(placed, height);
             if constexpr (has(wants, attribute::normal)) v.normal = normal;
+            if constexpr (has(wants, attribute::tangent)) v.tangent = tangent();
             if constexpr (has(wants, attribute::part)) v.part = static_cast<part>(p);
-            if constexpr (has(wants, attribute::uv))
-                v.uv = {static_cast<float>(to.at.em_per_cell * placed.x),
-                        static_cast<float>(to.at.em_per_cell * placed.y)};
+            if constexpr (has(wants, attribute::uv)) v.uv = uv(placed);
             sink.vertex(v);
         };
         for (const level_cap& c : caps_) {
             if (c.of != p) continue;
-            const vec3 normal = to.at.direction(0.0f, 0.0f, c.up ? 1.0f : -1.0f);
-            for (std::uint32_t i = 0; i < c.point_count; ++i) put(points_[c.first_point + i], c.height, normal);
+            const float facing = c.up ? 1.0f : -1.0f;
+            const vec3 normal = to.at.direction(0.0f, 0.0f, facing);
+            for (std::uint32_t i = 0; i < c.point_count; ++i)
+                put(points_[c.first_point + i], c.height, normal,
+                    [&]() noexcept { return tangents.on_cap(to.at, facing); });
         }
         for (const detail::rim_sheets::sheet& s : sheets_.all()) {
             if (s.of != static_cast<std::uint32_t>(p)) continue;
-            for (const detail::rim_sheets::vertex& v : sheets_.vertices(s))
-                put(v.at, detail::rim_sheets::height(s, v),
-                    to.at.direction((to.mirrored ? -v.out : v.out) * v.outward.x, v.out * v.outward.y,
-                                    s.up ? v.up : -v.up));
+            const float facing = s.up ? 1.0f : -1.0f;
+            for (const detail::rim_sheets::vertex& v : sheets_.vertices(s)) {
+                const vec2 outward = to.turn(v.outward);
+                const vec3 n{v.out * outward.x, v.out * outward.y, facing * v.up};
+                put(v.at, detail::rim_sheets::height(s, v), to.at.direction(n),
+                    [&]() noexcept { return tangents.on_rim(to.at, n, facing); });
+            }
         }
         if (p != plate_part::rim && p != plate_part::wall) return;
         each_wall([&](const layer_arrangement::piece& s, const detail::slab_walls::wall& w) noexcept {
             if (part_of(s) != p) return;
-            const auto outwards = [&](float t) noexcept {
-                const vec2 n = normals_.at(s, t, w.side);
-                return to.at.normal({to.mirrored ? -n.x : n.x, n.y});
+            const auto put_column = [&](grid_point at, std::uint32_t levels, float t) noexcept {
+                const vec2 n = to.turn(normals_.at(s, t, w.side));
+                w.each_height(levels, [&, normal = to.at.normal(n)](std::uint32_t level) noexcept {
+                    put(at, walls_.height[level], normal, [&]() noexcept { return tangents.on_wall(to.at, n); });
+                });
             };
-            const vec3 from = outwards(s.source.t0), end = outwards(s.source.t1);
-            w.each_height(w.at_from, [&](std::uint32_t level) noexcept { put(s.from, walls_.height[level], from); });
-            w.each_height(w.at_to, [&](std::uint32_t level) noexcept { put(s.to, walls_.height[level], end); });
+            put_column(s.from, w.at_from, s.source.t0);
+            put_column(s.to, w.at_to, s.source.t1);
         });
     }
 
@@ -493,8 +479,7 @@ private:
     double of_rims_ = 0.0;  // the volume beside the walls' slabs
     const layer_arrangement* cells_ = nullptr;
     std::uint32_t rim_sources_ = 0, touching_ = 0, hanging_ = 0;
-    static constexpr std::size_t part_numbers = 8;
-    mesh_size sizes_[part_numbers];  // by the part's number
+    mesh_size sizes_[sizeof all_plate_parts];  // by the part's number
 };
 
 }  // namespace typemesh::inline TYPEMESH_ABI

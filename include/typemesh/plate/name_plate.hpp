@@ -233,7 +233,8 @@ private:
     {
         const grid_point low = plate_.low(), high = plate_.high();
         const std::int32_t longest = high.x - low.x > high.y - low.y ? high.x - low.x : high.y - low.y;
-        const std::int32_t wanted = in_cells(how.bridge_width), width = wanted < longest ? wanted : longest;
+        const std::int32_t wanted = in_cells(how.bridge_width), narrow = wanted < longest ? wanted : longest,
+                           width = narrow > 1 ? narrow : 1;
         bool more = true;
         for (int round = 0; more && round < stencil_bridges::max_rounds; ++round) {
             const auto added =

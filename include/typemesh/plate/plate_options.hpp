@@ -6,6 +6,7 @@
 #include <typemesh/core/max_pieces.hpp>
 #include <typemesh/core/point.hpp>
 #include <typemesh/core/touching.hpp>
+#include <typemesh/plate/stencil_wishes.hpp>
 
 #include <cstdint>
 
@@ -41,7 +42,7 @@ struct plate_options {
     float ring_width = 0.06f;    ///< the width of the ring around this hole; the ring overlaps the plate by this width
     float bridge_width = 0.0f;   ///< the width of the bridges of a stencil (plate_style::cut), never wider than
                                  ///< the plate's longer side; 0: none
-    std::uint32_t bridges = 2;   ///< the number of bridges per island, 1 to 8
+    std::uint32_t bridges = 2;   ///< the number of bridges per island, 1 to 8 (stencil_wishes)
     touching corners = touching::part;  ///< part: corners that touch are separated, so that the mesh is strictly
                                         ///< 2-manifold; keep: they stay as drawn. join is as part, except within a
                                         ///< silhouette
@@ -60,7 +61,7 @@ struct plate_options {
         if (!is_length(ring_hole)) return error::bad("ring_hole");
         if (!is_length(ring_width) || !(ring_width > 0.0f)) return error::bad("ring_width");
         if (!is_length(bridge_width)) return error::bad("bridge_width");
-        if (bridges < 1 || bridges > 8) return error::bad("bridges");
+        if (bridges < 1 || bridges > stencil_wishes::max_per_island) return error::bad("bridges");
         return {};
     }
 

@@ -9,7 +9,6 @@
 #include <typemesh/core/fill_rule.hpp>
 #include <typemesh/core/impl/steady.hpp>
 #include <typemesh/core/max_pieces.hpp>
-#include <typemesh/core/region.hpp>
 #include <typemesh/core/result.hpp>
 #include <typemesh/core/touching.hpp>
 #include <typemesh/core/workspace.hpp>
@@ -156,16 +155,16 @@ public:
     }
     [[nodiscard]] bool empty() const noexcept { return loops_.points.empty(); }
 
-    /// The corners of its bounding box; meaningless if it is empty.
+    /// The corners of its bounding box; both are (0, 0) if it is empty.
     [[nodiscard]] grid_point low() const noexcept
     {
-        grid_point p = loops_.points[0];
+        grid_point p = empty() ? grid_point{} : loops_.points[0];
         for (const grid_point q : loops_.points) p = {q.x < p.x ? q.x : p.x, q.y < p.y ? q.y : p.y};
         return p;
     }
     [[nodiscard]] grid_point high() const noexcept
     {
-        grid_point p = loops_.points[0];
+        grid_point p = empty() ? grid_point{} : loops_.points[0];
         for (const grid_point q : loops_.points) p = {q.x > p.x ? q.x : p.x, q.y > p.y ? q.y : p.y};
         return p;
     }
@@ -182,6 +181,11 @@ private:
         return static_cast<std::int64_t>(area) > 0;
     }
 
+    /// The index of the first point of the loop that is being added.
+    [[nodiscard]] std::size_t first_of_loop() const noexcept
+    {
+        return loops_.starts.empty() ? 0 : loops_.starts.back();
+    }
     [[nodiscard]] bool put(grid_point p) noexcept
     {
         if (loops_.starts.empty() && !loops_.starts.push_back(0)) return false;
@@ -189,7 +193,7 @@ private:
     }
     [[nodiscard]] bool close() noexcept
     {
-        const std::size_t first = loops_.starts.back();
+        const std::size_t first = first_of_loop();
         if (loops_.points.size() > first + 1 && loops_.points.back() == loops_.points[first]) {  // round sides
             loops_.points.truncate(loops_.points.size() - 1);
             loops_.edges.truncate(loops_.edges.size() - 1);
@@ -222,7 +226,7 @@ private:
             };
             const grid_point p{corner.x - sx * inwards(detail::steady_cosine(angle)),
                                corner.y - sy * inwards(detail::steady_sine(angle))};
-            if (loops_.points.size() > loops_.starts.size() && p == loops_.points.back()) continue;
+            if (loops_.points.size() > first_of_loop() && p == loops_.points.back()) continue;
             if (!put(p)) return false;
         }
         return true;

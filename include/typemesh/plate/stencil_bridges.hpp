@@ -6,13 +6,16 @@
 #include <typemesh/core/contours.hpp>
 #include <typemesh/core/error.hpp>
 #include <typemesh/core/impl/heap_sort.hpp>
+#include <typemesh/core/point.hpp>
 #include <typemesh/core/region.hpp>
 #include <typemesh/core/result.hpp>
 #include <typemesh/core/workspace.hpp>
+#include <typemesh/extrude/impl/box_tree.hpp>
 #include <typemesh/fill/outer_of.hpp>
 #include <typemesh/plate/cell_set.hpp>
 #include <typemesh/plate/layer_arrangement.hpp>
 #include <typemesh/plate/silhouette.hpp>
+#include <typemesh/plate/stencil_wishes.hpp>
 
 #include <cmath>
 #include <cstddef>
@@ -33,12 +36,6 @@ struct stencil_bar {
     bool upright = true;  ///< whether its ends, which lie in solid plate, are its lower and upper sides
 
     [[nodiscard]] constexpr std::int32_t width() const noexcept { return upright ? high.x - low.x : high.y - low.y; }
-};
-
-/// The bridges that an island gets.
-struct stencil_wishes {
-    std::int32_t width = 0;        ///< the width of a bridge, in cells
-    std::uint32_t per_island = 1;  ///< the number of bridges per island
 };
 
 /// Finds the bridges that tie the islands of a stencil: the counters of cut letters, which would fall out.
@@ -62,7 +59,14 @@ public:
     static constexpr int max_rounds = 8;  ///< the greatest number of rounds: tie() is called until nothing is loose
 
     explicit stencil_bridges(memory source = heap()) noexcept
-        : loops_{source}, component_{source}, tied_{source}, hits_{source}, lines_{source}, made_{source}
+        : loops_{source},
+          component_{source},
+          tied_{source},
+          edges_{source},
+          tree_{source},
+          hits_{source},
+          lines_{source},
+          made_{source}
     {
     }
 
@@ -106,21 +110,36 @@ public:
     /// Returns whether bars were added: then make the arrangement with them, and call tie() again, or count() after the
     /// last round.
     ///
-    /// Fails  error::out_of_memory, and as layer_arrangement::trace() does
-    /// Cost   O(islands * places * edges) for the places that are tried
+    /// Fails  error::bad_option ("width", "per_island"): a wish outside its range. error::out_of_memory, and as
+    ///        layer_arrangement::trace() does
+    /// Cost   O(edges), and for each of the few hundred lines per bridge O(log(edges)) and the edges that it meets near
+    ///        the island: see box_tree
     [[nodiscard]] result<bool> tie(layer_arrangement& cells, cell_set solid, std::uint32_t rim_edges,
                                    const stencil_wishes& wanted, silhouette& bars, workspace& space) noexcept
     {
         bool more = false;
+        if (error e = wanted.refused()) return e;
         if (const auto counted = count(cells, solid, rim_edges, space); !counted) return counted.error();
+        if (report_.loose == 0) return more;
+        if (error e = list_edges()) return e;
         for (std::uint32_t k = 0; k < region_.loop_count(); ++k) {
             if (component_[k] != k || tied_[k] != 0) continue;
-            if (error e = tie_island(k, wanted.width, wanted.per_island, bars, more)) return e;
+            if (error e = tie_island(island_of(k), wanted, bars, more)) return e;
         }
         return more;
     }
 
 private:
+    /// A component that is not joined to the rim.
+    struct island {
+        std::uint32_t component;
+        detail::grid_box box;
+    };
+    /// An edge of the solid's boundary.
+    struct rim_edge {
+        grid_point from, to;
+        std::uint32_t component;
+    };
     /// A bar across a stroke, in the direction in which it was sought.
     struct bar {
         bool found = false;
@@ -154,30 +173,62 @@ private:
         return {};
     }
 
-    [[nodiscard]] error tie_island(std::uint32_t island, std::int32_t width, std::uint32_t per_island, silhouette& bars,
+    /// Lists the edges, and puts their boxes into a tree.
+    [[nodiscard]] error list_edges() noexcept
+    {
+        const auto points = region_.points();
+        edges_.clear();
+        if (!edges_.reserve(points.size()) || !tree_.open(points.size())) return error::out_of_memory;
+        around_ = {};
+        for (std::uint32_t k = 0; k < region_.loop_count(); ++k) {
+            const std::uint32_t first = region_.starts()[k], end = region_.starts()[k + 1];
+            for (std::uint32_t i = first; i < end; ++i) {
+                const rim_edge e{points[i], points[i + 1 < end ? i + 1 : first], component_[k]};
+                detail::grid_box box;
+                box.add(e.from);
+                box.add(e.to);
+                around_.merge(box);
+                tree_.set(i, box);
+                edges_.push_back_unchecked(e);
+            }
+        }
+        tree_.close();
+        return {};
+    }
+
+    /// The island with this outer loop.
+    [[nodiscard]] island island_of(std::uint32_t loop) const noexcept
+    {
+        island made{loop, {}};
+        for (std::uint32_t i = region_.starts()[loop]; i < region_.starts()[loop + 1]; ++i)
+            made.box.add(edges_[i].from);
+        return made;
+    }
+
+    [[nodiscard]] error tie_island(const island& of, const stencil_wishes& wanted, silhouette& bars,
                                    bool& more) noexcept
     {
-        bar made[8];
-        for (std::uint32_t b = 0; b < per_island; ++b) {
+        bar made[stencil_wishes::max_per_island];
+        const std::int32_t width = wanted.width;
+        for (std::uint32_t b = 0; b < wanted.per_island; ++b) {
             bar best;
-            if (error e = find_bar(island, true, width, made, b, best)) return e;
+            if (error e = find_bar(of, true, width, {made, b}, best)) return e;
             bar level;
-            if (error e = find_bar(island, false, width, made, b, level)) return e;
+            if (error e = find_bar(of, false, width, {made, b}, level)) return e;
             if (level.found && (!best.found || best.length() > 2.0 * level.length())) best = level;
             if (!best.found) break;
             const std::int32_t half = (width + 1) / 2;
             bar exact[2];
             if (error e = spread_lines(best.along, half + 1.0)) return e;
             if (error e = add_corners(best, half + 1.0)) return e;
-            if (error e = bars_at(island, best.upright, best.along, exact)) return e;
+            if (error e = bars_at(of, best.upright, best.along, exact)) return e;
             if (exact[best.up ? 1 : 0].found) best = exact[best.up ? 1 : 0];
             made[b] = best;
-            const auto along = static_cast<std::int32_t>(std::floor(best.along));
             const std::int32_t into = 2 + half / 4;  // so far the bar reaches into the solid
-            const auto low = static_cast<std::int32_t>(std::floor(best.low)) - into,
-                       high = static_cast<std::int32_t>(std::ceil(best.high)) + into;
-            const grid_point from = best.upright ? grid_point{along - half, low} : grid_point{low, along - half},
-                             to = best.upright ? grid_point{along + half, high} : grid_point{high, along + half};
+            const std::int32_t along = down(best.along), low = down(best.low) - into,
+                               high = static_cast<std::int32_t>(std::ceil(best.high)) + into;
+            const grid_point from = place(along - half, low, best.upright),
+                             to = place(along + half, high, best.upright);
             if (const auto done = bars.add_rectangle(from, to, 0.0, 1.0); !done) return done.error();
             if (!made_.push_back({from, to, best.upright})) return error::out_of_memory;
             ++report_.bridges;
@@ -187,17 +238,11 @@ private:
     }
 
     /// The best bar in one direction that keeps away from those made before.
-    [[nodiscard]] error find_bar(std::uint32_t island, bool upright, std::int32_t width, const bar* made,
-                                 std::uint32_t made_count, bar& best) noexcept
+    [[nodiscard]] error find_bar(const island& of, bool upright, std::int32_t width, array_view<const bar> made,
+                                 bar& best) noexcept
     {
         constexpr int places = 17;
-        const std::uint32_t first = region_.starts()[island], end = region_.starts()[island + 1];
-        double low = across(region_.points()[first], upright), high = low;
-        for (std::uint32_t i = first; i < end; ++i) {
-            const double v = across(region_.points()[i], upright);
-            low = v < low ? v : low;
-            high = v > high ? v : high;
-        }
+        const double low = across(of.box.low, upright), high = across(of.box.high, upright);
         const double middle = 0.5 * (low + high), half = 0.5 * width;
         const double reach = 0.5 * (high - low) - half;  // the bar's middle stays so near to the island's
         const int tried = reach > 0.0 ? places : 1;
@@ -208,15 +253,15 @@ private:
             const double along = middle + (tried == 1 ? 0.0 : reach * step / (places / 2));
             bar found[2];
             if (error e = spread_lines(along, half)) return e;
-            if (error e = bars_at(island, upright, along, found)) return e;
+            if (error e = bars_at(of, upright, along, found)) return e;
             for (const bar& b : found) {
                 if (!b.found) continue;
                 double own = b.length() * (1.0 + 0.5 * std::fabs(along - middle) / (high - low));
                 bool free = true;
-                for (std::uint32_t m = 0; m < made_count; ++m) {
-                    if (made[m].upright != b.upright || made[m].up != b.up) continue;
+                for (const bar& other : made) {
+                    if (other.upright != b.upright || other.up != b.up) continue;
                     own *= 4.0;  // the other side is better
-                    free = free && std::fabs(made[m].along - along) >= 2.0 * width;
+                    free = free && std::fabs(other.along - along) >= 2.0 * width;
                 }
                 if (!free || (best.found && own >= cost)) continue;
                 best = b;
@@ -228,16 +273,16 @@ private:
 
     /// The bars at one place: the one that leaves the island upwards, and the one that leaves it downwards. They span
     /// the stroke on each of lines_; the first line is the middle.
-    [[nodiscard]] error bars_at(std::uint32_t island, bool upright, double along, bar* found) noexcept
+    [[nodiscard]] error bars_at(const island& of, bool upright, double along, bar* found) noexcept
     {
         bool ok[2] = {true, true};
         std::uint32_t other[2] = {nothing, nothing};
         double edge[2] = {0.0, 0.0};  // the island's ends on the first line
         for (std::size_t k = 0; k < lines_.size(); ++k) {
-            if (error e = cross(lines_[k], upright)) return e;
+            if (error e = cross(lines_[k], upright, of.box)) return e;
             std::size_t top = 0, bottom = 0;  // 1 + the island's last and first place on the line
             for (std::size_t i = 0; i < hits_.size(); ++i) {
-                if (hits_[i].component != island) continue;
+                if (hits_[i].component != of.component) continue;
                 top = i + 1;
                 if (bottom == 0) bottom = i + 1;
             }
@@ -298,34 +343,50 @@ private:
     /// extremes lie at corners, so the bar then spans the stroke everywhere.
     [[nodiscard]] error add_corners(const bar& b, double half) noexcept
     {
-        const double slack = b.length() + half;
-        for (const grid_point p : region_.points()) {
-            const double x = across(p, b.upright), y = across(p, !b.upright);
-            if (std::fabs(x - b.along) > half + 1.0 || y < b.low - slack || y > b.high + slack) continue;
-            if (!lines_.push_back(x - 0.5) || !lines_.push_back(x + 0.5)) return error::out_of_memory;
-        }
-        return {};
+        const double slack = b.length() + half, wide = half + 1.0;
+        const detail::grid_box window{place(down(b.along - wide), down(b.low - slack), b.upright),
+                                      place(down(b.along + wide), down(b.high + slack), b.upright)};
+        bool ok = true;
+        tree_.each_meeting(window, [&](std::size_t i) noexcept {
+            const double x = across(edges_[i].from, b.upright), y = across(edges_[i].from, !b.upright);
+            if (std::fabs(x - b.along) > wide || y < b.low - slack || y > b.high + slack) return;
+            ok = ok && lines_.push_back(x - 0.5) && lines_.push_back(x + 0.5);
+        });
+        return ok ? error{} : error{error::out_of_memory};
     }
 
-    /// Finds all places where a line crosses the boundary, in ascending order.
-    [[nodiscard]] error cross(double line, bool upright) noexcept
+    /// Finds the places where a line crosses the boundary, in ascending order: those between the ends of a box, and on
+    /// both sides as far as the next one, or farther. The part of the line that is searched grows until it is so.
+    [[nodiscard]] error cross(double line, bool upright, const detail::grid_box& box) noexcept
     {
-        hits_.clear();
-        for (std::uint32_t k = 0; k < region_.loop_count(); ++k) {
-            const std::uint32_t first = region_.starts()[k], end = region_.starts()[k + 1];
-            for (std::uint32_t i = first; i < end; ++i) {
-                const grid_point p = region_.points()[i], q = region_.points()[i + 1 < end ? i + 1 : first];
-                const double a = across(p, upright), b = across(q, upright);
-                if ((a < line) == (b < line)) continue;
-                const double share = (line - a) / (b - a), c = across(p, !upright), d = across(q, !upright);
-                if (!hits_.push_back({c + share * (d - c), component_[k]})) return error::out_of_memory;
-            }
+        const std::int32_t beside = down(line), low = across(box.low, !upright), high = across(box.high, !upright);
+        for (std::int32_t reach = high - low;; reach *= 2) {
+            const std::int32_t from = low - reach, to = high + reach;
+            bool ok = true;
+            hits_.clear();
+            const detail::grid_box window{place(beside, from, upright), place(beside + 1, to, upright)};
+            tree_.each_meeting(window, [&](std::size_t i) noexcept {
+                const rim_edge& e = edges_[i];
+                const double a = across(e.from, upright), b = across(e.to, upright);
+                if ((a < line) == (b < line)) return;
+                const double c = across(e.from, !upright), d = across(e.to, !upright);
+                const double at = c + (line - a) / (b - a) * (d - c);
+                ok = ok && (at < from || at > to || hits_.push_back({at, e.component}));
+            });
+            if (!ok) return error::out_of_memory;
+            detail::heap_sort(hits_.data(), hits_.size());
+            const bool is_whole = from <= across(around_.low, !upright) && to >= across(around_.high, !upright);
+            if (is_whole || (!hits_.empty() && hits_[0].at < low && hits_.back().at > high)) return {};
         }
-        detail::heap_sort(hits_.data(), hits_.size());
-        return {};
     }
 
-    static double across(grid_point p, bool upright) noexcept { return upright ? p.x : p.y; }
+    /// A point's coordinate across the bars of a direction, and the point with two coordinates: across, and along them.
+    static std::int32_t across(grid_point p, bool upright) noexcept { return upright ? p.x : p.y; }
+    static grid_point place(std::int32_t beside, std::int32_t on, bool upright) noexcept
+    {
+        return upright ? grid_point{beside, on} : grid_point{on, beside};
+    }
+    static std::int32_t down(double v) noexcept { return static_cast<std::int32_t>(std::floor(v)); }
 
     static constexpr std::uint32_t nothing = 0xFFFF'FFFFu;
 
@@ -333,6 +394,9 @@ private:
     region region_;
     buffer<std::uint32_t> component_;  // for each loop
     buffer<std::uint8_t> tied_;        // for each outer loop: whether its component touches the rim
+    buffer<rim_edge> edges_;           // as the region's points
+    detail::box_tree tree_;            // of the edges
+    detail::grid_box around_;          // all edges
     buffer<hit> hits_;                 // of one line
     buffer<double> lines_;             // on which a bar is measured
     buffer<stencil_bar> made_;

@@ -4,7 +4,6 @@
 #include <typemesh/core/curve.hpp>
 #include <typemesh/core/grid.hpp>
 #include <typemesh/core/impl/same.hpp>
-#include <typemesh/core/orientation.hpp>
 #include <typemesh/core/point.hpp>
 
 #include <cmath>

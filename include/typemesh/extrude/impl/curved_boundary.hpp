@@ -20,17 +20,17 @@
 
 namespace typemesh::inline TYPEMESH_ABI::detail {
 
-/// A region's boundary as arcs of conics and straight edges, so few and so large as possible, whose control triangles
-/// do not meet.
+/// A region's boundary as a few arcs of conics and straight edges, whose control triangles do not meet.
 ///
 ///     edges of one curve -- join --> runs -- fit --> pieces -- compare --> pieces
 ///                                                      ^         + meet
 ///                                                      +- split -+
 ///
-/// Consecutive edges of one curve become a run. A run is divided until each piece is an arc within 2 cells of the
-/// curve (conic_fit) and within 3 cells of the region's points that it skips. If two control triangles meet, the larger
-/// one is divided at a point of the region, or inside an edge if only one is left. At last a piece is an edge of the
-/// region, and these do not cross: the region proves it.
+/// Consecutive edges of one curve become a run. A run is divided where a cubic turns to the other side, then into as
+/// few equal parts as suffice, up to four: each piece is an arc within 2 cells of the curve (conic_fit) and within 3
+/// cells of the region's points that it skips. If four do not suffice, it is halved until all are. If two control
+/// triangles meet, the larger one is divided at a point of the region, or inside an edge if only one is left. At last
+/// a piece is an edge of the region, and these do not cross: the region proves it.
 ///
 ///         .--c--.                   .-c-.-c-.
 ///        / .---. \                 /.--- ---.\        .

@@ -30,17 +30,28 @@ struct loop_arrays {
 
 }  // namespace detail
 
+/// Appends loops to contours without curves. False if out of memory.
+[[nodiscard]] inline bool append_loops(array_view<const grid_point> points, array_view<const std::uint32_t> starts,
+                                       contours& out) noexcept
+{
+    const auto before = static_cast<std::uint32_t>(out.points.size());
+    if (out.starts.empty() && !out.starts.push_back(0)) return false;
+    contour_edge* const edges = out.edges.append(points.size());
+    if ((edges == nullptr && !points.empty()) || !out.points.append(points)) return false;
+    for (std::size_t i = 0; i < points.size(); ++i) edges[i] = {};
+    for (std::size_t k = 1; k < starts.size(); ++k)
+        if (!out.starts.push_back(before + starts[k])) return false;
+    out.forget_order();
+    return true;
+}
+
 /// Appends the loops of a region or of contours. False if out of memory.
 template <class Loops>
 [[nodiscard]] bool append_loops(const Loops& loops, contours& out) noexcept
 {
     const auto [points, edges, starts] = detail::arrays_of(loops);
-    const auto before = static_cast<std::uint32_t>(out.points.size());
-    if (out.starts.empty() && !out.starts.push_back(0)) return false;
-    if (!out.points.append(points) || !out.edges.append(edges)) return false;
-    for (std::size_t k = 1; k < starts.size(); ++k)
-        if (!out.starts.push_back(before + starts[k])) return false;
-    out.forget_order();
+    if (!append_loops(points, starts, out)) return false;
+    for (std::size_t i = 0; i < edges.size(); ++i) out.edges[out.edges.size() - edges.size() + i] = edges[i];
     return true;
 }
 

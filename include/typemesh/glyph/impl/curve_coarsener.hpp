@@ -86,7 +86,7 @@ private:
         for (std::uint32_t k = 0; k < loops.contour_count(); ++k)
             if (!seams_.push_back(seam_of(loops.starts[k], loops.starts[k + 1]))) return error::out_of_memory;
         bool has_turned = false;
-        for (std::uint32_t k = 0; k < loops.contour_count(); ++k) {
+        for (std::uint32_t k = 0; k < loops.contour_count() && !has_failed_; ++k) {
             coarsen_loop({loops.starts[k], loops.starts[k + 1] - loops.starts[k], seams_[k]});
             has_turned = has_turned || (is_proven_later_ && turns());
         }

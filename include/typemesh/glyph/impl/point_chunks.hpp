@@ -20,7 +20,8 @@ class point_chunks {
 public:
     explicit point_chunks(memory source = heap()) noexcept : tree_{source}, chunks_{source} {}
 
-    /// Takes points, in the order along the loops, which must stay until the last search. False if out of memory.
+    /// Takes points, in the order along the loops, which must stay until the last search. False if out of memory; then
+    /// searches find nothing.
     [[nodiscard]] bool open(array_view<const grid_point> points) noexcept
     {
         points_ = points;
@@ -30,7 +31,10 @@ public:
         for (grid_box& b : chunks_) b = {};
         for (std::size_t i = 0; i < points.size(); ++i) chunks_[i / chunk].add(points[i]);
         if (count <= few_chunks) return true;
-        if (!tree_.open(count)) return false;
+        if (!tree_.open(count)) {
+            chunks_.clear();
+            return false;
+        }
         for (std::size_t k = 0; k < count; ++k) tree_.set(k, chunks_[k]);
         tree_.close();
         return true;

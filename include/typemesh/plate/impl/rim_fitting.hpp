@@ -6,8 +6,6 @@
 #include <typemesh/core/error.hpp>
 #include <typemesh/core/memory.hpp>
 #include <typemesh/core/point.hpp>
-#include <typemesh/core/region.hpp>
-#include <typemesh/core/result.hpp>
 #include <typemesh/core/triangle.hpp>
 #include <typemesh/core/workspace.hpp>
 #include <typemesh/extrude/impl/exact_fill.hpp>
@@ -20,7 +18,6 @@
 #include <typemesh/plate/layered_slab.hpp>
 #include <typemesh/triangulate/impl/triangulator_ref.hpp>
 
-#include <cstddef>
 #include <cstdint>
 
 namespace typemesh::inline TYPEMESH_ABI::detail {
@@ -169,15 +166,7 @@ private:
             points = r->points();
             starts = r->starts();
         }
-        const auto before = static_cast<std::uint32_t>(floor_.points.size());
-        contour_edge* const edges = floor_.edges.append(points.size());
-        if ((edges == nullptr && !points.empty()) || !floor_.points.append(points) ||
-            !floor_.starts.reserve(floor_.starts.size() + starts.size() + 1))
-            return error::out_of_memory;
-        for (std::size_t i = 0; i < points.size(); ++i) edges[i] = {};
-        if (floor_.starts.empty()) floor_.starts.push_back_unchecked(0);
-        for (std::size_t k = 1; k < starts.size(); ++k) floor_.starts.push_back_unchecked(before + starts[k]);
-        floor_.forget_order();
+        if (!append_loops(points, starts, floor_)) return error::out_of_memory;
         for (std::uint32_t k = first; turned && k < floor_.contour_count(); ++k) turn_loop(floor_, k);
         return {};
     }

@@ -6,6 +6,7 @@
 #include <typemesh/core/contours.hpp>
 #include <typemesh/core/curve.hpp>
 #include <typemesh/core/error.hpp>
+#include <typemesh/core/grid.hpp>
 #include <typemesh/core/memory.hpp>
 #include <typemesh/core/orientation.hpp>
 #include <typemesh/core/point.hpp>
@@ -20,7 +21,7 @@
 #include <typemesh/glyph/region_caps.hpp>
 #include <typemesh/triangulate/impl/triangulator_ref.hpp>
 
-#include <cstddef>
+#include <cmath>
 #include <cstdint>
 
 namespace typemesh::inline TYPEMESH_ABI::detail {
@@ -41,8 +42,8 @@ public:
     {
     }
 
-    /// Moves the outline of a region by `width` em, at most by 2^24 cells. It moves less if the offset is not proven
-    /// simple.
+    /// Moves the outline of a region by `width` em, at most by 2^24 cells, and for a fillet at most by a quarter of its
+    /// distance from the grid's end, less 32 cells. It moves less if the offset is not proven simple.
     ///
     ///     tolerance   the deviation of round corners and sections, in cells
     ///
@@ -54,8 +55,10 @@ public:
     {
         data_.clear();
         triangles_.clear();
-        const auto widest = static_cast<float>(0x1p24 / (r.grid().cells * r.grid().units_per_em));
+        const double em = r.grid().cells * r.grid().units_per_em;
+        const auto widest = static_cast<float>(widest_move(r, section) / em);
         if (widest < width) width = widest;
+        if (!(width > 0.0f)) return 0.0f;
         if (error e = take(r, tolerance)) return e;
         const region own = region::proven(given_, r.holes(), r.outers(), r.is_touching());
         if (error e = cut.cut(own, builder_.space(), triangles_)) return e;
@@ -104,6 +107,18 @@ public:
     }
 
 private:
+    /// The greatest width that is tried, in cells. surround() needs four times as much room around a fillet's outline.
+    [[nodiscard]] static double widest_move(const region& r, rim_section section) noexcept
+    {
+        constexpr double widest = 0x1p24;
+        if (section != rim_section::fillet) return widest;
+        double farthest = 0.0;
+        for (const grid_point p : r.points())
+            for (const double v : {std::fabs(p.x), std::fabs(p.y)}) farthest = v > farthest ? v : farthest;
+        const double room = 0.25 * (grid::reach - farthest) - 32.0;
+        return room < widest ? room : widest;
+    }
+
     /// Copies a region. Each of its edges becomes a straight curve of its own.
     [[nodiscard]] error take(const region& r, double tolerance) noexcept
     {
@@ -117,12 +132,13 @@ private:
             !given_.edges.reserve(points.size()) || !curves_.reserve(points.size()))
             return error::out_of_memory;
         const double unit = 1.0 / r.grid().cells;
-        const auto in_em = [unit](grid_point p) noexcept { return point{unit * p.x, unit * p.y}; };
+        const auto in_font_units = [unit](grid_point p) noexcept { return point{unit * p.x, unit * p.y}; };
         for (std::uint32_t k = 0; k < r.loop_count(); ++k) {
             const std::uint32_t begin = r.starts()[k], end = r.starts()[k + 1];
             for (std::uint32_t i = begin; i < end; ++i) {
                 given_.edges.push_back_unchecked({i, 0.0f, 1.0f});
-                curves_.push_back_unchecked(curve::from(in_em(points[i]), in_em(points[i + 1 == end ? begin : i + 1])));
+                curves_.push_back_unchecked(
+                    curve::from(in_font_units(points[i]), in_font_units(points[i + 1 == end ? begin : i + 1])));
             }
         }
         given_.curves = curves_.view();
