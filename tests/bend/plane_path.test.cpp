@@ -164,8 +164,8 @@ TEST_CASE("where a handle has no length, a path has the direction in which it go
         CHECK(length(way.at(0.0).at - point{1, 1}) < 1e-11);
         CHECK(length(way.at(all).at - point{1, 4}) < 1e-11);
     };
-    check({1, 1}, {1, 4}, up, up);                     // as programs draw lines
-    check({1, 1}, {1, 1}, up, up);                     // and all three points are one
+    check({1, 1}, {1, 4}, up, up);  // as programs draw lines
+    check({1, 1}, {1, 1}, up, up);  // and all three points are one
     check({1, 4}, {1, 4}, up, up);
     check({1, 1}, {4, 1}, {1, 0}, std::sqrt(0.5) * point{-1, 1});
     check({4, 4}, {1, 4}, std::sqrt(0.5) * point{1, 1}, {-1, 0});
