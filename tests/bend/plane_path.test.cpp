@@ -150,6 +150,35 @@ TEST_CASE("corners and cusps have no bounded curvature, smooth joints have", "[b
     CHECK(length(cusp.at(0.5 * cusp.length()).at - point{0.5, 0.75}) < 1e-12);
 }
 
+TEST_CASE("where a handle has no length, a path has the direction in which it goes on", "[bend][path]")
+{
+    const point up{0, 1};
+    const auto check = [&](point control, point control_2, point first, point last) {
+        plane_path way;
+        way.move({1, 1});
+        way.cubic(control, control_2, {1, 4});
+        REQUIRE_FALSE(way.failure());
+        const double all = way.length();
+        for (const double s : {-0.5, 0.0, 1e-9}) CHECK(length(way.at(s).tangent - first) < 1e-4);
+        for (const double s : {all - 1e-9, all, all + 0.5}) CHECK(length(way.at(s).tangent - last) < 1e-4);
+        CHECK(length(way.at(0.0).at - point{1, 1}) < 1e-11);
+        CHECK(length(way.at(all).at - point{1, 4}) < 1e-11);
+    };
+    check({1, 1}, {1, 4}, up, up);  // as programs draw lines
+    check({1, 1}, {1, 1}, up, up);  // and all three points are one
+    check({1, 4}, {1, 4}, up, up);
+    check({1, 1}, {4, 1}, {1, 0}, std::sqrt(0.5) * point{-1, 1});
+    check({4, 4}, {1, 4}, std::sqrt(0.5) * point{1, 1}, {-1, 0});
+    // Too short a piece for a direction is left out.
+    plane_path way;
+    way.move({0, 0});
+    way.line({0, 1e-162});
+    CHECK(way.empty());
+    way.line({3, 0});
+    CHECK(way.is_straight());
+    CHECK(length(way.at(-1.0).tangent - point{1, 0}) < 1e-12);
+}
+
 TEST_CASE("a contour of an outline is a closed path", "[bend][path]")
 {
     outline drawn;

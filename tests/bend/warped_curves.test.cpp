@@ -212,3 +212,21 @@ TEST_CASE("a circle on an arc needs few cubics", "[bend][warp]")
     CHECK(out.curves.size() <= 8 * before);
     CHECK(out.curves.size() >= 4 * before);
 }
+
+TEST_CASE("a warp whose image is not a number is refused", "[bend][warp]")
+{
+    const outline drawn = nasty_glyph();
+    const drawn_place at{{}, 1e-3, {{0, 0}, {1, 0}}};
+    outline out;
+    // The angle is infinite there, although the option is a number.
+    const warped<flag> step{{.length = 2.0, .left = 1.7e308}};
+    CHECK_FALSE(step.refused(at.text));
+    CHECK(step(drawn, at, 1.0 / 800, 1000, out).error() == error::outline_not_finite);
+    struct lost : affine_warp {
+        [[nodiscard]] warped_point operator()(point p) const noexcept
+        {
+            return {{p.x > 0.3 ? std::sqrt(-1.0) : p.x, p.y}, {1.0, 0.0}, {0.0, 1.0}};
+        }
+    };
+    CHECK(warped<lost>{}(drawn, at, 1.0 / 800, 1000, out).error() == error::outline_not_finite);
+}

@@ -30,8 +30,9 @@ namespace typemesh::inline TYPEMESH_ABI {
 ///     way.cubic({4, -2}, {5, -2}, {6, -1});                    v
 ///
 /// An outline source can draw into it (outline_sink), and follow() takes a contour of an outline. close() leads back to
-/// the start. Pieces without a length are left out. Calls that fail leave the reason in failure(), and a path with a
-/// failure is refused where it is used.
+/// the start. Pieces of at most 2^-200 em are left out. Where a Bezier curve stands still, at a handle without a length,
+/// the tangent is its limit. Calls that fail leave the reason in failure(), and a path with a failure is refused where
+/// it is used.
 ///
 /// The length of a Bezier curve is certain to 2^-48 of itself, except within 2^-40 of its parameters around a cusp
 /// (impl/path_piece.hpp). A place is then found to some roundings of doubles.
@@ -182,6 +183,7 @@ private:
 
     static constexpr std::size_t max_pieces = 0x10'0000;
     static constexpr int deepest = 40;
+    static constexpr double least_size = 0x1p-200;  // the squares of shorter lengths lose their digits
 
     void fail(error e = error::bad("path")) noexcept
     {
@@ -212,7 +214,7 @@ private:
     void add(detail::path_piece made, point to) noexcept
     {
         now_ = to;
-        if (!(made.size > 0.0)) return;
+        if (!(made.size > least_size)) return;
         if (pieces_.size() >= max_pieces) return fail();
         made.start = length_;
         if (pieces_.empty())

@@ -59,6 +59,7 @@ struct warp_in_space {
 ///        error::folds_over: the warp turns a letter inside out, or is not proven not to
 ///        error::bad_tolerance: the tolerance is so small that no number of pieces suffices
 ///        error::too_many_points: more curves than max_points
+///        error::outline_not_finite: the image of a curve is not a number or infinite; the glyph is left out
 /// Cost   a few evaluations of the warp for each point of the flattened curve
 template <plane_warp W>
 struct warped {

@@ -158,12 +158,21 @@ private:
         }
         const point v = by(t), bend = 6.0 * lerp(b - a, d - b, t);
         const double speed = length(v);
-        if (!(speed > 0.0)) return {c.p0, start + along, {1.0, 0.0}, 0.0};
-        const point p = c.at(t), tangent = (1.0 / speed) * v;
+        const point p = c.at(t), tangent = speed > 0.0 ? (1.0 / speed) * v : limit_at(t, bend);
         return {{steady(p.x), steady(p.y)},
                 start + along,
                 {steady(tangent.x), steady(tangent.y)},
                 even ? cross(v, bend) / (speed * speed * speed) : 0.0};
+    }
+
+    /// The tangent where a cubic stands still: at a handle of no length, or a cusp. It is the direction in which the
+    /// cubic goes on, and at its end the one in which it arrives: of the first derivative that does not vanish.
+    [[nodiscard]] point limit_at(double t, point bend) const noexcept
+    {
+        const point jerk = c.p3 - c.p0 - 3.0 * (c.p2 - c.p1), way = t < 1.0 ? bend : -1.0 * bend;
+        const point along = length(way) > 0.0 ? way : jerk;
+        const double way_size = length(along);
+        return way_size > 0.0 ? (1.0 / way_size) * along : point{1.0, 0.0};
     }
 
     /// Bounds from Bernstein's coefficients; the squared speed lies between these.

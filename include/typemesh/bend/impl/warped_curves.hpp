@@ -5,6 +5,7 @@
 #include <typemesh/core/box.hpp>
 #include <typemesh/core/curve.hpp>
 #include <typemesh/core/error.hpp>
+#include <typemesh/core/finite.hpp>
 #include <typemesh/core/impl/same.hpp>
 #include <typemesh/core/outline.hpp>
 
@@ -186,7 +187,10 @@ private:
     error keep(const curve& c) noexcept
     {
         if (out_.curves.size() >= most_) return {error::too_many_points, most_};
-        for (std::uint32_t i = 0; i <= c.degree; ++i) out_.bounds.add(c.p[i]);
+        for (std::uint32_t i = 0; i <= c.degree; ++i) {
+            if (!is_finite(c.p[i].x) || !is_finite(c.p[i].y)) return error::outline_not_finite;
+            out_.bounds.add(c.p[i]);
+        }
         return out_.curves.push_back(c) ? error{} : error{error::out_of_memory};
     }
 
