@@ -113,7 +113,7 @@ TEST_CASE("crossings of chords are moved to the crossings of their curves", "[ex
     // Two arcs over one base, which cross at the top. The chords' crossing is not the curves'.
     const auto left = shapes::quad({0, 0}, {0, 800}, {600, 800}),
                right = shapes::quad({400, 800}, {1000, 800}, {1000, 0});
-    shapes::shape s{"arch", {{left, right, shapes::line({1000, 0}, {0, 0})}}, {}, 4};
+    shapes::shape s{"arch", {{left, right, shapes::line({1000, 0}, {0, 0})}}, {}, 8};
     // By symmetry they cross at x = 500. Edges end 100 cells beside it.
     const auto at_500 = [](const curve& c) {
         double low = 0.0, high = 1.0;
@@ -143,4 +143,8 @@ TEST_CASE("crossings of chords are moved to the crossings of their curves", "[ex
         nearest = (std::min)(nearest, length(detail::curve_section::exact(p.start) - crossing));
     CHECK(nearest < 1.5);
     check_pieces(made, 1);
+    // It stays if an edge that becomes longer for it would then lie farther from its curve than the tolerance.
+    s.loops.tolerance = 150.0;
+    REQUIRE_FALSE(made.find(s.made()));
+    CHECK(made.moved() == 0);
 }

@@ -100,7 +100,8 @@ private:
                 return false;
         const auto last = static_cast<std::uint32_t>(edges_.size());
         if (with_crossings && tolerance_ > 2.0)
-            for (std::uint32_t i = base; i < last; ++i) move_crossing(i == base ? last - 1 : i - 1, i);
+            for (std::uint32_t i = base; i < last; ++i)
+                move_crossing(i == base ? last - 1 : i - 1, i, i + 1 == last ? base : i + 1);
         first_point_ = points_[base];
         for (std::uint32_t i = base; i < last;) {
             std::uint32_t k = i + 1;
@@ -130,8 +131,9 @@ private:
     }
 
     /// Moves the point between two edges to where their curves cross, if it is a crossing of their chords: by Newton's
-    /// method. It stays if that is no point of both edges, or is not near.
-    void move_crossing(std::uint32_t before, std::uint32_t after) noexcept
+    /// method. It stays if that is no point of both edges, is not near, or makes an edge so long that it is no more
+    /// within the tolerance.
+    void move_crossing(std::uint32_t before, std::uint32_t after, std::uint32_t next) noexcept
     {
         contour_edge &e = edges_[before], &f = edges_[after];
         const auto is_end = [](float t) noexcept { return !(t > 0.0f) || !(t < 1.0f); };
@@ -158,7 +160,14 @@ private:
         const bool is_before = e.t0 < e.t1 ? e.t0 < new_s : new_s < e.t0;
         const bool is_after = f.t0 < f.t1 ? new_t < f.t1 : f.t1 < new_t;
         if (dot(gap, gap) > 0x1p-10 || !is_before || !is_after || length(found - was) > reach) return;
-        points_[after] = grid{.cells = 1.0}.snap(found);
+        const grid_point place = grid{.cells = 1.0}.snap(found);
+        const auto is_close = [&](const curve& c, float from, float to, grid_point p, grid_point q) noexcept {
+            const double high = curve_section::of(c, as_double(from), as_double(to), cells_, p, q).height();
+            return high >= 0.0 && high <= tolerance_;
+        };
+        if ((e.t0 < e.t1 ? new_s > e.t1 : new_s < e.t1) && !is_close(a, e.t0, new_s, points_[before], place)) return;
+        if ((f.t0 < f.t1 ? new_t < f.t0 : new_t > f.t0) && !is_close(b, new_t, f.t1, place, points_[next])) return;
+        points_[after] = place;
         e.t1 = new_s;
         f.t0 = new_t;
         ++moved_;
