@@ -2,9 +2,11 @@
 #pragma once
 
 #include <typemesh/core/buffer.hpp>
+#include <typemesh/core/grid.hpp>
 #include <typemesh/core/memory.hpp>
 #include <typemesh/core/orientation.hpp>
 #include <typemesh/core/point.hpp>
+#include <typemesh/refine/impl/off_centre.hpp>
 #include <typemesh/refine/impl/refinable_mesh.hpp>
 
 #include <array>
@@ -68,6 +70,27 @@ public:
         return true;
     }
 
+    /// Adds points until no inner edge is longer than so many cells: the centre of the circle around a triangle that has
+    /// such an edge, or the middle of the edge where the centre lies near the boundary or beyond it. Edges stay where the
+    /// grid has no place. It ends early if the mesh has more than max_points. False if out of memory.
+    [[nodiscard]] static bool divide_long(refinable_mesh& mesh, double longest, std::uint32_t max_points) noexcept
+    {
+        const auto is_long = [&](std::uint32_t h) noexcept {
+            return !mesh.is_boundary(h) &&
+                   static_cast<double>(squared_distance(mesh.start(h), mesh.place(mesh.target(h)))) > longest * longest;
+        };
+        for (std::uint32_t before = none; mesh.vertex_count() != before;) {
+            before = mesh.vertex_count();
+            for (std::uint32_t h = 0; h < mesh.end() && mesh.vertex_count() <= max_points;
+                 h = h % 4 == 2 ? h + 2 : h + 1) {
+                if (!is_long(h)) continue;
+                const auto [t, p] = centre_of(mesh, h / 4, 0.25 * longest);
+                if (t != none ? mesh.insert(t, p) == none : !divide(mesh, h)) return false;
+            }
+        }
+        return true;
+    }
+
     /// Adds a point inside each triangle whose three edges lie on the boundary: such a speck would have no height. It
     /// stays as it is where the grid has no place inside. False if out of memory.
     [[nodiscard]] static bool raise_specks(refinable_mesh& mesh) noexcept
@@ -93,6 +116,23 @@ private:
     {
         return !mesh.is_boundary(h) && mesh.at(mesh.origin(h)).boundary != none &&
                mesh.at(mesh.target(h)).boundary != none;
+    }
+
+    /// A point and the triangle that it lies in, or none.
+    struct place_inside {
+        std::uint32_t triangle = none;
+        grid_point place = {};
+    };
+
+    /// The centre of the circle around a triangle, unless it lies beyond the boundary or so near to it.
+    [[nodiscard]] static place_inside centre_of(const refinable_mesh& mesh, std::uint32_t t, double nearest) noexcept
+    {
+        const grid_point p = off_centre(mesh.start(4 * t), mesh.start(4 * t + 1), mesh.start(4 * t + 2), grid::reach);
+        t = mesh.locate(t, p).triangle;
+        if (t == none) return {};
+        for (std::uint32_t h = 4 * t; h < 4 * t + 3; ++h)
+            if (mesh.is_boundary(h) && distance_to(mesh, h, p) < nearest * nearest) return {};
+        return {t, p};
     }
 
     /// Adds a point in the middle of an inner edge, or in a cell next to that. False if out of memory.
