@@ -75,17 +75,13 @@ public:
     /// grid has no place. It ends early if the mesh has more than max_points. False if out of memory.
     [[nodiscard]] static bool divide_long(refinable_mesh& mesh, double longest, std::uint32_t max_points) noexcept
     {
-        const auto is_long = [&](std::uint32_t h) noexcept {
-            return !mesh.is_boundary(h) &&
-                   static_cast<double>(squared_distance(mesh.start(h), mesh.place(mesh.target(h)))) > longest * longest;
-        };
         for (std::uint32_t before = none; mesh.vertex_count() != before;) {
             before = mesh.vertex_count();
-            for (std::uint32_t h = 0; h < mesh.end() && mesh.vertex_count() <= max_points;
-                 h = h % 4 == 2 ? h + 2 : h + 1) {
-                if (!is_long(h)) continue;
-                const auto [t, p] = centre_of(mesh, h / 4, 0.25 * longest);
-                if (t != none ? mesh.insert(t, p) == none : !divide(mesh, h)) return false;
+            for (std::uint32_t t = 0; t < mesh.triangle_count() && mesh.vertex_count() <= max_points; ++t) {
+                const std::uint32_t h = long_edge(mesh, t, longest * longest);
+                if (h == none) continue;
+                const auto [inside, p] = centre_of(mesh, t, 0.25 * longest);
+                if (inside != none ? mesh.insert(inside, p) == none : !divide(mesh, h)) return false;
             }
         }
         return true;
@@ -123,6 +119,17 @@ private:
         std::uint32_t triangle = none;
         grid_point place = {};
     };
+
+    /// An inner edge of a triangle whose square is greater than that, or none.
+    [[nodiscard]] static std::uint32_t long_edge(const refinable_mesh& mesh, std::uint32_t t, double square) noexcept
+    {
+        const grid_point p[] = {mesh.start(4 * t), mesh.start(4 * t + 1), mesh.start(4 * t + 2)};
+        for (std::uint32_t k = 0; k < 3; ++k)
+            if (static_cast<double>(squared_distance(p[k], p[k == 2 ? 0 : k + 1])) > square &&
+                !mesh.is_boundary(4 * t + k))
+                return 4 * t + k;
+        return none;
+    }
 
     /// The centre of the circle around a triangle, unless it lies beyond the boundary or so near to it.
     [[nodiscard]] static place_inside centre_of(const refinable_mesh& mesh, std::uint32_t t, double nearest) noexcept
