@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 
 #include <typemesh/inflate/impl/rim_slopes.hpp>
+#include <typemesh/refine/delaunay_refined.hpp>
 
 #include "inflated_shape.hpp"
 
