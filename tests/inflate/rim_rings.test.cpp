@@ -62,8 +62,8 @@ TEST_CASE("rings lie at steps of 22.5 degrees, on thick strokes of 11.25, all ar
 TEST_CASE("long inner edges of a mesh are divided until none is left, with at most so many points", "[inflate]")
 {
     // A wide shape and one with a sharp corner, their sides in 20 steps each.
-    for (const auto& corners : {test::polyline{at(0, 0), at(0.5, 0), at(0.5, 0.5), at(0, 0.5)},
-                                {at(0, 0), at(0.5, 0), at(0.5, 0.15)}}) {
+    for (const auto& corners :
+         {test::polyline{at(0, 0), at(0.5, 0), at(0.5, 0.5), at(0, 0.5)}, {at(0, 0), at(0.5, 0), at(0.5, 0.15)}}) {
         test::polyline loop;
         for (std::size_t k = 0; k < corners.size(); ++k)
             for (int i = 0; i < 20; ++i) {

@@ -73,8 +73,9 @@ TEST_CASE("the slopes of a straight stroke are half its width on coarse triangle
     for (const double width : {0.04, 0.05, 0.1}) {
         CAPTURE(width);
         const double half = 0.5 * width;
-        const test::filled_shape stroke{
-            {"", {{at(-0.6, -half), at(0.6, -half), at(0.6, half), at(-0.6, half)}}}, fill_rule::non_zero, {512.0, 1000.0}};
+        const test::filled_shape stroke{{"", {{at(-0.6, -half), at(0.6, -half), at(0.6, half), at(-0.6, half)}}},
+                                        fill_rule::non_zero,
+                                        {512.0, 1000.0}};
         workspace space;
         triangle_list given;
         REQUIRE_FALSE(constrained_delaunay{}(stroke.filled, space, given));

@@ -51,7 +51,7 @@ struct membrane_options {
 ///        |               |
 ///     ---+---------------+---  outline
 ///
-/// The cap is refined first: no edge is longer than `edge`, and edges of thin strokes are shorter. Rings of points
+/// The cap is refined: no edge is longer than `edge`, and edges of thin strokes are shorter. Rings of points
 /// along the outline, where the surface is steep, follow the section at steps of 22.5 degrees, or 11.25 on thick
 /// strokes. The inner edges are Delaunay, so u is positive inside: see impl/membrane_system.hpp.
 ///

@@ -17,8 +17,8 @@
 namespace typemesh::inline TYPEMESH_ABI::detail {
 
 /// Adds rings of inner points along the boundary of a mesh, at the distances where a round stroke has risen by 22.5,
-/// 45, 67.5 and 90 degrees; and a point on each edge that crosses from boundary to boundary, where the mesh would stay
-/// flat.
+/// 45, 67.5 and 90 degrees; a point on each edge that crosses from boundary to boundary, where the mesh would stay
+/// flat; and points where edges inside are still too long.
 ///
 ///      height  |            _ - o - _            a stroke whose height's square is 2 r d - d^2 at distance d has
 ///              |        o             o          risen by the angle p at d = r (1 - cos p)
@@ -70,9 +70,9 @@ public:
         return true;
     }
 
-    /// Adds points until no inner edge is longer than so many cells: the centre of the circle around a triangle that has
-    /// such an edge, or the middle of the edge where the centre lies near the boundary or beyond it. Edges stay where the
-    /// grid has no place. It ends early if the mesh has more than max_points. False if out of memory.
+    /// Adds points until no inner edge is longer than so many cells: the centre of the circle around a triangle that
+    /// has such an edge, or the middle of the edge where the centre lies near the boundary or beyond it. Edges stay
+    /// where the grid has no place. It ends early if the mesh has more than max_points. False if out of memory.
     [[nodiscard]] static bool divide_long(refinable_mesh& mesh, double longest, std::uint32_t max_points) noexcept
     {
         for (std::uint32_t before = none; mesh.vertex_count() != before;) {

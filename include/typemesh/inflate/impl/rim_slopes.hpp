@@ -22,10 +22,10 @@ class rim_slopes {
 public:
     explicit rim_slopes(memory source = heap()) noexcept : slopes_{source}, flows_{source} {}
 
-    /// Finds the slopes from a solution on the mesh's triangles: what leaves the membrane at a point, by half the
-    /// length of both edges, both with half of the two points beside it. On coarse triangles what leaves at a point is a
-    /// sixth too much or too little, in turns along the outline, and these means are exact. Rounded to 64th cells, so
-    /// that it does not depend on the last bits of the solution.
+    /// Finds the slopes from a solution on the mesh's triangles: what leaves the membrane at a point and half of what
+    /// leaves at the two points beside it, by the length of their edges. On coarse triangles what leaves at a point is
+    /// a sixth too much or too little, in turns along the outline, and these means are exact. Rounded to 64th cells,
+    /// so that it does not depend on the last bits of the solution.
     ///
     /// False if out of memory
     [[nodiscard]] bool measure(const membrane_system& solved, const refinable_mesh& mesh,
@@ -53,8 +53,8 @@ public:
             } while (v != starts[loop]);
             for (std::size_t i = begin; i < end; ++i, v = mesh.next_on_boundary(v)) {
                 const std::size_t last = i == begin ? end - 1 : i - 1, next = i + 1 == end ? begin : i + 1;
-                const double slope = (flows[last] + 2.0 * flows[i] + flows[next]) /
-                                     (lengths[last] + 2.0 * lengths[i] + lengths[next]);
+                const double slope =
+                    (flows[last] + 2.0 * flows[i] + flows[next]) / (lengths[last] + 2.0 * lengths[i] + lengths[next]);
                 slopes[v] = std::floor(64.0 * slope + 0.5) / 64.0;
             }
         }
