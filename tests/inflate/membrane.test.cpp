@@ -100,6 +100,12 @@ TEST_CASE("an inflated cap is a Delaunay mesh of its region, positive inside, wi
             for (const triangle t : shape.cap.triangles) flat += t.a < rim && t.b < rim && t.c < rim;
             CHECK(not_positive == 0);
             CHECK(flat == 0);
+            const std::vector<grid_point> points = shape.cap.points();
+            double longest = 0.0;
+            for (const triangle t : shape.cap.triangles)
+                for (const auto& [i, j] : {std::pair{t.a, t.b}, {t.b, t.c}, {t.c, t.a}})
+                    longest = (std::max)(longest, double(squared_distance(points[i], points[j])));
+            CHECK(std::sqrt(longest) <= double{edge} * em);
             CHECK(shape.sheet.points().size() == shape.cap.inner.size());
         }
     }

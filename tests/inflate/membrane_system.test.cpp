@@ -96,10 +96,16 @@ TEST_CASE("a wide mesh is solved step by step, to a residual of 1e-6", "[inflate
     CHECK(highest == Catch::Approx(0.0736714 * cells * cells).epsilon(1e-3));  // the torsion of a square
 }
 
-TEST_CASE("half a cotangent is exact for a right angle, and negative beyond it", "[inflate]")
+TEST_CASE("the weights of a triangle are half the cotangents of its angles and a third of its area", "[inflate]")
 {
-    const grid_point o{5, 7};
-    CHECK(std::abs(membrane_system::half_cotangent(o, {15, 7}, {5, 17})) <= 0.0);
-    CHECK(membrane_system::half_cotangent(o, {15, 7}, {15, 17}) == Catch::Approx(0.5));
-    CHECK(membrane_system::half_cotangent(o, {15, 7}, {-5, 17}) == Catch::Approx(-0.5));
+    const auto check = [](grid_point a, grid_point b, grid_point c, double ab, double bc, double ca, double third) {
+        const detail::triangle_weights w{a, b, c};
+        CHECK(w.half_cotangents[0] == Catch::Approx(ab));
+        CHECK(w.half_cotangents[1] == Catch::Approx(bc));
+        CHECK(w.half_cotangents[2] == Catch::Approx(ca));
+        CHECK(w.third == Catch::Approx(third));
+    };
+    check({5, 7}, {15, 7}, {5, 17}, 0.5, 0.0, 0.5, 50.0 / 3.0);
+    check({5, 7}, {15, 7}, {15, 17}, 0.5, 0.5, 0.0, 50.0 / 3.0);
+    check({5, 7}, {15, 7}, {-5, 17}, 1.5, -0.5, 1.0, 50.0 / 3.0);
 }

@@ -58,3 +58,39 @@ TEST_CASE("rings lie at steps of 22.5 degrees, on thick strokes of 11.25, all ar
         CHECK(mesh.vertex_count() >= 80 + 2 * 70);
     }
 }
+
+TEST_CASE("long inner edges of a mesh are divided until none is left, with at most so many points", "[inflate]")
+{
+    // A wide shape and one with a sharp corner, their sides in 20 steps each.
+    for (const auto& corners :
+         {test::polyline{at(0, 0), at(0.5, 0), at(0.5, 0.5), at(0, 0.5)}, {at(0, 0), at(0.5, 0), at(0.5, 0.15)}}) {
+        test::polyline loop;
+        for (std::size_t k = 0; k < corners.size(); ++k)
+            for (int i = 0; i < 20; ++i) {
+                const grid_point a = corners[k], b = corners[(k + 1) % corners.size()];
+                loop.push_back({a.x + (b.x - a.x) / 20 * i, a.y + (b.y - a.y) / 20 * i});
+            }
+        const test::filled_shape shape{{"", {loop}}, fill_rule::non_zero, {512.0, 1000.0}};
+        workspace space;
+        triangle_list given;
+        REQUIRE_FALSE(constrained_delaunay{}(shape.filled, space, given));
+        const auto divided = [&](double longest, std::uint32_t max_points) {
+            detail::refinable_mesh mesh;
+            REQUIRE(mesh.open(shape.filled, given.view()));
+            REQUIRE(detail::rim_rings::divide_long(mesh, longest * inflating::em, max_points));
+            double square = 0.0;  // of the longest inner edge
+            for (std::uint32_t h = 0; h < mesh.end(); h = h % 4 == 2 ? h + 2 : h + 1)
+                if (!mesh.is_boundary(h))
+                    square = (std::max)(square, double(squared_distance(mesh.start(h), mesh.place(mesh.target(h)))));
+            return std::pair{mesh.vertex_count(), std::sqrt(square) / inflating::em};
+        };
+        for (const double longest : {0.1, 0.03}) {
+            CAPTURE(corners.size(), longest);
+            const auto [points, reached] = divided(longest, 100'000);
+            CHECK(reached <= longest);
+            CHECK(points < double(loop.size()) + 0.25 / (0.35 * longest * longest));
+            CHECK(divided(longest, points).first == points);
+            CHECK(divided(longest, 90).first == (std::min)(points, 91u));
+        }
+    }
+}

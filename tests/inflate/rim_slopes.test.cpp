@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 
 #include <typemesh/inflate/impl/rim_slopes.hpp>
+#include <typemesh/refine/delaunay_refined.hpp>
 
 #include "inflated_shape.hpp"
 
@@ -65,4 +66,39 @@ TEST_CASE("edges are halved until none is longer than the slopes ask for, and ne
     }
     CHECK(too_long == 0);
     CHECK(without == 0);
+}
+
+TEST_CASE("the slopes of a straight stroke are half its width on coarse triangles as well", "[inflate]")
+{
+    for (const double width : {0.04, 0.05, 0.1}) {
+        CAPTURE(width);
+        const double half = 0.5 * width;
+        const test::filled_shape stroke{{"", {{at(-0.6, -half), at(0.6, -half), at(0.6, half), at(-0.6, half)}}},
+                                        fill_rule::non_zero,
+                                        {512.0, 1000.0}};
+        workspace space;
+        triangle_list given;
+        REQUIRE_FALSE(constrained_delaunay{}(stroke.filled, space, given));
+        detail::delaunay_refinement refinement;
+        auto limits = detail::refinement_limits::from(25.0, 0.03 * inflating::em, 10'000);
+        limits.boundary_only = true;
+        REQUIRE_FALSE(refinement.run(stroke.filled, given.view(), limits));
+        test::refined_result cap;
+        REQUIRE_FALSE(refinement.write(cap.out()));
+        detail::membrane_system system;
+        REQUIRE(system.solve({cap.loops.points.view(), cap.inner.view(), cap.triangles.view()}));
+        detail::rim_slopes slopes;
+        REQUIRE(slopes.measure(system, refinement.mesh(), stroke.filled.starts(), cap.loops.points.size()));
+        double most = 0.0, least = 1e300;
+        std::uint32_t v = 0;
+        do {
+            if (std::abs(refinement.mesh().place(v).x) < 0.4 * inflating::em) {
+                most = (std::max)(most, slopes.data()[v]);
+                least = (std::min)(least, slopes.data()[v]);
+            }
+            v = refinement.mesh().next_on_boundary(v);
+        } while (v != 0);
+        CHECK(most < 1.25 * half * inflating::em);  // where the triangles change: 1.63 and 0.73 without means
+        CHECK(least > 0.80 * half * inflating::em);
+    }
 }

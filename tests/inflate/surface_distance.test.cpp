@@ -98,7 +98,7 @@ TEST_CASE("triangles of a straight stroke lie near half a cylinder, and it near 
           "[inflate]")
 {
     for (const double degrees : {0.0, 17.0, 45.0, 90.0})
-        for (const double width : {0.02, 0.06, 0.15, 0.4}) {
+        for (const double width : {0.02, 0.04, 0.06, 0.15, 0.4}) {
             CAPTURE(degrees, width);
             const double c = std::cos(degrees / 180.0 * half_turn), s = std::sin(degrees / 180.0 * half_turn),
                          half = 0.5 * width, end = 0.2 + 2.0 * width;

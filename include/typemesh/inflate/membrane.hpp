@@ -14,7 +14,7 @@
 #include <typemesh/inflate/impl/rim_rings.hpp>
 #include <typemesh/inflate/impl/rim_slopes.hpp>
 #include <typemesh/inflate/impl/slope_fit.hpp>
-#include <typemesh/refine/delaunay_refined.hpp>
+#include <typemesh/refine/impl/delaunay_refinement.hpp>
 #include <typemesh/refine/refiner.hpp>
 
 #include <cmath>
@@ -51,7 +51,7 @@ struct membrane_options {
 ///        |               |
 ///     ---+---------------+---  outline
 ///
-/// The cap is refined first: no edge is longer than `edge`, and edges of thin strokes are shorter. Rings of points
+/// The cap is refined: no edge is longer than `edge`, and edges of thin strokes are shorter. Rings of points
 /// along the outline, where the surface is steep, follow the section at steps of 22.5 degrees, or 11.25 on thick
 /// strokes. The inner edges are Delaunay, so u is positive inside: see impl/membrane_system.hpp.
 ///
@@ -82,13 +82,17 @@ public:
         const double em = r.grid().cells * r.grid().units_per_em, longest = as_double(how.edge) * em;
         if (!(em > 0.0)) return error::bad("units_per_em");
         if (longest < 64.0) return error::bad("edge");
-        const delaunay_refined refine{.max_edge = how.edge, .max_points = how.max_points};
-        if (error e = refine(r, cap, mesh_, out)) return with_limit(e, how);
+        auto limits = detail::refinement_limits::from(25.0, longest, how.max_points);
+        limits.boundary_only = true;  // the rings will divide most of the long edges inside
+        if (error e = mesh_.run(r, cap, limits)) return with_limit(e, how);
+        out.kept = mesh_.kept();
+        if (error e = mesh_.write(out)) return e;
         if (!system_.solve(view_of(out))) return error::out_of_memory;
         if (!rise_.measure(system_, mesh_.mesh(), r.starts(), out.loops.points.size())) return error::out_of_memory;
         if (error e = rise_.shorten(mesh_, r.starts(), 1.0, longest / 16.0)) return with_limit(e, how);
         if (!detail::rim_rings::divide_crossings(mesh_.mesh()) ||
             !detail::rim_rings::add_rings(mesh_.mesh(), rise_.data(), longest) ||
+            !detail::rim_rings::divide_long(mesh_.mesh(), longest, how.max_points) ||
             !detail::rim_rings::raise_specks(mesh_.mesh()))
             return error::out_of_memory;
         if (mesh_.mesh().vertex_count() > how.max_points) return with_limit(error::too_many_points, how);

@@ -11,7 +11,6 @@
 #include <typemesh/refine/impl/delaunay_refinement.hpp>
 #include <typemesh/refine/refiner.hpp>
 
-#include <cmath>
 #include <cstdint>
 
 namespace typemesh::inline TYPEMESH_ABI {
@@ -62,25 +61,18 @@ struct delaunay_refined {
                                    const refined_cap& out) const noexcept
     {
         if (error e = refused_options()) return e;
-        const double angle = as_double(min_angle) * 0.017453292519943295, cosine = std::cos(angle);
-        detail::refinement_limits limits;
-        limits.tangent = rounded(std::tan(angle));
-        limits.max_points = max_points;
-        limits.off_centre = cosine < 1.0 ? rounded(0.475 * std::sqrt((1.0 + cosine) / (1.0 - cosine))) : 1.0;
+        double longest = 0.0;
         if (max_edge > 0.0f) {
-            const double em = r.grid().cells * r.grid().units_per_em, longest = as_double(max_edge) * em;
+            const double em = r.grid().cells * r.grid().units_per_em;
+            longest = as_double(max_edge) * em;
             if (!(em > 0.0)) return error::bad("units_per_em");
             if (longest < 16.0) return error::bad("max_edge");
-            limits.max_square = longest < grid::reach ? static_cast<std::int64_t>(longest * longest) : 0;
         }
+        const auto limits = detail::refinement_limits::from(as_double(min_angle), longest, max_points);
         if (error e = space.run(r, cap, limits)) return e;
         out.kept = space.kept();
         return space.write(out);
     }
-
-private:
-    /// To 24 bits after the point: the standard libraries' functions differ in the last bits of a double.
-    [[nodiscard]] static double rounded(double v) noexcept { return std::floor(v * 0x1p24 + 0.5) * 0x1p-24; }
 };
 static_assert(refiner<delaunay_refined>);
 

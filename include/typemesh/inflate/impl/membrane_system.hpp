@@ -29,6 +29,30 @@ struct membrane_mesh {
     }
 };
 
+/// What a counter-clockwise triangle contributes to the system.
+struct triangle_weights {
+    double half_cotangents[3];  ///< of the angles opposite the edges a b, b c and c a
+    double third;               ///< of its area
+
+    triangle_weights(grid_point a, grid_point b, grid_point c) noexcept
+    {
+        const auto area = static_cast<double>(orientation(a, b, c));  // twice
+        const double scale = 0.5 / area;
+        half_cotangents[0] = scale * cosine(c, a, b);
+        half_cotangents[1] = scale * cosine(a, b, c);
+        half_cotangents[2] = scale * cosine(b, c, a);
+        third = area / 6.0;
+    }
+
+private:
+    /// Of the angle at a point, times the lengths of both edges.
+    [[nodiscard]] static double cosine(grid_point at, grid_point p, grid_point q) noexcept
+    {
+        return static_cast<double>((std::int64_t{p.x} - at.x) * (std::int64_t{q.x} - at.x) +
+                                   (std::int64_t{p.y} - at.y) * (std::int64_t{q.y} - at.y));
+    }
+};
+
 /// The linear system of -Laplace(u) = 1 with u = 0 on the boundary, for functions that are linear on each triangle.
 ///
 ///     sum of w (u_i - u_j) over the neighbours j of i  =  a third of the area of the triangles around i
@@ -93,22 +117,13 @@ public:
         const std::size_t rim = mesh_.rim.size();
         for (std::size_t i = 0; i < rim; ++i) rise[i] += rim_load_[i];
         for (const triangle& t : mesh_.triangles) {
-            const std::uint32_t corner[] = {t.a, t.b, t.c};
+            if (t.a >= rim && t.b >= rim && t.c >= rim) continue;
+            const triangle_weights w{mesh_.at(t.a), mesh_.at(t.b), mesh_.at(t.c)};
             for (std::size_t k = 0; k < 3; ++k) {
-                const std::uint32_t i = corner[k], j = corner[k == 2 ? 0 : k + 1], o = corner[k == 0 ? 2 : k - 1];
-                if ((i < rim) == (j < rim)) continue;
-                const double w = half_cotangent(mesh_.at(o), mesh_.at(i), mesh_.at(j));
-                (i < rim ? rise[i] : rise[j]) += w * at(i < rim ? j : i);
+                const auto [i, j] = edges_of(t)[k];
+                if ((i < rim) != (j < rim)) (i < rim ? rise[i] : rise[j]) += w.half_cotangents[k] * at(i < rim ? j : i);
             }
         }
-    }
-
-    /// Half the cotangent of the angle at a point, between two others that are counter-clockwise around it.
-    [[nodiscard]] static double half_cotangent(grid_point at, grid_point p, grid_point q) noexcept
-    {
-        const std::int64_t along = (std::int64_t{p.x} - at.x) * (std::int64_t{q.x} - at.x) +
-                                   (std::int64_t{p.y} - at.y) * (std::int64_t{q.y} - at.y);
-        return 0.5 * (static_cast<double>(along) / static_cast<double>(orientation(at, p, q)));
     }
 
 private:
@@ -140,14 +155,11 @@ private:
         double* const shares = shares_.append(starts[n + 1] + 1);
         if (columns == nullptr || shares == nullptr) return false;
         for (const triangle& t : mesh_.triangles) {
-            const double weights[] = {half_cotangent(mesh_.at(t.c), mesh_.at(t.a), mesh_.at(t.b)),
-                                      half_cotangent(mesh_.at(t.a), mesh_.at(t.b), mesh_.at(t.c)),
-                                      half_cotangent(mesh_.at(t.b), mesh_.at(t.c), mesh_.at(t.a))};
-            const double third = static_cast<double>(orientation(mesh_.at(t.a), mesh_.at(t.b), mesh_.at(t.c))) / 6.0;
-            const double* weight = weights;
+            const triangle_weights weights{mesh_.at(t.a), mesh_.at(t.b), mesh_.at(t.c)};
+            const double* weight = weights.half_cotangents;
             for (const auto& [i, j] : edges_of(t)) {
                 const double w = *weight++;
-                (i < rim ? rim_load[i] : load[i - rim]) += third;
+                (i < rim ? rim_load[i] : load[i - rim]) += weights.third;
                 if (i >= rim) diagonal[i - rim] += w;
                 if (j >= rim) diagonal[j - rim] += w;
                 if (i < rim || j < rim) continue;

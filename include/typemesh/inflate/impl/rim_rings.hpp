@@ -2,9 +2,11 @@
 #pragma once
 
 #include <typemesh/core/buffer.hpp>
+#include <typemesh/core/grid.hpp>
 #include <typemesh/core/memory.hpp>
 #include <typemesh/core/orientation.hpp>
 #include <typemesh/core/point.hpp>
+#include <typemesh/refine/impl/off_centre.hpp>
 #include <typemesh/refine/impl/refinable_mesh.hpp>
 
 #include <array>
@@ -15,8 +17,8 @@
 namespace typemesh::inline TYPEMESH_ABI::detail {
 
 /// Adds rings of inner points along the boundary of a mesh, at the distances where a round stroke has risen by 22.5,
-/// 45, 67.5 and 90 degrees; and a point on each edge that crosses from boundary to boundary, where the mesh would stay
-/// flat.
+/// 45, 67.5 and 90 degrees; a point on each edge that crosses from boundary to boundary, where the mesh would stay
+/// flat; and points where edges inside are still too long.
 ///
 ///      height  |            _ - o - _            a stroke whose height's square is 2 r d - d^2 at distance d has
 ///              |        o             o          risen by the angle p at d = r (1 - cos p)
@@ -68,6 +70,23 @@ public:
         return true;
     }
 
+    /// Adds points until no inner edge is longer than so many cells: the centre of the circle around a triangle that
+    /// has such an edge, or the middle of the edge where the centre lies near the boundary or beyond it. Edges stay
+    /// where the grid has no place. It ends early if the mesh has more than max_points. False if out of memory.
+    [[nodiscard]] static bool divide_long(refinable_mesh& mesh, double longest, std::uint32_t max_points) noexcept
+    {
+        for (std::uint32_t before = none; mesh.vertex_count() != before;) {
+            before = mesh.vertex_count();
+            for (std::uint32_t t = 0; t < mesh.triangle_count() && mesh.vertex_count() <= max_points; ++t) {
+                const std::uint32_t h = long_edge(mesh, t, longest * longest);
+                if (h == none) continue;
+                const auto [inside, p] = centre_of(mesh, t, 0.25 * longest);
+                if (inside != none ? mesh.insert(inside, p) == none : !divide(mesh, h)) return false;
+            }
+        }
+        return true;
+    }
+
     /// Adds a point inside each triangle whose three edges lie on the boundary: such a speck would have no height. It
     /// stays as it is where the grid has no place inside. False if out of memory.
     [[nodiscard]] static bool raise_specks(refinable_mesh& mesh) noexcept
@@ -93,6 +112,34 @@ private:
     {
         return !mesh.is_boundary(h) && mesh.at(mesh.origin(h)).boundary != none &&
                mesh.at(mesh.target(h)).boundary != none;
+    }
+
+    /// A point and the triangle that it lies in, or none.
+    struct place_inside {
+        std::uint32_t triangle = none;
+        grid_point place = {};
+    };
+
+    /// An inner edge of a triangle whose square is greater than that, or none.
+    [[nodiscard]] static std::uint32_t long_edge(const refinable_mesh& mesh, std::uint32_t t, double square) noexcept
+    {
+        const grid_point p[] = {mesh.start(4 * t), mesh.start(4 * t + 1), mesh.start(4 * t + 2)};
+        for (std::uint32_t k = 0; k < 3; ++k)
+            if (static_cast<double>(squared_distance(p[k], p[k == 2 ? 0 : k + 1])) > square &&
+                !mesh.is_boundary(4 * t + k))
+                return 4 * t + k;
+        return none;
+    }
+
+    /// The centre of the circle around a triangle, unless it lies beyond the boundary or so near to it.
+    [[nodiscard]] static place_inside centre_of(const refinable_mesh& mesh, std::uint32_t t, double nearest) noexcept
+    {
+        const grid_point p = off_centre(mesh.start(4 * t), mesh.start(4 * t + 1), mesh.start(4 * t + 2), grid::reach);
+        t = mesh.locate(t, p).triangle;
+        if (t == none) return {};
+        for (std::uint32_t h = 4 * t; h < 4 * t + 3; ++h)
+            if (mesh.is_boundary(h) && distance_to(mesh, h, p) < nearest * nearest) return {};
+        return {t, p};
     }
 
     /// Adds a point in the middle of an inner edge, or in a cell next to that. False if out of memory.

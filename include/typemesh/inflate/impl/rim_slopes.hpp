@@ -22,8 +22,10 @@ class rim_slopes {
 public:
     explicit rim_slopes(memory source = heap()) noexcept : slopes_{source}, flows_{source} {}
 
-    /// Finds the slopes from a solution on the mesh's triangles: what leaves the membrane at a point, by half the
-    /// length of both edges. Rounded to 64th cells, so that it does not depend on the last bits of the solution.
+    /// Finds the slopes from a solution on the mesh's triangles: what leaves the membrane at a point and half of what
+    /// leaves at the two points beside it, by the length of their edges. On coarse triangles what leaves at a point is
+    /// a sixth too much or too little, in turns along the outline, and these means are exact. Rounded to 64th cells,
+    /// so that it does not depend on the last bits of the solution.
     ///
     /// False if out of memory
     [[nodiscard]] bool measure(const membrane_system& solved, const refinable_mesh& mesh,
@@ -31,23 +33,30 @@ public:
     {
         slopes_.clear();
         flows_.clear();
-        double* const flows = flows_.append(count);
+        double* const flows = flows_.append(2 * count);
         double* const slopes = slopes_.append(mesh.vertex_count());
         if (flows == nullptr || slopes == nullptr) return false;
         for (std::size_t i = 0; i < count; ++i) flows[i] = 0.0;
         for (std::size_t v = 0; v < slopes_.size(); ++v) slopes[v] = 0.0;
         solved.add_outflow(flows);
-        std::size_t i = 0;
+        double* const lengths = flows + count;
+        std::size_t end = 0;
         for (std::size_t loop = 0; loop + 1 < starts.size(); ++loop) {
-            const std::uint32_t first = starts[loop];
-            double before = length_before(mesh, first);
-            std::uint32_t v = first;
+            const std::size_t begin = end;
+            std::uint32_t v = starts[loop];
+            double before = length_before(mesh, v);
             do {
-                const double after = length_after(mesh, v), slope = 2.0 * flows[i++] / (before + after);
-                slopes[v] = std::floor(64.0 * slope + 0.5) / 64.0;
+                const double after = length_after(mesh, v);
+                lengths[end++] = 0.5 * (before + after);
                 before = after;
                 v = mesh.next_on_boundary(v);
-            } while (v != first);
+            } while (v != starts[loop]);
+            for (std::size_t i = begin; i < end; ++i, v = mesh.next_on_boundary(v)) {
+                const std::size_t last = i == begin ? end - 1 : i - 1, next = i + 1 == end ? begin : i + 1;
+                const double slope =
+                    (flows[last] + 2.0 * flows[i] + flows[next]) / (lengths[last] + 2.0 * lengths[i] + lengths[next]);
+                slopes[v] = std::floor(64.0 * slope + 0.5) / 64.0;
+            }
         }
         return true;
     }
@@ -113,7 +122,8 @@ private:
             static_cast<double>(squared_distance(mesh.place(v), mesh.place(mesh.previous_on_boundary(v)))));
     }
 
-    buffer<double> slopes_, flows_;
+    buffer<double> slopes_;
+    buffer<double> flows_;  // what leaves at each boundary point, then half the length of its edges
 };
 
 }  // namespace typemesh::inline TYPEMESH_ABI::detail

@@ -29,7 +29,22 @@ struct refinement_limits {
     double tangent = 0.0;         ///< of the least angle
     double off_centre = 0.0;      ///< `farthest` of off_centre()
     std::int64_t max_square = 0;  ///< the square of the greatest length of an edge; 0: any length
+    bool boundary_only = false;   ///< edges inside may have any length
     std::uint32_t max_points = default_max_points;
+
+    /// For an angle in degrees, up to 33, and a length in cells; 0: any length.
+    [[nodiscard]] static refinement_limits from(double min_angle, double longest, std::uint32_t max_points) noexcept
+    {
+        const double angle = min_angle * 0.017453292519943295, cosine = std::cos(angle);
+        // To 24 bits after the point: the standard libraries' functions differ in the last bits of a double.
+        const auto rounded = [](double v) noexcept { return std::floor(v * 0x1p24 + 0.5) * 0x1p-24; };
+        refinement_limits limits;
+        limits.tangent = rounded(std::tan(angle));
+        limits.off_centre = cosine < 1.0 ? rounded(0.475 * std::sqrt((1.0 + cosine) / (1.0 - cosine))) : 1.0;
+        limits.max_square = longest < grid::reach ? static_cast<std::int64_t>(longest * longest) : 0;
+        limits.max_points = max_points;
+        return limits;
+    }
 };
 
 /// Adds points until no angle is too small and no edge too long: Ruppert's algorithm with off-centres.
@@ -237,7 +252,9 @@ protected:  // for quadtree_refinement
             !is_between_shells(corners[least], corners[next], static_cast<double>(sine) / static_cast<double>(cosine)))
             return triangle_queue::rank_of(squares[least]);
         const std::int64_t longer = squares[next] < squares[apex] ? squares[apex] : squares[next];
-        return is_too_long(longer) ? triangle_queue::ranks - 1 - triangle_queue::rank_of(longer) : good;
+        return !limits_.boundary_only && is_too_long(longer)
+                   ? triangle_queue::ranks - 1 - triangle_queue::rank_of(longer)
+                   : good;
     }
 
     /// Whether two points lie on two boundary edges that meet in a sharp corner, equally far from it, and the angle
