@@ -29,10 +29,10 @@ namespace typemesh::inline TYPEMESH_ABI {
 ///     way.arc({3, -1}, -90.0);                  ------>-'    '.     outside on a circle that runs clockwise.
 ///     way.cubic({4, -2}, {5, -2}, {6, -1});                    v
 ///
-/// An outline source can draw into it (outline_sink), and follow() takes a contour of an outline. close() leads back to
-/// the start. Pieces of at most 2^-200 em are left out. Where a Bezier curve stands still, at a handle without a
-/// length, the tangent is its limit. Calls that fail leave the reason in failure(), and a path with a failure is refused where
-/// it is used.
+/// An outline source can draw into it (outline_sink), and follow() takes a contour of an outline. close() leads back
+/// to the start. Pieces of at most 2^-200 em are left out. Where a Bezier curve stands still, at a handle without a
+/// length, the tangent is its limit. Calls that fail leave the reason in failure(), and a path with a failure is
+/// refused where it is used.
 ///
 /// The length of a Bezier curve is certain to 2^-48 of itself, except within 2^-40 of its parameters around a cusp
 /// (impl/path_piece.hpp). A place is then found to some roundings of doubles.
