@@ -11,6 +11,7 @@
 #include <typemesh/core/region.hpp>
 #include <typemesh/core/triangle.hpp>
 #include <typemesh/extrude/impl/bevel_data.hpp>
+#include <typemesh/extrude/impl/cell_diagonals.hpp>
 #include <typemesh/offset/swept_region.hpp>
 #include <typemesh/refine/refiner.hpp>
 
@@ -39,7 +40,8 @@ public:
           sides_{source},
           fan_of_{source},
           divided_{source},
-          edges_{source}
+          edges_{source},
+          diagonals_{source}
     {
     }
 
@@ -134,7 +136,8 @@ private:
         fans_.clear();
         grid_point* const beyond = beyond_.append(n);
         fan* const fans = fans_.append(n);
-        if (beyond == nullptr || fans == nullptr || !list_rim() || !list_sides()) return false;
+        if (beyond == nullptr || fans == nullptr) return false;
+        if (!diagonals_.improve(*swept_, swept_->levels.size() - 2) || !list_rim() || !list_sides()) return false;
         const auto starts = cap.starts();
         for (std::size_t loop = 0; loop + 1 < starts.size(); ++loop)
             for (std::uint32_t i = starts[loop], end = starts[loop + 1]; i < end; ++i) {
@@ -330,6 +333,7 @@ private:
     buffer<std::uint32_t> fan_of_;  // for each triangle
     buffer<triangle> divided_;
     buffer<swept_edge_at> edges_;
+    cell_diagonals diagonals_;
     swept_region* swept_ = nullptr;
 };
 
