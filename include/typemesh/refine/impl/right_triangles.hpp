@@ -32,10 +32,11 @@ namespace typemesh::inline TYPEMESH_ABI::detail {
 ///
 ///             c                 Feet inside and radical centres move by half a cell at most, in x and in y. A foot on
 ///           / | \               the boundary moves by less than a cell, to the inner side of its edge, so the boundary
-///         /   |   \             remains simple.
-///       f2-___o___-f1           Triangles that are too small for that remain whole. An edge between such a triangle
-///       /     |     \           and one that is divided has no foot, so that fewer than six triangles remain there.
-///      a------f3-----b          Whether the triangles are valid is decided exactly.
+///         /   |   \             remains simple. Where the nearest cell would turn a triangle, a centre moves by less
+///       f2-___o___-f1           than a cell.
+///       /     |     \           Triangles that are too small for that remain whole. An edge between such a triangle
+///      a------f3-----b          and one that is divided has no foot, so that fewer than six triangles remain there.
+///                               Whether the triangles are valid is decided exactly.
 class right_triangles {
 public:
     explicit right_triangles(memory source = heap()) noexcept
