@@ -321,7 +321,9 @@ inline polygon maze(int n)
         path.push_back(next);
     }
     polygon p(1);
-    const auto moved = [&](double v) { return static_cast<std::int32_t>(pitch * (v + 0.25 * (double(next_random(seed) >> 11) * 0x1p-53 - 0.5))); };
+    const auto moved = [&](double v) {
+        return static_cast<std::int32_t>(pitch * (v + 0.25 * (double(next_random(seed) >> 11) * 0x1p-53 - 0.5)));
+    };
     int at = 0, corner = 0;  // of a cell: 0 to 3, before the walls of the same numbers
     do {
         const double x = at % side, y = at / side;

@@ -318,8 +318,9 @@ int main(int argc, char** argv)
     static std::vector<set> shapes;
     shapes.reserve(100);
     for (int n = 100; n <= 100'000; n *= 10)
-        for (const auto& [name, p] :
-             {std::pair{"maze", bench::maze(n)}, {"circle", bench::circle(n)}, {"square with holes", bench::square_with_holes(n)}}) {
+        for (const auto& [name, p] : {std::pair{"maze", bench::maze(n)},
+                                      {"circle", bench::circle(n)},
+                                      {"square with holes", bench::square_with_holes(n)}}) {
             set& s = shapes.emplace_back();
             s.name = std::string{name} + " of " + std::to_string(n);
             s.glyphs.push_back(glyph_of(p));

@@ -259,9 +259,8 @@ private:
             f.wide_crowded += wide.crowded;
             const auto points = cap_.points();
             for (const auto& [corner, edge] : wide.others)
-                ++(is_without_room(*swept, corner, points[edge.first], points[edge.second])
-                       ? f.wide_at_slopes
-                       : f.wide_in_bevels);
+                ++(is_without_room(*swept, corner, points[edge.first], points[edge.second]) ? f.wide_at_slopes
+                                                                                            : f.wide_in_bevels);
         }
     }
 

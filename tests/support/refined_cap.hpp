@@ -185,8 +185,8 @@ struct wide_corners {
     std::size_t above = 0;    ///< corners above 90 degrees by more than moving each coordinate of both edges by 3/2
     std::size_t crowded = 0;  ///< of these, corners of triangles that are lower than 8 cells
     std::vector<std::pair<typemesh::grid_point, cap_edges::ends>> others;  ///< the rest of these, and the edge opposite
-    std::size_t rounded = 0;  ///< the other corners above 90 degrees
-    double greatest = 0.0;    ///< in degrees
+    std::size_t rounded = 0;                                               ///< the other corners above 90 degrees
+    double greatest = 0.0;                                                 ///< in degrees
 };
 inline wide_corners wide_corners_of(const refined_result& cap)
 {

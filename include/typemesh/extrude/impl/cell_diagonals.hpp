@@ -62,7 +62,8 @@ private:
     [[nodiscard]] grid_point place(std::uint32_t h) noexcept { return swept_->nodes[origin(h)].at; }
     [[nodiscard]] std::uint32_t& twin(std::uint32_t h) noexcept { return twins_[h - first_]; }
 
-    /// Finds the triangles of a cell that share edges. An edge with more than two sides, or two in one direction, stays.
+    /// Finds the triangles of a cell that share edges. An edge with more than two sides, or two in one direction,
+    /// stays.
     [[nodiscard]] bool open(std::uint32_t first, std::uint32_t end) noexcept
     {
         first_ = first;

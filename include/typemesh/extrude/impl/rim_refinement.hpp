@@ -27,7 +27,8 @@ namespace typemesh::inline TYPEMESH_ABI::detail {
 ///     a------b  rim          a--p---b     An edge of the cap is an edge of one triangle of the last band, whose third
 ///      \    /         -->     \ |  /      corner r then gets an edge to each new point. A refiner whose scratch has
 ///       \  /  bevel            \| /       attach() adds no point that would turn one of these triangles. Where an edge
-///        r                      r         belongs to no triangle alone, such a refiner adds none.
+///        r                      r         belongs to no triangle alone, such a refiner adds none. First the band's
+///                                         cells get the diagonals that leave most room: see cell_diagonals.
 class rim_refinement {
 public:
     explicit rim_refinement(memory source = heap()) noexcept
