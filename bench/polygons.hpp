@@ -296,6 +296,48 @@ inline polygon nested_squares(int n)
     return p;
 }
 
+/// A random polygon: around a random tree on a square of n / 4 cells, with each corner moved at random.
+inline polygon maze(int n)
+{
+    const int side = (std::max)(1, static_cast<int>(std::sqrt(n / 4.0))), pitch = 250'000'000 / side;
+    constexpr int across[] = {0, 1, 0, -1}, along[] = {-1, 0, 1, 0};  // south, east, north, west
+    std::vector<unsigned> open(static_cast<std::size_t>(side * side), 0u);
+    std::uint64_t seed = 3;
+    std::vector<int> path{0};
+    for (open[0] = 16; !path.empty();) {
+        const int at = path.back();
+        int next = -1, free = 0, wall = 0;
+        for (int w = 0; w < 4; ++w) {
+            const int x = at % side + across[w], y = at / side + along[w];
+            if (x < 0 || y < 0 || x >= side || y >= side || open[static_cast<std::size_t>(y * side + x)] != 0) continue;
+            if (next_random(seed) % static_cast<unsigned>(++free) == 0) next = y * side + x, wall = w;
+        }
+        if (next < 0) {
+            path.pop_back();
+            continue;
+        }
+        open[static_cast<std::size_t>(at)] |= 1u << wall;
+        open[static_cast<std::size_t>(next)] |= 16u | 1u << (wall ^ 2);
+        path.push_back(next);
+    }
+    polygon p(1);
+    const auto moved = [&](double v) {
+        return static_cast<std::int32_t>(pitch * (v + 0.25 * (double(next_random(seed) >> 11) * 0x1p-53 - 0.5)));
+    };
+    int at = 0, corner = 0;  // of a cell: 0 to 3, before the walls of the same numbers
+    do {
+        const double x = at % side, y = at / side;
+        p[0].push_back({moved(x + (corner == 1 || corner == 2 ? 0.75 : 0.25)), moved(y + (corner < 2 ? 0.25 : 0.75))});
+        if ((open[static_cast<std::size_t>(at)] >> corner & 1u) != 0) {
+            at += across[corner] + side * along[corner];
+            corner = (corner + 3) % 4;
+        } else {
+            corner = (corner + 1) % 4;
+        }
+    } while (at != 0 || corner != 0);
+    return p;
+}
+
 /// All shapes, of about n points each.
 inline std::vector<std::pair<std::string, polygon>> shapes_of(int n)
 {

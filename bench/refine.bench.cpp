@@ -3,7 +3,7 @@
 // Refinement of the first 500 glyphs of a font, one after the other, beside CGAL's mesher and beside the triangulation that it
 // begins with.
 //
-//     bench_refine                             every set that has its font
+//     bench_refine                             every set that has its font, then polygons
 //     bench_refine --benchmark_filter=Serif
 //
 // ns_per_triangle is the best pass of several, in processor time; of_floor the same by the time of constrained_delaunay,
@@ -16,12 +16,15 @@
 // delaunay_refined's with the same longest edge and 25 degrees, below the number with an angle below 15 degrees.
 // The rows "right triangles" are non_obtuse; of_delaunay is the same, kept counts the triangles with an angle above 90 degrees
 // that rounding does not explain.
+// The rows "maze", "circle" and "square with holes" refine one polygon of 10^2 to 10^5 points; per_point is the number of triangles
+// for each of them. "squares" have edges of at most the polygon's extent by the square root of the number of points.
 // The rows "inflated" solve membrane.hpp on the same glyphs, with its default longest edge: ms_per_glyph is the best pass,
 // of_refined the same by the time of delaunay_refined alone with that edge.
 //
 // Fonts: packages fonts-dejavu-core, fonts-liberation.
 
 #include "../tests/support/font_path.hpp"
+#include "polygons.hpp"
 
 #include <typemesh/adapt/harfbuzz.hpp>
 #include <typemesh/glyph/glyph_builder.hpp>
@@ -94,6 +97,24 @@ std::vector<glyph> glyphs_of(const std::string& file, double tolerance, std::uin
         (void)cut(g.filled, space, g.cap);
     }
     return all;
+}
+
+/// A polygon of n points whose em is its extent.
+glyph glyph_of(const bench::polygon& p)
+{
+    glyph g;
+    g.loops = bench::contours_of(p);
+    orient(g.loops);
+    workspace space;
+    const auto proven = monotone{}.prove(g.loops, space, g.cap);
+    g.cap.clear();
+    if (!proven) return g;
+    box extent;
+    for (const grid_point q : g.loops.points) extent.add({double(q.x), double(q.y)});
+    g.loops.grid = {.cells = 1.0, .units_per_em = extent.high.x - extent.low.x};
+    g.filled = region::proven(g.loops, proven->holes(), proven->outers(), proven->is_touching());
+    (void)constrained_delaunay{}(g.filled, space, g.cap);
+    return g;
 }
 
 double seconds(const auto& f)
@@ -233,6 +254,20 @@ void run_inflated(benchmark::State& state, const std::vector<glyph>& glyphs)
     state.counters["unknowns"] = static_cast<double>(points) / count;
 }
 
+/// A row for a polygon.
+template <class Refiner>
+void add_shape(const set& s, const char* way, const Refiner& how)
+{
+    benchmark::RegisterBenchmark((s.name + " / " + way).c_str(),
+                                 [&s, how](benchmark::State& state) {
+                                     const auto count = static_cast<double>(refine_all(state, s, how, 15.0).first);
+                                     const std::size_t points = s.glyphs[0].filled.points().size();
+                                     state.counters["per_point"] = count / static_cast<double>(points);
+                                 })
+        ->Iterations(1)
+        ->Unit(benchmark::kMillisecond);
+}
+
 }  // namespace
 
 int main(int argc, char** argv)
@@ -280,6 +315,20 @@ int main(int argc, char** argv)
             ->Iterations(1)
             ->Unit(benchmark::kMillisecond);
     }
+    static std::vector<set> shapes;
+    shapes.reserve(100);
+    for (int n = 100; n <= 100'000; n *= 10)
+        for (const auto& [name, p] : {std::pair{"maze", bench::maze(n)},
+                                      {"circle", bench::circle(n)},
+                                      {"square with holes", bench::square_with_holes(n)}}) {
+            set& s = shapes.emplace_back();
+            s.name = std::string{name} + " of " + std::to_string(n);
+            s.glyphs.push_back(glyph_of(p));
+            if (s.glyphs[0].filled.points().empty()) continue;
+            add_shape(s, "triangles", delaunay_refined{});
+            add_shape(s, "squares", quadtree_refined{1.0f / std::sqrt(static_cast<float>(n))});
+            add_shape(s, "right triangles", non_obtuse{});
+        }
     benchmark::Initialize(&argc, argv);
     benchmark::RunSpecifiedBenchmarks();
 }

@@ -35,10 +35,12 @@ struct total {
     }
     void print(const char* name, const char* refiner) const
     {
-        std::printf("%-34s %-10s %7zu %8zu %8zu %11zu %7zu %6zu %6zu %8zu %8zu %7zu %7zu %6zu %6zu %6zu %8.3f %7.3f\n",
-                    name, refiner, glyphs, all.caps, all.solids, all.triangles, invalid, all.refused, all.narrowed,
-                    all.at_corners, all.crowded, all.small, all.small_in_bevels, all.wide, all.wide_in_bevels,
-                    all.long_edges, all.greatest, all.area_off);
+        std::printf(
+            "%-34s %-10s %7zu %8zu %8zu %11zu %7zu %6zu %6zu %8zu %8zu %7zu %7zu %6zu %6zu %7zu %6zu %6zu %8.3f "
+            "%7.3f\n",
+            name, refiner, glyphs, all.caps, all.solids, all.triangles, invalid, all.refused, all.narrowed,
+            all.at_corners, all.crowded, all.small, all.small_in_bevels, all.wide, all.wide_in_bevels, all.wide_crowded,
+            all.wide_at_slopes, all.long_edges, all.greatest, all.area_off);
     }
 };
 
@@ -82,11 +84,13 @@ private:
     {
         sum.all.add(f);
         sum.invalid += !f.wrong.empty();
-        if (f.wrong.empty() && f.small == 0 && f.wide == 0 && f.long_edges == 0) return;
+        if (f.wrong.empty() && f.small == 0 && f.wide == 0 && f.small_in_bevels == 0 && f.wide_in_bevels == 0 &&
+            f.long_edges == 0)
+            return;
         const std::lock_guard guard{lock_};
-        std::printf("%s@%u:%u%s %s at %g em: %s (%zu small, %zu wide, %zu long)\n", job.face.path.c_str(),
-                    job.face.face, g, merged ? " merged" : "", refiner, double(size), f.wrong.c_str(), f.small, f.wide,
-                    f.long_edges);
+        std::printf("%s@%u:%u%s %s at %g em: %s (%zu and %zu small, %zu and %zu wide, %zu long)\n",
+                    job.face.path.c_str(), job.face.face, g, merged ? " merged" : "", refiner, double(size),
+                    f.wrong.c_str(), f.small, f.small_in_bevels, f.wide, f.wide_in_bevels, f.long_edges);
         std::fflush(stdout);
     }
 
@@ -99,9 +103,9 @@ private:
 
 void print(const test::glyph_arguments& arguments, const std::vector<total>& totals)
 {
-    std::printf("%-34s %-10s %7s %8s %8s %11s %7s %6s %6s %8s %8s %7s %7s %6s %6s %6s %8s %7s\n", "", "", "glyphs",
-                "caps", "solids", "triangles", "invalid", "refus.", "narr.", "corners", "crowded", "small", "bevels",
-                "wide", "bevels", "long", "greatest", "area");
+    std::printf("%-34s %-10s %7s %8s %8s %11s %7s %6s %6s %8s %8s %7s %7s %6s %6s %7s %6s %6s %8s %7s\n", "", "",
+                "glyphs", "caps", "solids", "triangles", "invalid", "refus.", "narr.", "corners", "crowded", "small",
+                "bevels", "wide", "bevels", "crowded", "slopes", "long", "greatest", "area");
     total all[refiner_count];
     for (std::size_t i = 0; i < totals.size(); ++i) {
         const std::string& name = arguments.groups()[i / refiner_count].name;
@@ -112,7 +116,9 @@ void print(const test::glyph_arguments& arguments, const std::vector<total>& tot
     for (std::size_t r = 0; r < refiner_count; ++r) all[r].print("all", refiners[r]);
     std::printf(
         "triangles below %.2f degrees: at sharp corners, with edges below 8 cells (crowded), others (small), others in "
-        "caps within bevels; wide: above 90 degrees beyond rounding; greatest: angle; area: the worst difference, as a "
+        "caps within bevels; wide: above 90 degrees beyond rounding; others in caps within bevels: in triangles lower "
+        "than 8 cells (crowded), at edges of slopes without room for a foot (slopes), others (bevels); greatest: "
+        "angle; area: the worst difference, as a "
         "share of (tolerance + 1 cell) x boundary\n%.0f s\n",
         test::refined_laws::least_angle, arguments.seconds());
 }

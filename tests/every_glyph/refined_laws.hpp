@@ -35,7 +35,9 @@ struct refined_findings {
     std::size_t small = 0;            ///< all other ones below the least angle
     std::size_t small_in_bevels = 0;  ///< likewise, in caps within bevels
     std::size_t wide = 0;             ///< corners above 90 degrees that rounding does not explain
-    std::size_t wide_in_bevels = 0;   ///< likewise, in caps within bevels
+    std::size_t wide_in_bevels = 0;   ///< likewise, in caps within bevels, without the next two
+    std::size_t wide_crowded = 0;     ///< there, those of triangles that are lower than 8 cells
+    std::size_t wide_at_slopes = 0;   ///< there, those at edges of slopes without room for the foot of the corner
     std::size_t long_edges = 0;
     double greatest = 0.0;  ///< of non_obtuse: the greatest angle, in degrees
     double area_off = 0.0;  ///< the worst difference of area, as a share of tolerance x boundary
@@ -46,6 +48,7 @@ struct refined_findings {
         caps += f.caps, solids += f.solids, triangles += f.triangles, refused += f.refused, narrowed += f.narrowed;
         at_corners += f.at_corners, crowded += f.crowded, small += f.small, small_in_bevels += f.small_in_bevels;
         wide += f.wide, wide_in_bevels += f.wide_in_bevels, long_edges += f.long_edges;
+        wide_crowded += f.wide_crowded, wide_at_slopes += f.wide_at_slopes;
         greatest = (std::max)(greatest, f.greatest);
         area_off = (std::max)(area_off, f.area_off);
         if (wrong.empty()) wrong = f.wrong;
@@ -208,7 +211,7 @@ private:
         }
         ++f.caps;
         f.triangles += cap_.triangles.size();
-        check_angles(how, region_, f, false);
+        check_angles(how, region_, f);
         double area = 0.0;
         for (const auto& loop : typemesh::inspect::loops_of(cap_.boundary(region_)))
             area += 0.5 * double(typemesh::inspect::doubled_area(loop));
@@ -223,9 +226,11 @@ private:
     }
 
     template <class Refiner>
-    void check_angles(const Refiner& how, const typemesh::region& before, refined_findings& f, bool in_bevel)
+    void check_angles(const Refiner& how, const typemesh::region& before, refined_findings& f,
+                      const typemesh::swept_region* swept = nullptr)
     {
         using namespace typemesh;
+        const bool in_bevel = swept != nullptr;
         const char* const where = in_bevel ? "cap within a bevel" : "cap";
         if (const std::string broken = broken_refinement(before, cap_); !broken.empty())
             return law(f, false, where, broken.c_str());
@@ -250,8 +255,43 @@ private:
         } else {
             const wide_corners wide = wide_corners_of(cap_);
             f.greatest = (std::max)(f.greatest, wide.greatest);
-            (in_bevel ? f.wide_in_bevels : f.wide) += wide.above;
+            if (!in_bevel) return void(f.wide += wide.above);
+            f.wide_crowded += wide.crowded;
+            const auto points = cap_.points();
+            for (const auto& [corner, edge] : wide.others)
+                ++(is_without_room(*swept, corner, points[edge.first], points[edge.second]) ? f.wide_at_slopes
+                                                                                            : f.wide_in_bevels);
         }
+    }
+
+    /// Whether the edge from p to q is the edge of a slope, and the slope's triangle allows no point of the grid around
+    /// the foot of the perpendicular from a corner to the edge: on the cap's side, its parts would be turned.
+    [[nodiscard]] static bool is_without_room(const typemesh::swept_region& swept, typemesh::grid_point corner,
+                                              typemesh::grid_point p, typemesh::grid_point q)
+    {
+        using namespace typemesh;
+        const double x = double(q.x) - p.x, y = double(q.y) - p.y;
+        const double share = ((double(corner.x) - p.x) * x + (double(corner.y) - p.y) * y) / (x * x + y * y);
+        const std::int32_t column = p.x + std::int32_t(std::floor(share * x)),
+                           row = p.y + std::int32_t(std::floor(share * y));
+        const auto allows = [&](grid_point r, grid_point foot) {
+            const bool is_left = orientation(p, q, r) > 0;
+            const std::int64_t before = orientation(p, foot, r), after = orientation(foot, q, r);
+            return orientation(p, q, foot) >= 0 && (is_left ? before > 0 && after > 0 : before < 0 && after < 0);
+        };
+        bool is_slope = false;
+        for (const triangle& t : swept.triangles) {
+            const grid_point c[] = {swept.nodes[t.a].at, swept.nodes[t.b].at, swept.nodes[t.c].at};
+            for (std::size_t k = 0; k < 3; ++k) {
+                const grid_point a = c[k], b = c[(k + 1) % 3], r = c[(k + 2) % 3];
+                if (!(a == p && b == q) && !(a == q && b == p)) continue;
+                is_slope = true;
+                for (const grid_point foot : {grid_point{column, row}, grid_point{column + 1, row},
+                                              grid_point{column, row + 1}, grid_point{column + 1, row + 1}})
+                    if (allows(r, foot)) return false;
+            }
+        }
+        return is_slope;
     }
 
     template <class Solid>
@@ -319,7 +359,7 @@ private:
             for (const auto& loop : inspect::loops_of(left)) ++(inspect::doubled_area(loop) > 0 ? outers : holes);
             left = region::proven(bevel.swept.cap, holes, outers);
             f.triangles += cap_.triangles.size();
-            check_angles(how.how, left, f, true);
+            check_angles(how.how, left, f, &bevel.swept);
         }
     }
 

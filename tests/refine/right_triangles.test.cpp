@@ -79,3 +79,24 @@ TEST_CASE("triangles of a few cells remain whole, and those beside them valid", 
         CHECK(parts.count(mesh).points == out.points().size());
     }
 }
+
+TEST_CASE("where the nearest cell would turn a triangle, a centre lies in another cell around its place", "[refine]")
+{
+    // The nearest cell to the centre of the triangle on the left lies on the line between two feet.
+    const test::filled_shape shape{test::shape{"few cells", {{{0, 0}, {8, 5}, {-6, 12}, {-11, 2}}}}};
+    workspace space;
+    triangle_list given;
+    REQUIRE_FALSE(constrained_delaunay{}(shape.filled, space, given));
+    refinable_mesh mesh;
+    radical_weights weights;
+    REQUIRE(mesh.open(shape.filled, given.view()));
+    REQUIRE(weights.open(mesh));
+    right_triangles parts;
+    REQUIRE(parts.divide(mesh, weights, detail::boundary_cutter{}));
+    CHECK(parts.count(mesh).points == 4 + 5 + 2);
+    CHECK(parts.count(mesh).obtuse == 0);
+    test::refined_result out;
+    REQUIRE_FALSE(parts.write(mesh, shape.filled, out.out()));
+    CHECK(test::broken_refinement(shape.filled, out) == "");
+    CHECK(test::wide_corners_of(out).above == 0);
+}

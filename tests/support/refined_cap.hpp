@@ -183,8 +183,10 @@ inline std::size_t corners_below(const refined_result& cap, double degrees)
 /// What is the largest angle of a cap.
 struct wide_corners {
     std::size_t above = 0;    ///< corners above 90 degrees by more than moving each coordinate of both edges by 3/2
-    std::size_t rounded = 0;  ///< the other corners above 90 degrees
-    double greatest = 0.0;    ///< in degrees
+    std::size_t crowded = 0;  ///< of these, corners of triangles that are lower than 8 cells
+    std::vector<std::pair<typemesh::grid_point, cap_edges::ends>> others;  ///< the rest of these, and the edge opposite
+    std::size_t rounded = 0;                                               ///< the other corners above 90 degrees
+    double greatest = 0.0;                                                 ///< in degrees
 };
 inline wide_corners wide_corners_of(const refined_result& cap)
 {
@@ -195,7 +197,11 @@ inline wide_corners wide_corners_of(const refined_result& cap)
         const std::int64_t px = std::int64_t{a.x} - at.x, py = std::int64_t{a.y} - at.y, qx = std::int64_t{b.x} - at.x,
                            qy = std::int64_t{b.y} - at.y, product = px * qx + py * qy;
         const std::int64_t around = std::abs(px) + std::abs(py) + std::abs(qx) + std::abs(qy);
-        (2 * product < -3 * around - 9 ? all.above : all.rounded) += product < 0;
+        const bool is_above = 2 * product < -3 * around - 9;
+        (is_above ? all.above : all.rounded) += product < 0;
+        const bool is_low = double(px * qy - py * qx) < 8.0 * std::sqrt(double(squared_distance(a, b)));
+        if (is_above && is_low) ++all.crowded;
+        if (is_above && !is_low) all.others.emplace_back(at, edge);
         all.greatest = (std::max)(all.greatest, std::atan2(double(px * qy - py * qx), double(product)));
     }
     all.greatest *= 360.0 / turn_once;

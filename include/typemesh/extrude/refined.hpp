@@ -90,8 +90,9 @@ private:
 ///
 /// Around bevels the outline is refined first, and the slopes begin at its new points. Then each cap within a bevel is
 /// refined. Points on its edges divide the slopes' triangles there, so all parts share every point. The slopes get no
-/// other points. Where two slopes almost meet, a cap can be a few cells narrow, which leaves no room for points. If a
-/// refiner of your own adds a point that would turn a triangle of a slope, the bevel becomes narrower.
+/// other points, but their innermost bands get other diagonals, which leave room for these. Where two slopes almost
+/// meet, a cap can be a few cells narrow, which leaves no room for points. If a refiner of your own adds a point that
+/// would turn a triangle of a slope, the bevel becomes narrower.
 ///
 /// It has the other extruder's parts. All triangles of merged glyphs belong to shared_glyph. A ring of `outlined` and
 /// the letter within it are refined one by one, so their common edges get different points.

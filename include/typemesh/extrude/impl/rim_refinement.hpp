@@ -11,6 +11,7 @@
 #include <typemesh/core/region.hpp>
 #include <typemesh/core/triangle.hpp>
 #include <typemesh/extrude/impl/bevel_data.hpp>
+#include <typemesh/extrude/impl/cell_diagonals.hpp>
 #include <typemesh/offset/swept_region.hpp>
 #include <typemesh/refine/refiner.hpp>
 
@@ -26,7 +27,8 @@ namespace typemesh::inline TYPEMESH_ABI::detail {
 ///     a------b  rim          a--p---b     An edge of the cap is an edge of one triangle of the last band, whose third
 ///      \    /         -->     \ |  /      corner r then gets an edge to each new point. A refiner whose scratch has
 ///       \  /  bevel            \| /       attach() adds no point that would turn one of these triangles. Where an edge
-///        r                      r         belongs to no triangle alone, such a refiner adds none.
+///        r                      r         belongs to no triangle alone, such a refiner adds none. First the band's
+///                                         cells get the diagonals that leave most room: see cell_diagonals.
 class rim_refinement {
 public:
     explicit rim_refinement(memory source = heap()) noexcept
@@ -39,7 +41,8 @@ public:
           sides_{source},
           fan_of_{source},
           divided_{source},
-          edges_{source}
+          edges_{source},
+          diagonals_{source}
     {
     }
 
@@ -134,7 +137,8 @@ private:
         fans_.clear();
         grid_point* const beyond = beyond_.append(n);
         fan* const fans = fans_.append(n);
-        if (beyond == nullptr || fans == nullptr || !list_rim() || !list_sides()) return false;
+        if (beyond == nullptr || fans == nullptr) return false;
+        if (!diagonals_.improve(*swept_, swept_->levels.size() - 2) || !list_rim() || !list_sides()) return false;
         const auto starts = cap.starts();
         for (std::size_t loop = 0; loop + 1 < starts.size(); ++loop)
             for (std::uint32_t i = starts[loop], end = starts[loop + 1]; i < end; ++i) {
@@ -330,6 +334,7 @@ private:
     buffer<std::uint32_t> fan_of_;  // for each triangle
     buffer<triangle> divided_;
     buffer<swept_edge_at> edges_;
+    cell_diagonals diagonals_;
     swept_region* swept_ = nullptr;
 };
 

@@ -12,7 +12,6 @@
 #include <typemesh/refine/impl/right_triangles.hpp>
 #include <typemesh/refine/refiner.hpp>
 
-#include <cstddef>
 #include <cstdint>
 
 namespace typemesh::inline TYPEMESH_ABI::detail {
@@ -23,8 +22,7 @@ namespace typemesh::inline TYPEMESH_ABI::detail {
 ///     2. weights     radical_weights looks for weights with which each triangle's radical centre lies inside.
 ///     3. points      Where it finds none, the centre of the circle around the triangle becomes a point, as in
 ///                    delaunay_refinement; then step 2 is repeated. From the fourth time on it looks longer, and is
-///                    content with centres nearer to the edges. It ends after 40 times or, with many bad
-///                    triangles, after six in a row without progress.
+///                    content with centres nearer to the edges. It ends after 40 times at most.
 ///     4. division    right_triangles divides each triangle into six.
 ///
 /// Steps 1 and 3 keep the mesh valid by exact decisions, and step 4 checks each triangle exactly, so the triangles are
@@ -75,17 +73,12 @@ private:
     /// Steps 2 and 3. If no point can be added any more, triangles remain whose radical centres lie outside.
     [[nodiscard]] error find_weights() noexcept
     {
-        constexpr std::size_t many = 500;
-        std::size_t fewest = ~std::size_t{0};  // triangles that were bad after a round
-        int patience = 6;
-        for (int round = 0; round < 40 && patience != 0; ++round) {
+        for (int round = 0; round < 40; ++round) {
             if (!weights_.open(mesh_)) return error::out_of_memory;
             if (round < 3 ? weights_.settle(60, 1.0) : weights_.settle(500, 0.3)) return {};
             const std::uint32_t before = mesh_.vertex_count();
             if (error e = add_points()) return e;
             if (mesh_.vertex_count() == before) return {};
-            patience = bad_.size() < fewest || bad_.size() < many ? 6 : patience - 1;
-            fewest = bad_.size() < fewest ? bad_.size() : fewest;
         }
         return weights_.open(mesh_) ? error{} : error{error::out_of_memory};
     }

@@ -32,10 +32,11 @@ namespace typemesh::inline TYPEMESH_ABI::detail {
 ///
 ///             c                 Feet inside and radical centres move by half a cell at most, in x and in y. A foot on
 ///           / | \               the boundary moves by less than a cell, to the inner side of its edge, so the boundary
-///         /   |   \             remains simple.
-///       f2-___o___-f1           Triangles that are too small for that remain whole. An edge between such a triangle
-///       /     |     \           and one that is divided has no foot, so that fewer than six triangles remain there.
-///      a------f3-----b          Whether the triangles are valid is decided exactly.
+///         /   |   \             remains simple. Where the nearest cell would turn a triangle, a centre moves by less
+///       f2-___o___-f1           than a cell.
+///       /     |     \           Triangles that are too small for that remain whole. An edge between such a triangle
+///      a------f3-----b          and one that is divided has no foot, so that fewer than six triangles remain there.
+///                               Whether the triangles are valid is decided exactly.
 class right_triangles {
 public:
     explicit right_triangles(memory source = heap()) noexcept
@@ -56,19 +57,14 @@ public:
         for (std::uint32_t t = 0; t < mesh.triangle_count(); ++t) {
             for (std::uint32_t h = 4 * t; h < 4 * t + 3; ++h)
                 if (is_first(mesh, h)) feet[h] = foot_of(mesh, weights, cut, h);
-            const point off = weights.centre_of(mesh, t);
-            const grid_point from = mesh.start(4 * t);
-            // A centre that is far away, or no number, is no centre: the triangle then stays whole.
-            const point at{from.x + off.x, from.y + off.y};
-            const bool is_near = at.x > -0x1p28 && at.x < 0x1p28 && at.y > -0x1p28 && at.y < 0x1p28;
-            centres[t] = {is_near ? boundary_cutter::rounded(at, 0) : from, true};
+            centres[t] = {centre_at(mesh, weights, t, 0), true};
         }
         for (std::uint32_t t = 0; t < mesh.triangle_count(); ++t) {
             if (!waiting_.push_back(t)) return false;
             while (!waiting_.empty()) {
                 const std::uint32_t one = waiting_.back();
                 waiting_.truncate(waiting_.size() - 1);
-                if (centres[one].is_used && !is_valid(mesh, one) && !leave_whole(mesh, one)) return false;
+                if (centres[one].is_used && !find_centre(mesh, weights, one) && !leave_whole(mesh, one)) return false;
             }
         }
         return true;
@@ -188,6 +184,27 @@ private:
             visit(from, between, middle);
             visit(between, to, middle);
         }
+    }
+
+    /// The radical centre of a triangle, rounded to a corner of the grid's cell around it, the nearest one first. A
+    /// centre that is far away, or no number, is no centre: it becomes a corner, and the triangle stays whole.
+    [[nodiscard]] static grid_point centre_at(const refinable_mesh& mesh, const radical_weights& weights,
+                                              std::uint32_t t, int next_best) noexcept
+    {
+        const grid_point from = mesh.start(4 * t);
+        const point off = weights.centre_of(mesh, t), at{from.x + off.x, from.y + off.y};
+        const bool is_near = at.x > -0x1p28 && at.x < 0x1p28 && at.y > -0x1p28 && at.y < 0x1p28;
+        return is_near ? boundary_cutter::rounded(at, next_best) : from;
+    }
+
+    /// Finds a place for a triangle's centre with which its parts are valid. False if there is none.
+    [[nodiscard]] bool find_centre(const refinable_mesh& mesh, const radical_weights& weights, std::uint32_t t) noexcept
+    {
+        for (const int next_best : {0, 1, 2, 3}) {
+            centres_[t].place = centre_at(mesh, weights, t, next_best);
+            if (is_valid(mesh, t)) return true;
+        }
+        return false;
     }
 
     [[nodiscard]] bool is_valid(const refinable_mesh& mesh, std::uint32_t t) const noexcept
