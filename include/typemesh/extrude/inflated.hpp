@@ -75,7 +75,7 @@ struct inflated {
     inflated_form form = inflated_form::balloon;
     float depth = 0.1f;            ///< the height of a dome's walls, in em or in output units: text_options::depth_in
     float crease_degrees = 15.0f;  ///< the crease angle of the outline, 0 to 180: see curve_normals
-    std::uint32_t max_points = default_max_points;  ///< the greatest number of points of one cap, 2^30 - 1 at most
+    std::uint32_t max_points = default_max_points;  ///< the greatest number of points of one cap, 2^29 - 1 at most
     bool front = true;
     bool back = true;
     bool side = true;

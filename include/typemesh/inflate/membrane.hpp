@@ -33,13 +33,13 @@ struct membrane_point {
 /// The size of a membrane's mesh.
 struct membrane_options {
     float edge = 0.03f;  ///< the length of the longest edge, in em; strokes narrower than that get shorter ones
-    std::uint32_t max_points = default_max_points;  ///< the greatest number of points of one cap, 2^30 - 1 at most
+    std::uint32_t max_points = default_max_points;  ///< the greatest number of points of one cap, 2^29 - 1 at most
 
     /// The error for options that are out of range on every glyph, or none.
     [[nodiscard]] error refused() const noexcept
     {
         if (!is_finite(as_double(edge)) || !(edge > 0.0f)) return error::bad("edge");
-        return max_points > 0x3FFF'FFFFu ? error::bad("max_points") : error{};
+        return max_points > max_refined_points ? error::bad("max_points") : error{};
     }
 };
 
@@ -63,7 +63,7 @@ struct membrane_options {
 ///                                                                                      has one for each of `inner`
 ///
 /// Fails  error::bad_option: edge is not positive and finite, or below 64 cells on a glyph ("edge"), or the grid has no
-///        em ("units_per_em"), or max_points is above 2^30 - 1 ("max_points")
+///        em ("units_per_em"), or max_points is above 2^29 - 1 ("max_points")
 ///        error::too_many_points: the glyph needs more than max_points
 ///        error::out_of_memory
 /// Cost   O(n) for the points, and at most n^1.5 for the solution
@@ -84,18 +84,18 @@ public:
         if (longest < 64.0) return error::bad("edge");
         auto limits = detail::refinement_limits::from(25.0, longest, how.max_points);
         limits.boundary_only = true;  // the rings will divide most of the long edges inside
-        if (error e = mesh_.run(r, cap, limits)) return with_limit(e, how);
+        if (error e = mesh_.run(r, cap, limits)) return e;
         out.kept = mesh_.kept();
         if (error e = mesh_.write(out)) return e;
         if (!system_.solve(view_of(out))) return error::out_of_memory;
         if (!rise_.measure(system_, mesh_.mesh(), r.starts(), out.loops.points.size())) return error::out_of_memory;
-        if (error e = rise_.shorten(mesh_, r.starts(), 1.0, longest / 16.0)) return with_limit(e, how);
+        if (error e = rise_.shorten(mesh_, r.starts(), 1.0, longest / 16.0)) return e;
         if (!detail::rim_rings::divide_crossings(mesh_.mesh()) ||
             !detail::rim_rings::add_rings(mesh_.mesh(), rise_.data(), longest) ||
             !detail::rim_rings::divide_long(mesh_.mesh(), longest, how.max_points) ||
             !detail::rim_rings::raise_specks(mesh_.mesh()))
             return error::out_of_memory;
-        if (mesh_.mesh().vertex_count() > how.max_points) return with_limit(error::too_many_points, how);
+        if (mesh_.mesh().vertex_count() > how.max_points) return {error::too_many_points, how.max_points};
         if (error e = mesh_.write(out)) return e;
         const detail::membrane_mesh m = view_of(out);
         if (!system_.solve(m) || !fit_(m, system_.u(), longest, slopes_)) return error::out_of_memory;
@@ -109,11 +109,6 @@ private:
     [[nodiscard]] static detail::membrane_mesh view_of(const refined_cap& cap) noexcept
     {
         return {cap.loops.points.view(), cap.inner.view(), cap.triangles.view()};
-    }
-
-    [[nodiscard]] static error with_limit(const error& e, const membrane_options& how) noexcept
-    {
-        return e == error::too_many_points ? error{error::too_many_points, how.max_points} : e;
     }
 
     /// Rounds the heights and slopes. False if out of memory.

@@ -32,7 +32,8 @@ namespace typemesh::inline TYPEMESH_ABI {
 /// stay so.
 ///
 /// Fails  error::bad_option: min_angle is not 0 to 33 degrees, max_edge is negative or not finite, or below 16 cells
-///        on a glyph, or max_points is above 2^30 - 1 ("min_angle", "max_edge", "max_points")
+///        on a glyph, or max_points is above 2^29 - 1 ("min_angle", "max_edge", "max_points"), or
+///        the grid has no em ("units_per_em")
 ///        error::too_many_points: the glyph needs more than max_points, for example for a long gap of a few cells
 ///        error::out_of_memory
 /// Cost   O(1) on average for each point that is added
@@ -41,7 +42,7 @@ struct delaunay_refined {
     float min_angle = 25.0f;  ///< the least angle, in degrees, 0 to 33; above 26.45, it is usual but not proven that
                               ///< all triangles reach it
     float max_edge = 0.0f;    ///< the length of the longest edge, in em; 0: any length
-    std::uint32_t max_points = default_max_points;  ///< the greatest number of points of one cap, 2^30 - 1 at most
+    std::uint32_t max_points = default_max_points;  ///< the greatest number of points of one cap, 2^29 - 1 at most
 
     using scratch = detail::delaunay_refinement;  ///< keeps its memory for the next cap
 
@@ -53,7 +54,7 @@ struct delaunay_refined {
     {
         if (!is_finite(as_double(min_angle)) || min_angle < 0.0f || min_angle > 33.0f) return error::bad("min_angle");
         if (!is_finite(as_double(max_edge)) || max_edge < 0.0f) return error::bad("max_edge");
-        if (max_points > 0x3FFF'FFFFu) return error::bad("max_points");
+        if (max_points > max_refined_points) return error::bad("max_points");
         return {};
     }
 

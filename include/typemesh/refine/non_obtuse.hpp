@@ -39,14 +39,15 @@ namespace typemesh::inline TYPEMESH_ABI {
 /// coarse mesh lie on the curve, as in delaunay_refined; feet lie on the edges between these.
 ///
 /// Fails  error::bad_option: max_edge is negative or not finite, or below 32 cells on a glyph, or max_points is above
-///        2^30 - 1 ("max_edge", "max_points")
+///        2^29 - 1 ("max_edge", "max_points"), or
+///        the grid has no em ("units_per_em")
 ///        error::too_many_points: the glyph needs more than max_points
 ///        error::out_of_memory
 /// Cost   O(1) on average for each point that is added
 /// From   Bern, Mitchell & Ruppert: see impl/radical_weights.hpp
 struct non_obtuse {
     float max_edge = 0.0f;                          ///< the length of the longest edge, in em; 0: any length
-    std::uint32_t max_points = default_max_points;  ///< the greatest number of points of one cap, 2^30 - 1 at most
+    std::uint32_t max_points = default_max_points;  ///< the greatest number of points of one cap, 2^29 - 1 at most
 
     using scratch = detail::non_obtuse_refinement;  ///< keeps its memory for the next cap
 
@@ -57,7 +58,7 @@ struct non_obtuse {
     [[nodiscard]] error refused_options() const noexcept
     {
         if (!is_finite(as_double(max_edge)) || max_edge < 0.0f) return error::bad("max_edge");
-        if (max_points > 0x3FFF'FFFFu) return error::bad("max_points");
+        if (max_points > max_refined_points) return error::bad("max_points");
         return {};
     }
 
@@ -66,8 +67,8 @@ struct non_obtuse {
     {
         if (error e = refused_options()) return e;
         detail::refinement_limits limits;  // of the coarse mesh: 20 degrees make the fewest triangles in the end
-        limits.tangent = 0.364;
-        limits.off_centre = 2.694;
+        limits.tangent = 0.364;            // of 20 degrees
+        limits.off_centre = 2.694;         // as refinement_limits::from() has it for 20 degrees
         limits.max_points = max_points;
         if (max_edge > 0.0f) {
             const double em = r.grid().cells * r.grid().units_per_em, longest = as_double(max_edge) * em;

@@ -34,14 +34,15 @@ namespace typemesh::inline TYPEMESH_ABI {
 /// triangles with a longer edge; it is usually 0.
 ///
 /// Fails  error::bad_option: max_edge is not positive and finite, or below 32 cells on a glyph, or max_points is above
-///        2^30 - 1 ("max_edge", "max_points")
+///        2^29 - 1 ("max_edge", "max_points"), or
+///        the grid has no em ("units_per_em")
 ///        error::too_many_points: the glyph needs more than max_points
 ///        error::out_of_memory
 /// Cost   O(1) on average for each point that is added
 /// From   Bern, Eppstein & Gilbert: see impl/quadtree_refinement.hpp
 struct quadtree_refined {
     float max_edge = 0.05f;                         ///< the length of the longest edge, in em
-    std::uint32_t max_points = default_max_points;  ///< the greatest number of points of one cap, 2^30 - 1 at most
+    std::uint32_t max_points = default_max_points;  ///< the greatest number of points of one cap, 2^29 - 1 at most
 
     using scratch = detail::quadtree_refinement;  ///< keeps its memory for the next cap
 
@@ -52,7 +53,7 @@ struct quadtree_refined {
     [[nodiscard]] error refused_options() const noexcept
     {
         if (!is_finite(as_double(max_edge)) || !(max_edge > 0.0f)) return error::bad("max_edge");
-        if (max_points > 0x3FFF'FFFFu) return error::bad("max_points");
+        if (max_points > max_refined_points) return error::bad("max_points");
         return {};
     }
 

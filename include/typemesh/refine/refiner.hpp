@@ -29,6 +29,10 @@ struct refined_cap {
     std::uint32_t& kept;
 };
 
+/// The greatest limit for the points of a refined cap. n points have fewer than 2n triangles, whose half-edges are
+/// numbered four apart in 32 bits.
+inline constexpr std::uint32_t max_refined_points = (std::uint32_t{1} << 29) - 1;
+
 /// Adds points to a region's triangles, inside and on the boundary, for meshes that will be bent, displaced or used in
 /// a simulation.
 ///

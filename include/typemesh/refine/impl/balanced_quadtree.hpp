@@ -104,7 +104,8 @@ public:
         return false;
     }
 
-    /// Splits a leaf, and larger ones around it. Precondition: its level is above deepest(). False if out of memory.
+    /// Splits a leaf, and larger ones around it. Precondition: its level is less than deepest(). False if out of
+    /// memory.
     [[nodiscard]] bool split(std::uint32_t n) noexcept
     {
         const square q = squares_[n];

@@ -50,7 +50,7 @@ public:
         if (!parts_.divide(mesh_, weights_, cut_)) return error::out_of_memory;
         const right_triangles::counts all = parts_.count(mesh_);
         kept_ = all.obtuse;
-        return all.points > limits_.max_points ? error::too_many_points : error{};
+        return all.points > limits_.max_points ? error{error::too_many_points, limits_.max_points} : error{};
     }
 
     /// Writes the refined cap. Fails with error::out_of_memory.

@@ -64,12 +64,13 @@ public:
         kept_ = 0;
         stamp_ = 0;
         tree_.open(limits.width);
-        if (needs_too_many()) return error::too_many_points;
+        if (needs_too_many()) return {error::too_many_points, limits_.max_points};
         if (!mesh_.open(r, triangles)) return error::out_of_memory;
         if (!add_edges()) return error::out_of_memory;
         const std::size_t most = 64 + 16 * std::size_t{limits.max_points};
         if (!tree_.split_crowded(most))
-            return tree_.square_count() > most ? error::too_many_points : error::out_of_memory;
+            return tree_.square_count() > most ? error{error::too_many_points, limits_.max_points}
+                                               : error{error::out_of_memory};
         if (error e = cut_outline()) return e;
         tree_.forget_edges();
         if (!add_edges() || !note_triangles()) return error::out_of_memory;
@@ -132,7 +133,7 @@ private:
                 edges_.truncate(edges_.size() - 1);
                 if (error e = cut(a)) return e;
                 if (mesh_.vertex_count() == before) continue;
-                if (mesh_.vertex_count() > limits_.max_points) return error::too_many_points;
+                if (mesh_.vertex_count() > limits_.max_points) return {error::too_many_points, limits_.max_points};
                 if (!edges_.push_back(a) || !edges_.push_back(before)) return error::out_of_memory;
             }
         }
@@ -237,7 +238,7 @@ private:
                 if (mesh_.insert(holder, p) == none)
                     failed = error::out_of_memory;
                 else if (mesh_.vertex_count() > limits_.max_points)
-                    failed = error::too_many_points;
+                    failed = {error::too_many_points, limits_.max_points};
                 return failed == error::none;
             });
             if (!done) return failed;
