@@ -11,6 +11,7 @@ export { materials };
 export const views = ["solid", "wireframe", "normals", "texture", "contours"];
 const rainbow = [0xff3b5c, 0xff9f1c, 0xffd23f, 0x2ec4b6, 0x3a86ff, 0x8f5bff];
 const sway = 0.5, swayPeriod = 13000;  // radians to each side, ms
+const entry = 1.1, entryTime = 1600;  // from how far round a mesh comes in
 
 export class Stage {
     #frame;
@@ -47,6 +48,10 @@ export class Stage {
         this.motion = new Motion(() => this.#wake());
         canvas.addEventListener("keydown", event => this.#key(event));
         new ResizeObserver(() => this.#resize()).observe(canvas);
+        canvas.addEventListener("webglcontextrestored", () => {  // all that the graphics card had is to be made anew
+            this.#skies.clear();
+            this.onrestored?.();
+        });
         onDark(() => this.dress(this.look));
         lessMotion.addEventListener("change", () => this.turn(!lessMotion.matches));
         this.#resize();
@@ -107,6 +112,9 @@ export class Stage {
         this.renderer.shadowMap.needsUpdate = true;
         return this.draw();
     }
+
+    /** The colours of vertices that letters have of their own: see motion.js. */
+    get tints() { return this.group.children[0]?.geometry.attributes.tint?.array; }
 
     get #hasFloor() { return this.view === "solid"; }
 
@@ -187,6 +195,7 @@ export class Stage {
         if (keepsTurn) way.applyAxisAngle(new THREE.Vector3(0, 1, 0), this.turned ?? 0);
         else this.turned = 0, this.begun = undefined;
         this.camera.position.copy(middle).add(way);
+        Object.assign(this.orbit, { minDistance: distance / 20, maxDistance: 6 * distance });
         this.camera.near = distance / 100;
         this.camera.far = distance * 100;
         this.camera.updateProjectionMatrix();
@@ -220,7 +229,8 @@ export class Stage {
         const turns = this.turning && !this.moved && this.box;
         if (turns) {
             this.begun ??= time;
-            const angle = sway * Math.sin(2 * Math.PI * (time - this.begun) / swayPeriod), by = angle - (this.turned ?? 0);
+            const since = time - this.begun, coming = entry * Math.max(0, 1 - since / entryTime) ** 3;
+            const angle = sway * Math.sin(2 * Math.PI * since / swayPeriod) - coming, by = angle - (this.turned ?? 0);
             this.camera.position.sub(this.orbit.target).applyAxisAngle(new THREE.Vector3(0, 1, 0), by).add(this.orbit.target);
             this.turned = angle;
             this.orbit.update();
