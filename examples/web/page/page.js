@@ -5,6 +5,7 @@ import load from "typemesh";
 import { Controls } from "./controls.js";
 import { Fonts, lettersOf } from "./fonts.js";
 import { History } from "./history.js";
+import { finishes } from "./looks.js";
 import { lessMotion } from "./motion.js";
 import { isSame, linkOf, presets } from "./presets.js";
 import { programs } from "./programs.js";
@@ -343,7 +344,8 @@ function programState() {
     const options = pruned({ ...all, markup: all.markup === true && !trouble }), bent = options.bend || options.warp?.flag;
     if (bent) stage?.settle();
     const { advance } = bent ? measurer.mesh(text, { ...options, bend: undefined, warp: undefined, depth: 0, bevel: undefined }).statistics : {};
-    return { text, options, advance, file: fonts.used.file ?? fonts.used.name, others: fonts.othersFor(text), axis: morph && fonts.weights,
+    const { roughness, metalness, clearcoat } = finishes[controls.look.finish], material = { color: controls.colour, roughness, metalness, clearcoat };
+    return { text, options, material, advance, file: fonts.used.file ?? fonts.used.name, others: fonts.othersFor(text), axis: morph && fonts.weights,
              weight: fonts.weights && controls.values["page.weight"] };
 }
 function tellProgram() {
