@@ -47,6 +47,11 @@ export class Stage {
         this.look = { finish: "satin", colour: "", world: "auto" };
         this.motion = new Motion(() => this.#wake());
         canvas.addEventListener("keydown", event => this.#key(event));
+        canvas.addEventListener("pointermove", event => {  // what letters mirror goes with a mouse that passes
+            if (event.pointerType !== "mouse" || event.buttons || lessMotion.matches) return;
+            this.scene.environmentRotation.y = 0.9 * (event.offsetX / canvas.clientWidth - 0.5);
+            this.draw();
+        });
         new ResizeObserver(() => this.#resize()).observe(canvas);
         canvas.addEventListener("webglcontextrestored", () => {  // all that the graphics card had is to be made anew
             this.#skies.clear();
