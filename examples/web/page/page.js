@@ -295,7 +295,8 @@ function remember() {  // browsers refuse more than some changes of the address 
     history.keep({ set: kept(false).toString(), text: at("text").value, font: fonts.used?.name });
     at("undo").disabled = !history.canUndo;
     at("redo").disabled = !history.canRedo;
-    const preset = [...at("presets").children].find(one => isSame(one.hash.slice(1), link())), words = preset?.title ?? "";
+    const preset = [...at("presets").children].find(one => isSame(one.hash.slice(1), link()));
+    const words = preset?.title ?? (link() === "" ? "Type anything, drag it to turn it, or try one of these samples." : "");
     for (const one of at("presets").children) one.removeAttribute("aria-current");
     preset?.setAttribute("aria-current", "true");
     if (at("caption").textContent !== words) at("caption").textContent = words;
@@ -421,7 +422,7 @@ addEventListener("keydown", event => {
     if (!isFree || event.key.length !== 1 || event.key === " " || event.ctrlKey || event.metaKey || event.altKey || event.defaultPrevented) return;
     const box = at("text");
     box.focus();
-    if (box.value === start.text || at("caption").textContent !== "") box.select();
+    if (at("caption").textContent !== "") box.select();
     else box.setSelectionRange(box.value.length, box.value.length);
 });
 for (const button of at("tags").children) button.addEventListener("click", () => {
