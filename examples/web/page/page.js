@@ -178,6 +178,7 @@ function count(ms) {
     if (measured === 0) return;
     changes.push(ms);
     if (changes.length > 21) changes.shift();
+    at("change").closest("div").hidden = false;
     at("change").value = [...changes].sort((a, b) => a - b)[changes.length >> 1].toFixed(1);
 }
 const changes = [];
@@ -227,14 +228,22 @@ function measure(text, options) {
     if (ticking || !mesh) return;
     stage?.settle();
     const marked = { ...options, markup: options.markup === true && !trouble };
-    const cold = measurer.mesh(text, { ...marked, cached: false });
-    at("cold").value = number(Math.round(cold.statistics.microseconds));
-    at("open-edges").value = number(morph ? mesh.openEdges() : cold.openEdges());
-    if (!morph) make(text, marked);  // the same again: all its letters are there now
-    at("cached").value = number(Math.round(mesh.statistics.microseconds));
+    const cold = leastOf(() => measurer.mesh(text, { ...marked, cached: false }));
+    at("cold").value = number(Math.round(cold.microseconds));
+    at("open-edges").value = number(morph ? mesh.openEdges() : cold.made.openEdges());
+    if (morph) at("cached").value = number(Math.round(mesh.statistics.microseconds));
+    else at("cached").value = number(Math.round(leastOf(() => (make(text, marked), mesh)).microseconds));  // all its letters are there now
     document.documentElement.dataset.measured = String(++measured);
 }
 let measured = 0;
+/** The last of some meshes, as many as take ten milliseconds, and the least of their times: other programs run as well. */
+function leastOf(makes) {
+    const began = performance.now();
+    let made, microseconds = Infinity;
+    do made = makes(), microseconds = Math.min(microseconds, made.statistics.microseconds);
+    while (performance.now() - began < 10);
+    return { made, microseconds };
+}
 
 // --- a thousand characters a frame -------------------------------------------------------------------------------------------
 

@@ -193,8 +193,9 @@ export class Stage {
         if (!this.box) return;
         const size = this.box.getSize(new THREE.Vector3()), middle = this.box.getCenter(new THREE.Vector3());
         const half = Math.tan(THREE.MathUtils.degToRad(this.camera.fov / 2));
-        const distance = Math.max(1.25 * size.y / half, size.x / (half * this.camera.aspect), 0.1) * 0.62 + size.z;
-        if (this.#hasFloor) middle.y -= 0.08 * size.y;
+        const forHeight = 1.25 * size.y / half, forWidth = size.x / (half * this.camera.aspect);
+        const distance = Math.max(forHeight, forWidth, 0.1) * 0.62 + size.z;
+        if (this.#hasFloor) middle.y -= (forHeight < forWidth ? 0.08 : 0.02) * size.y;  // what is tall leaves room for what lies above it
         this.orbit.target.copy(middle);
         const way = new THREE.Vector3(-0.22, 0.16, 1).normalize().multiplyScalar(distance);
         if (keepsTurn) way.applyAxisAngle(new THREE.Vector3(0, 1, 0), this.turned ?? 0);
