@@ -305,10 +305,13 @@ function remember() {  // browsers refuse more than some changes of the address 
     at("undo").disabled = !history.canUndo;
     at("redo").disabled = !history.canRedo;
     const preset = [...at("presets").children].find(one => isSame(one.hash.slice(1), link()));
-    const words = preset?.title ?? (link() === "" ? "Type anything, drag it to turn it, or try one of these samples." : "");
+    const words = preset?.title ?? (link() === "" ? "Type anything, drag it, or try a sample." : "");
     for (const one of at("presets").children) one.removeAttribute("aria-current");
     preset?.setAttribute("aria-current", "true");
-    if (at("caption").textContent !== words) at("caption").textContent = words;
+    if (at("caption").textContent !== words) {
+        at("caption").textContent = words;
+        if (preset) at("presets").scrollLeft = preset.offsetLeft - (at("presets").clientWidth - preset.clientWidth) / 2;
+    }
     remembering = setTimeout(() => globalThis.history.replaceState(null, "", link() ? "#" + link() : location.pathname + location.search), 250);
 }
 /** Sets the page to what is kept, and gives the name of the font, which is to be chosen next. */
@@ -457,6 +460,10 @@ at("copy").addEventListener("click", async () => {
 if (stage) {
     stage.breath = breath;
     stage.onrestored = update;
+    stage.covered = () => {
+        const [all, top, bar] = ["stage", "top", "bar"].map(id => at(id).getBoundingClientRect());
+        return { top: top.bottom - all.top, bottom: all.bottom - bar.top };
+    };
     stage.ontouch = () => at("turn").setAttribute("aria-pressed", String(stage.turning));
     at("turn").addEventListener("click", () => stage.turn(!stage.turning));
     stage.ontouch();

@@ -15,6 +15,9 @@ const entry = 1.1, entryTime = 1600;  // from how far round a mesh comes in
 
 export class Stage {
     #frame;
+    lift = 0;
+    covered = () => ({ top: 0, bottom: 0 });  // how much of the stage lies under something, in CSS pixels
+
     #drawn = true;  // the arrays of the mesh have gone to the graphics card
     #skies = new Map();
 
@@ -193,9 +196,12 @@ export class Stage {
         if (!this.box) return;
         const size = this.box.getSize(new THREE.Vector3()), middle = this.box.getCenter(new THREE.Vector3());
         const half = Math.tan(THREE.MathUtils.degToRad(this.camera.fov / 2));
-        const forHeight = 1.25 * size.y / half, forWidth = size.x / (half * this.camera.aspect);
-        const distance = Math.max(forHeight, forWidth, 0.1) * 0.62 + size.z;
-        if (this.#hasFloor) middle.y -= (forHeight < forWidth ? 0.08 : 0.02) * size.y;  // what is tall leaves room for what lies above it
+        const { clientHeight: height } = this.canvas, { top, bottom } = this.covered(), free = Math.max(0.3, 1 - (top + bottom) / height);
+        const forHeight = size.y / (half * Math.min(0.8, free)), forWidth = size.x / (half * this.camera.aspect);
+        const distance = Math.max(forHeight, forWidth, 0.1) * 0.62 + size.z, tall = THREE.MathUtils.smoothstep(forHeight / Math.max(forWidth, 1e-9), 0.75, 1);
+        if (this.#hasFloor) middle.y -= (0.08 - 0.06 * tall) * size.y;
+        this.lift = tall * (bottom - top) / 2 / height;  // what is tall stands between what lies over the stage
+        this.#aim();
         this.orbit.target.copy(middle);
         const way = new THREE.Vector3(-0.22, 0.16, 1).normalize().multiplyScalar(distance);
         if (keepsTurn) way.applyAxisAngle(new THREE.Vector3(0, 1, 0), this.turned ?? 0);
@@ -277,9 +283,15 @@ export class Stage {
         this.renderer.setPixelRatio(Math.min(devicePixelRatio, 2));
         this.renderer.setSize(width, height, false);
         this.camera.aspect = width / height;
-        this.camera.updateProjectionMatrix();
+        this.#aim();
         if (this.moved) this.draw();
         else this.fit(true);
+    }
+
+    /** The picture's middle is above or below that of the stage. */
+    #aim() {
+        const { clientWidth: width, clientHeight: height } = this.canvas;
+        this.camera.setViewOffset(width, height, 0, this.lift * height, width, height);
     }
 
     #key(event) {
