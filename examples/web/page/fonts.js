@@ -115,7 +115,7 @@ export class Fonts {
             const bytes = await entry.coming;
             entry.font ??= this.#open(entry.bytes = bytes);
         } finally {
-            entry.coming = undefined;  // after a failure it is asked for again
+            entry.coming = undefined;  // the next one who needs it tries again
         }
     }
 }

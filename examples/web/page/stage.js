@@ -288,7 +288,7 @@ export class Stage {
         else this.fit(true);
     }
 
-    /** The picture's middle is above or below that of the stage. */
+    /** Moves the picture up or down by a share of the stage. */
     #aim() {
         const { clientWidth: width, clientHeight: height } = this.canvas;
         this.camera.setViewOffset(width, height, 0, this.lift * height, width, height);
