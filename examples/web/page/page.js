@@ -172,17 +172,17 @@ function update() {
     tellProgram();
     lookFurther();
 }
-/** Of the last changes the median: the first one of a text builds letters, and the others do not. */
+/** Of the last changes the median, without the first one, which makes all anew: letters, fonts, surroundings. */
 function count(ms) {
     lastChange = ms;
-    if (measured === 0) return;
+    if (isNew) return void (isNew = false);
     changes.push(ms);
     if (changes.length > 21) changes.shift();
     at("change").closest("div").hidden = false;
     at("change").value = [...changes].sort((a, b) => a - b)[changes.length >> 1].toFixed(1);
 }
 const changes = [];
-let lastChange = 0;
+let lastChange = 0, isNew = true;
 
 const weightAt = time => {
     const { minimum, maximum } = fonts.weights;
@@ -321,6 +321,7 @@ function recall(kept = new URLSearchParams(location.hash.slice(1))) {
     for (const [name, value] of kept) controls.set(name, value);
     at("text").value = kept.get("text") ?? start.text;
     changes.length = 0;
+    isNew = at("change").closest("div").hidden = true;
     setView(views.includes(kept.get("view")) ? kept.get("view") : start.view);
     return kept.get("font");
 }
