@@ -86,6 +86,20 @@ const list = names => {
     b.arrive();
     assert.deepEqual([await search, await choice], [undefined, true], "and another begins");
 }
+{   // A font that is chosen and missed at the same time is fetched once, and asked for again after a failure.
+    const { fonts, a, b } = list(["a", "b"]);
+    a.arrive();
+    await fonts.choose(a);
+    const search = fonts.openAnother(), choice = fonts.choose(b);
+    b.arrive();
+    await Promise.all([search, choice]);
+    assert.deepEqual([fonts.used, b.asked], [b, 1]);
+    const late = { name: "late", load: () => Promise.reject(new Error("no line")) };
+    fonts.offer(late);
+    await assert.rejects(fonts.choose(late), /no line/);
+    late.load = () => Promise.resolve("late");
+    assert.equal(await fonts.choose(late), true);
+}
 {   // A file of the same name replaces the font.
     const fonts = new Fonts(bytes => bytes);
     assert.equal(fonts.offer({ name: "x", bytes: 1 }), true);

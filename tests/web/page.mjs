@@ -12,9 +12,10 @@ const [, , site, executablePath, pictures, renew] = process.argv;
 const puppeteer = createRequire(import.meta.url)(path.join(process.env.NODE_PATH, "puppeteer-core"));
 const types = { ".html": "text/html", ".js": "text/javascript", ".css": "text/css", ".wasm": "application/wasm", ".json": "application/json" };
 const held = new Map();  // files that arrive when the test says so, and who waits for each
+const lost = new Set();  // files that are not there
 const server = http.createServer((request, response) => {
     const file = path.join(site, new URL(request.url, "http://x").pathname.replace(/\/$/, "/index.html"));
-    if (!file.startsWith(site) || !fs.existsSync(file)) return response.writeHead(404).end();
+    if (!file.startsWith(site) || !fs.existsSync(file) || lost.has(path.basename(file))) return response.writeHead(404).end();
     const answer = () => {
         response.writeHead(200, { "content-type": types[path.extname(file)] ?? "application/octet-stream" });
         fs.createReadStream(file).pipe(response);
@@ -78,7 +79,7 @@ const set = (selector, to) => change(() => page.$eval(selector, (e, v) => {
 async function canvas() {
     await page.evaluate(() => {
         const sheet = document.getElementById("bare") ?? document.head.appendChild(Object.assign(document.createElement("style"), { id: "bare" }));
-        sheet.textContent = ".bare :is(#presets, #bar, #numbers, #notes) { visibility: hidden; }";
+        sheet.textContent = ".bare :is(#presets, #bar, #numbers, #notes, #caption) { visibility: hidden; }";
         document.documentElement.classList.add("bare");
     });
     const seen = await (await page.$("#canvas")).screenshot({ encoding: "base64" });
@@ -304,6 +305,7 @@ await part("presets", async () => {
         const [made, hash_of_link] = [await hash(), await page.evaluate(() => location.hash)];
         check(await message() === "" && await value("open-edges") === "0", `${name}: ${await message()} ${await value("open-edges")}`);
         check(await page.$eval(`#presets .${name}`, e => e.getAttribute("aria-current")) === "true", `${name} is marked as what is shown`);
+        check(await value("caption") === await page.$eval(`#presets .${name}`, e => e.title), `${name} says what it shows`);
         programs.push({ name, ...await program() });
         await open(hash_of_link, { width: 500, height: 400 });
         await unhurried();
@@ -348,6 +350,9 @@ await part("undo", async () => {
     await change(() => page.keyboard.press("y"));
     check(await value("text") === "Other", "Ctrl+Y does it again");
     await page.keyboard.up("Control");
+    await change(() => page.click("#undo"));
+    await change(() => page.click("#redo"));
+    check(await value("text") === "Other" && await page.$eval("#redo", e => !e.disabled), "so does Redo, as long as there is more");
     const comes = async (text, font) => {
         await page.waitForFunction((t, f) => document.getElementById("text").value === t && document.getElementById("font").value === f, {}, text, font);
         await rest(500);
@@ -421,7 +426,10 @@ await part("fonts", async () => {
     await change(() => drop("Dropped.ttf", fs.readFileSync(path.join(site, bundled[1].file))));
     check(await value("font") === "Dropped.ttf" && await hash() !== before, "a dropped font is used");
     const kept = await hash();
-    await change(() => drop("junk.ttf", Buffer.from("no font at all")));
+    await change(() => drop("web.woff2", Buffer.from("wOF2 and more")));
+    check(/^web\.woff2: .*\.ttf or \.otf\.$/.test(await message()), `a font packed for web pages is refused in words: ${await message()}`);
+    await drop("junk.ttf", Buffer.from("no font at all"));
+    await page.waitForFunction(() => document.getElementById("message").textContent.startsWith("junk.ttf"));
     check(/^junk\.ttf: .+\.$/.test(await message()), `a file that is no font is refused in words: ${await message()}`);
     check(await hash() === kept && await value("font") === "Dropped.ttf", "and nothing else changes");
 });
@@ -574,6 +582,94 @@ await part("keys", async () => {
     for (const id of ["canvas", "turn", "text", "font", "file", "undo", "option-depth", "ticker", "glb", "reset"]) check(reached.has(id), `the Tab key reaches ${id}`);
 });
 
+// Who types anywhere types the text; long texts end their lines; buttons that lead further.
+await part("visitor", async () => {
+    await open();
+    await page.evaluate(() => document.activeElement.blur());
+    await change(() => page.keyboard.type("Hi"));
+    check(await value("text") === "Hi", `what is typed anywhere replaces the page's own text: ${await value("text")}`);
+    await page.focus("#canvas");
+    await change(() => page.keyboard.type("!"));
+    check(await value("text") === "Hi!", `and comes after one's own: ${await value("text")}`);
+    await set("#text", "one\r\ntwo");
+    check(await page.evaluate(() => globalThis.page.mesh.statistics.lines) === 2, "pasted line ends are line ends");
+    await set("#text", "A text that somebody pastes, without a line end anywhere. ".repeat(5));
+    const { lines, width, height } = await page.evaluate(() => {
+        const { low, high } = globalThis.page.mesh.bounds;
+        return { lines: globalThis.page.mesh.statistics.lines, width: high[0] - low[0], height: high[1] - low[1] };
+    });
+    check(lines > 4 && width < 4 * height, `a long text ends its lines: ${lines} lines, ${width} by ${height}`);
+    await set(at("wrap"), "none");
+    check(await page.evaluate(() => globalThis.page.mesh.statistics.lines) === 1, "unless that is not wanted");
+    await page.click("#show-program");
+    check(await page.$eval("#program", e => e.open) && /mesher\.build/.test(await value("code")), "the code is one click away");
+    check(await page.evaluate(() => [{ "text/plain": "words" }, {}].every(some => {
+        const carried = new DataTransfer();
+        for (const kind in some) carried.setData(kind, some[kind]);
+        return document.getElementById("text").dispatchEvent(new DragEvent("drop", { dataTransfer: carried, bubbles: true, cancelable: true }));
+    })), "words that are dragged go where they always go");
+});
+
+// A link with wrong values.
+await part("values", async () => {
+    await open("#depth=abc&embolden=&bevel.width=7&page.finish=wood&page.colour=%23FF8800&page.rainbow=true&view=upside&nothing=1&text=a%");
+    check(await message() === "" && await value("notes") === "", `a link with wrong values has nothing to say: ${await message()} ${await value("notes")}`);
+    const now = await page.evaluate(() => ["depth", "embolden", "bevel-width", "page-finish", "page-colour"].map(name => document.getElementById("option-" + name).value).join());
+    check(now === "0.2,0,0.12,satin,#ff8800", `what is no value is passed over, what is too much is cut: ${now}`);
+    check(await page.$eval(at("page.rainbow"), e => e.checked) && await page.$eval("#view-solid", e => e.checked), "and the rest is taken");
+});
+
+// What may be missing: WebAssembly, a font, the picture that the graphics card had.
+await part("missing", async () => {
+    const opened = async (before = () => {}) => {
+        const other = await browser.newPage();
+        other.on("pageerror", e => check(false, `with something missing the page throws: ${e.message}`));
+        await other.evaluateOnNewDocument(before);
+        await other.goto(home, { waitUntil: "domcontentloaded" });
+        return other;
+    };
+    const told = other => other.waitForFunction(() => !document.getElementById("message").hidden).then(() => other.$eval("#message", e => e.textContent));
+    let other = await opened(() => { delete globalThis.WebAssembly; });
+    check(/no WebAssembly/.test(await told(other)) && await other.$eval("#loading", e => e.hidden), "a browser without WebAssembly is told");
+    await other.click("#glb");
+    check(/no mesh yet/.test(await other.$eval("#message", e => e.textContent)), "and that nothing can be saved");
+    await other.close();
+    lost.add("typemesh.wasm");
+    other = await opened();
+    check(/typemesh\.wasm could not be loaded: .*404/.test(await told(other)), "a module that is not there is told");
+    await other.close();
+    lost.clear();
+    lost.add(path.basename(bundled[0].file));
+    other = await opened();
+    await other.waitForFunction(() => document.documentElement.dataset.measured);
+    check(await other.$eval("#font", e => e.value) === offered[1], "where the first font is not there the page begins with the next");
+    await other.close();
+    lost.clear();
+    other = await opened();
+    await other.waitForFunction(() => document.documentElement.dataset.measured);
+    const colours = () => other.evaluate(() => {
+        const { stage } = globalThis.page, gl = stage.renderer.getContext(), pixels = new Uint8Array(4 * 32 * 32), seen = new Set();
+        stage.drawNow();
+        gl.readPixels(gl.drawingBufferWidth / 2 - 16, gl.drawingBufferHeight / 2 - 16, 32, 32, gl.RGBA, gl.UNSIGNED_BYTE, pixels);
+        for (let i = 0; i < pixels.length; i += 4) seen.add(pixels[i] > 1.5 * pixels[i + 2]);
+        return seen.has(true);  // the letters are orange
+    });
+    check(await colours(), "the letters are drawn");
+    await other.evaluate(async () => {
+        const { stage } = globalThis.page, away = stage.renderer.getContext().getExtension("WEBGL_lose_context");
+        const comes = name => new Promise(done => stage.canvas.addEventListener(name, done, { once: true }));
+        const lost = comes("webglcontextlost"), restored = comes("webglcontextrestored");
+        away.loseContext();
+        await lost;
+        await new Promise(done => setTimeout(done, 100));
+        away.restoreContext();
+        await restored;
+        await new Promise(done => setTimeout(done, 100));
+    });
+    check(await colours(), "and again after the graphics card has lost them");
+    await other.close();
+});
+
 // Files.
 await part("files", async () => {
     await open();
@@ -603,6 +699,10 @@ await part("files", async () => {
     check(nodes.nodes.every(n => n.name), "every node of a GLB has a name");
     check(nodes.nodes.some(n => n.name === words && n.extras?.text === words), "a GLB holds its text");
     check(nodes.materials.some(m => m.name === "front") && nodes.materials.every(m => m.name), "a GLB's materials are named by their parts");
+    await set("#text", "a[colour=#0000ff]b[/]");
+    const tinted = await savedBy("glb"), said = JSON.parse(tinted.subarray(20, 20 + tinted.readUInt32LE(12)).toString());
+    check(said.meshes[0].primitives.every(p => p.attributes.COLOR_0 !== undefined), "a GLB has the colours of tags");
+    await set("#text", words);
     const stl = await savedBy("stl"), low = [Infinity, Infinity, Infinity], high = [-Infinity, -Infinity, -Infinity];
     for (let t = 84; t < stl.length; t += 50)
         for (let i = 0; i < 9; ++i) {

@@ -23,8 +23,8 @@ export const groups = [
         range("page.weight", "Weight", 800, 100, 900, 5),
         range("depth", "Depth", 0.2, 0, 1, 0.01),
         range("embolden", "Bolder", 0, -0.05, 0.1, 0.002),
-        range("outline.width", "Hollow, rim", 0, 0, 0.08, 0.002),
-        range("inflate.height", "Blow up", 0, 0, 2, 0.05),
+        range("outline.width", "Hollow: rim", 0, 0, 0.08, 0.002),
+        range("inflate.height", "Inflate", 0, 0, 2, 0.05),
         range("letterSpacing", "Space between", 0, -0.1, 0.5, 0.01),
     ] },
     { title: "Edges", open: true, controls: [
@@ -165,7 +165,7 @@ export class Controls {
         else if (c.kind === "colour") c.input.value = value || this.colour;
         else if (c.input.value !== String(value)) c.input.value = value;
         if (c.kind === "range") {
-            const shown = c.name === "width" && value === 0 ? "any" : value + c.unit;
+            const shown = c.name === "width" && value === 0 ? "as suits" : value + c.unit;
             c.input.parentNode.querySelector("output").value = shown;
             c.input.setAttribute("aria-valuetext", shown);
         }
@@ -177,8 +177,12 @@ export class Controls {
     set(name, value) {
         const c = all.find(one => one.name === name);
         if (!c) return;
-        if (c.kind === "range") value = Math.min(c.high, Math.max(c.low, Number(value) || 0));
-        if (c.kind === "check") value = value === true || value === "1";
+        if (c.kind === "range") {
+            if (value === "" || !Number.isFinite(Number(value))) return;
+            value = Math.min(c.high, Math.max(c.low, Number(value)));
+        }
+        if (c.kind === "check") value = value === true || ["1", "true"].includes(value);
+        if (c.kind === "colour") value = value.toLowerCase();
         if (c.kind === "choice" && !c.choices.some(([v]) => v === value)) return;
         if (c.kind === "colour" && !/^(#[0-9a-f]{6})?$/.test(value)) return;
         this.values[name] = value;
@@ -220,8 +224,18 @@ export class Controls {
         }
         if (this.motion !== "still" || this.values["page.rainbow"]) made.letters = true;
         if (["wave", "reveal", "scatter", "score"].includes(this.motion)) made.merge = false;
+        const suited = made.width ? 0 : this.#suitedWidth(text);
+        if (suited > 0) made.width = suited;
         if (made.bevel) made.bevel.depth = Math.min(made.bevel.width, made.depth / 2);  // two of them are no deeper than the solid
         return made;
+    }
+
+    /** Where a long text ends its lines, unless something says so: about twice as wide as all lines are high. 0: nowhere. */
+    #suitedWidth(text) {
+        const { direction, wrap } = this.values;
+        if (!/[^\n]{49}/.test(text) || direction === "ttb" || wrap === "none" || ["breathe", "score"].includes(this.motion)) return 0;
+        if ([...bends, "warp.arc", "warp.flag", "path.ring", "path.wave"].some(name => this.values[name] !== 0)) return 0;
+        return Math.round(Math.max(12, 1.4 * Math.sqrt(text.length)));
     }
 
     /** What differs from the start, for a link. */

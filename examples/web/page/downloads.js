@@ -11,8 +11,8 @@ function save(data, type, name) {
     setTimeout(() => URL.revokeObjectURL(link.href), 1000);
 }
 
-/** For exporters, which read arrays later than the module may have them. */
-function lasting(mesh, materials) {
+/** For exporters, which read arrays later than the module may have them. tints: of vertices, four bytes each; the last is the share of the material. */
+function lasting(mesh, materials, tints) {
     const { position, normal, uv, index, parts } = mesh.copy();
     const geometry = new THREE.BufferGeometry();
     geometry.setAttribute("position", new THREE.BufferAttribute(position, 3));
@@ -20,13 +20,33 @@ function lasting(mesh, materials) {
     geometry.setAttribute("uv", new THREE.BufferAttribute(uv, 2));
     geometry.setIndex(new THREE.BufferAttribute(index, 1));
     for (const part of parts) geometry.addGroup(part.start, part.count, geometry.groups.length);
-    return new THREE.Mesh(geometry, parts.map(p => materials.solid[p.name]));
+    const solid = parts.map(p => materials.solid[p.name]);
+    return new THREE.Mesh(geometry, tints?.length === 4 * position.length / 3 ? tinted(geometry, solid, tints) : solid);
+}
+
+/** Gives the vertices their colours, and the same materials in white. */
+function tinted(geometry, solid, tints) {
+    const colours = new Float32Array(3 * tints.length / 4), { groups, index } = geometry;
+    groups.forEach(({ start, count }, k) => {
+        const usual = solid[k].color.toArray();
+        for (const v of index.array.subarray(start, start + count)) {
+            const share = tints[4 * v + 3] / 255;
+            usual.forEach((colour, c) => { colours[3 * v + c] = share * colour + (1 - share) * (tints[4 * v + c] / 255) ** 2.2; });
+        }
+    });
+    geometry.setAttribute("color", new THREE.BufferAttribute(colours, 3));
+    return solid.map(material => {
+        const white = material.clone();
+        white.color.set("#ffffff");
+        white.vertexColors = true;
+        return white;
+    });
 }
 
 /** The text is the name of the mesh, and in its extras. */
-export async function saveGlb(mesh, text, materials) {
+export async function saveGlb(mesh, text, materials, tints) {
     const { GLTFExporter } = await import("three/addons/exporters/GLTFExporter.js");
-    const named = lasting(mesh, materials);
+    const named = lasting(mesh, materials, tints);
     named.name = text;
     named.userData = { text };
     save(await new GLTFExporter().parseAsync(named, { binary: true }), "model/gltf-binary", "text.glb");

@@ -109,7 +109,13 @@ export class Fonts {
     #of;  // the entry that is weighed
 
     async #opened(entry) {
-        if (!entry.font) entry.font = this.#open(entry.bytes ??= await entry.load());
-        return entry.font;
+        if (entry.font) return;
+        entry.coming ??= entry.bytes ? Promise.resolve(entry.bytes) : entry.load();  // one request, whoever asks again meanwhile
+        try {
+            const bytes = await entry.coming;
+            entry.font ??= this.#open(entry.bytes = bytes);
+        } finally {
+            entry.coming = undefined;  // the next one who needs it tries again
+        }
     }
 }

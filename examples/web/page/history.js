@@ -22,6 +22,7 @@ export class History {
     undo() { return this.#go(this.#past, this.#future); }
     redo() { return this.#go(this.#future, this.#past); }
     get canUndo() { return this.#past.length > 0; }
+    get canRedo() { return this.#future.length > 0; }
 
     #go(from, to) {
         if (from.length === 0) return undefined;

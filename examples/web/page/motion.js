@@ -79,6 +79,10 @@ export function movable(material) {
             .replace("#include <beginnormal_vertex>", "#include <beginnormal_vertex>\nobjectNormal = movedNormal(objectNormal, position);")
             .replace("#include <begin_vertex>", "#include <begin_vertex>\ntransformed = movedLetter(transformed);\nletterTint = tint;");
         shader.fragmentShader = "varying vec4 letterTint;\n" + shader.fragmentShader
+            .replace("#include <normal_fragment_begin>", material.isMeshStandardMaterial ? `#include <normal_fragment_begin>
+vec3 eyeward = normalize(vViewPosition);  // at an outline, normals between vertices may face away, and would be black there
+normal = normalize(normal + max(0.0, 0.06 - dot(normal, eyeward)) * eyeward);
+nonPerturbedNormal = normal;` : "#include <normal_fragment_begin>")
             .replace("#include <color_fragment>", `#include <color_fragment>\ndiffuseColor.rgb = mix(${tinted}, diffuseColor.rgb, letterTint.a);`)
             .replace("#include <emissivemap_fragment>", `#include <emissivemap_fragment>
 float glow = max(max(emissive.r, emissive.g), emissive.b);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The program for what is on the screen: in C++, as a command, in JavaScript. Each takes
 // {text, options, file, others, weight, axis, advance}: options without those at their defaults, files of fonts for what the first
-// one lacks, advance of the longest line in em.
+// one lacks, advance of the longest line in em; and for JavaScript material: what three.js makes one of.
 
 const number = n => Number(n.toFixed(6)).toString();
 const real = n => /[.e]/.test(number(n)) ? number(n) : number(n) + ".0";
@@ -214,12 +214,14 @@ export function command(state) {
     return (special ? `printf %s ${shell(text)} | ` : "") + words.map(shell).join(" ") + "\n";
 }
 
-export function javascript({ text, options, file, others = [], weight, axis }) {
+export function javascript({ text, options, file, others = [], weight, axis, material = {} }) {
     const how = weight === undefined || axis ? "" : `, { variations: { wght: ${weight} } }`, fonts = others.length && !axis ? "fonts" : "font";
     const shown = JSON.stringify(options, null, 4).replace(/"(\w+)":/g, "$1:");
     const show = ["const geometry = new THREE.BufferGeometry();", 'geometry.setAttribute("position", new THREE.BufferAttribute(mesh.position.slice(), 3));',
                   'geometry.setAttribute("normal", new THREE.BufferAttribute(mesh.normal.slice(), 3));', "geometry.setIndex(new THREE.BufferAttribute(mesh.index.slice(), 1));"];
-    return ['import * as THREE from "three";', 'import load from "typemesh";', "", "const typemesh = await load();",
+    show.push("", `const letters = new THREE.Mesh(geometry, new THREE.MeshPhysicalMaterial(${JSON.stringify(material).replace(/"(\w+)":/g, " $1: ").replace("}", " }")}));`,
+              "// scene.add(letters); metals want a scene.environment, which they mirror.");
+    return ["// npm install three, and typemesh's own package: examples/web/package", 'import * as THREE from "three";', 'import load from "typemesh";', "", "const typemesh = await load();",
             "const bytesOf = async file => (await fetch(file)).arrayBuffer();", `const font = typemesh.font(await bytesOf(${quoted(file)})${how});`,
             ...fonts === "fonts" ? [`const fonts = [font, ...await Promise.all([${others.map(quoted).join(", ")}].map(bytesOf))];`] : [],
             ...axis ? [`const morph = typemesh.mesher(font).morph(${quoted(text)}, "wght", ${shown});`, `const mesh = morph.at(${axis.maximum});  // each frame another weight`]

@@ -11,9 +11,13 @@ export { materials };
 export const views = ["solid", "wireframe", "normals", "texture", "contours"];
 const rainbow = [0xff3b5c, 0xff9f1c, 0xffd23f, 0x2ec4b6, 0x3a86ff, 0x8f5bff];
 const sway = 0.5, swayPeriod = 13000;  // radians to each side, ms
+const entry = 1.1, entryTime = 1600;  // from how far round a mesh comes in
 
 export class Stage {
     #frame;
+    lift = 0;
+    covered = () => ({ top: 0, bottom: 0 });  // how much of the stage lies under something, in CSS pixels
+
     #drawn = true;  // the arrays of the mesh have gone to the graphics card
     #skies = new Map();
 
@@ -46,7 +50,16 @@ export class Stage {
         this.look = { finish: "satin", colour: "", world: "auto" };
         this.motion = new Motion(() => this.#wake());
         canvas.addEventListener("keydown", event => this.#key(event));
+        canvas.addEventListener("pointermove", event => {  // what letters mirror goes with a mouse that passes
+            if (event.pointerType !== "mouse" || event.buttons || lessMotion.matches) return;
+            this.scene.environmentRotation.y = 0.9 * (event.offsetX / canvas.clientWidth - 0.5);
+            this.draw();
+        });
         new ResizeObserver(() => this.#resize()).observe(canvas);
+        canvas.addEventListener("webglcontextrestored", () => {  // all that the graphics card had is to be made anew
+            this.#skies.clear();
+            this.onrestored?.();
+        });
         onDark(() => this.dress(this.look));
         lessMotion.addEventListener("change", () => this.turn(!lessMotion.matches));
         this.#resize();
@@ -107,6 +120,9 @@ export class Stage {
         this.renderer.shadowMap.needsUpdate = true;
         return this.draw();
     }
+
+    /** The colours of vertices that letters have of their own: see motion.js. */
+    get tints() { return this.group.children[0]?.geometry.attributes.tint?.array; }
 
     get #hasFloor() { return this.view === "solid"; }
 
@@ -180,13 +196,18 @@ export class Stage {
         if (!this.box) return;
         const size = this.box.getSize(new THREE.Vector3()), middle = this.box.getCenter(new THREE.Vector3());
         const half = Math.tan(THREE.MathUtils.degToRad(this.camera.fov / 2));
-        const distance = Math.max(1.25 * size.y / half, size.x / (half * this.camera.aspect), 0.1) * 0.62 + size.z;
-        if (this.#hasFloor) middle.y -= 0.08 * size.y;
+        const { clientHeight: height } = this.canvas, { top, bottom } = this.covered(), free = Math.max(0.3, 1 - (top + bottom) / height);
+        const forHeight = size.y / (half * Math.min(0.8, free)), forWidth = size.x / (half * this.camera.aspect);
+        const distance = Math.max(forHeight, forWidth, 0.1) * 0.62 + size.z, tall = THREE.MathUtils.smoothstep(forHeight / Math.max(forWidth, 1e-9), 0.75, 1);
+        if (this.#hasFloor) middle.y -= (0.08 - 0.06 * tall) * size.y;
+        this.lift = tall * (bottom - top) / 2 / height;  // what is tall stands between what lies over the stage
+        this.#aim();
         this.orbit.target.copy(middle);
         const way = new THREE.Vector3(-0.22, 0.16, 1).normalize().multiplyScalar(distance);
         if (keepsTurn) way.applyAxisAngle(new THREE.Vector3(0, 1, 0), this.turned ?? 0);
         else this.turned = 0, this.begun = undefined;
         this.camera.position.copy(middle).add(way);
+        Object.assign(this.orbit, { minDistance: distance / 20, maxDistance: 6 * distance });
         this.camera.near = distance / 100;
         this.camera.far = distance * 100;
         this.camera.updateProjectionMatrix();
@@ -220,7 +241,8 @@ export class Stage {
         const turns = this.turning && !this.moved && this.box;
         if (turns) {
             this.begun ??= time;
-            const angle = sway * Math.sin(2 * Math.PI * (time - this.begun) / swayPeriod), by = angle - (this.turned ?? 0);
+            const since = time - this.begun, coming = entry * Math.max(0, 1 - since / entryTime) ** 3;
+            const angle = sway * Math.sin(2 * Math.PI * since / swayPeriod) - coming, by = angle - (this.turned ?? 0);
             this.camera.position.sub(this.orbit.target).applyAxisAngle(new THREE.Vector3(0, 1, 0), by).add(this.orbit.target);
             this.turned = angle;
             this.orbit.update();
@@ -261,9 +283,15 @@ export class Stage {
         this.renderer.setPixelRatio(Math.min(devicePixelRatio, 2));
         this.renderer.setSize(width, height, false);
         this.camera.aspect = width / height;
-        this.camera.updateProjectionMatrix();
+        this.#aim();
         if (this.moved) this.draw();
         else this.fit(true);
+    }
+
+    /** Moves the picture up or down by a share of the stage. */
+    #aim() {
+        const { clientWidth: width, clientHeight: height } = this.canvas;
+        this.camera.setViewOffset(width, height, 0, this.lift * height, width, height);
     }
 
     #key(event) {
