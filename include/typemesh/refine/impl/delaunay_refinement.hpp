@@ -29,8 +29,8 @@ struct refinement_limits {
     double tangent = 0.0;         ///< of the least angle
     double off_centre = 0.0;      ///< `farthest` of off_centre()
     std::int64_t max_square = 0;  ///< the square of the greatest length of an edge; 0: any length
-    bool boundary_only = false;   ///< edges inside may have any length
     std::uint32_t max_points = default_max_points;
+    bool boundary_only = false;  ///< edges inside may have any length
 
     /// For an angle in degrees, up to 33, and a length in cells; 0: any length.
     [[nodiscard]] static refinement_limits from(double min_angle, double longest, std::uint32_t max_points) noexcept
