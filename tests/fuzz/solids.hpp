@@ -126,7 +126,7 @@ broken_law of_extruded(const Extruder& how, drawn_region& from)
     if (broken_law broken = of_mesh(m, how, from, plan->sizes); !broken.empty()) return broken;
     if (!from.is_small) return {};
     const double depth = double(static_cast<float>(double(how.depth) * from.em)),
-                 area = 0.5 * static_cast<double>(inspect::doubled_area(from.made));
+                 area = 0.5 * static_cast<double>(inspect::doubled_area(inspect::loops_of(from.made)));
     const double volume = inspect::measure(m.view()).volume;
     if (!(std::fabs(volume - area * depth) <= 1e-5 * area * depth + 1e-3)) return "the volume is not area times depth";
     if (inspect::check_closedness(m.view()).zero_area != 0) return "a triangle without an area";
@@ -203,7 +203,7 @@ inline broken_law of_bevelled(const bevelled& how, drawn_region& from)
     if (broken_law broken = of_mesh(m, how, from, plan->sizes); !broken.empty()) return broken;
     if (!from.is_small || how.outward) return {};
     const double depth = double(how.depth) * from.em,
-                 area = 0.5 * static_cast<double>(inspect::doubled_area(from.made));
+                 area = 0.5 * static_cast<double>(inspect::doubled_area(inspect::loops_of(from.made)));
     const double length = inspect::length(inspect::loops_of(from.made)), volume = inspect::measure(m.view()).volume;
     const double rounded = (2.0 * length + 16.0) * depth;  // nodes are rounded to cells
     if (!(volume <= area * depth + rounded && volume >= -rounded))
