@@ -18,12 +18,12 @@ export const finishes = {
 // sky: top, horizon, below; lamps: direction, half of their width and height, brightness. page: middle and corners of what is behind.
 const studioLamps = [[[-0.75, 0.75, 0.5], 0.42, 0.28, 9], [[0.95, 0.25, 0.35], 0.13, 0.6, 7], [[0.1, 0.98, -0.1], 0.6, 0.25, 5], [[-0.2, 0.12, 1], 0.5, 0.05, 1.6]];
 export const worlds = {
-    light: { sky: ["#f7f4ee", "#ffffff", "#8f877c"], lamps: studioLamps, page: ["#ffffff", "#d9d3c7"], shadow: 0.34, mirror: 0.16, strength: 0.85 },
-    dark: { sky: ["#3a404c", "#8d95a5", "#15171c"], lamps: studioLamps, page: ["#343943", "#0d0f12"], shadow: 0.7, mirror: 0.3, strength: 1 },
+    light: { sky: ["#f7f4ee", "#ffffff", "#8f877c"], lamps: studioLamps, page: ["#ffffff", "#d9d3c7"], shadow: 0.34, mirror: 0.1, strength: 0.85 },
+    dark: { sky: ["#3a404c", "#8d95a5", "#15171c"], lamps: studioLamps, page: ["#343943", "#0d0f12"], shadow: 0.7, mirror: 0.2, strength: 1 },
     dusk: { sky: ["#16245c", "#ffe4d2", "#32142f"], lamps: [[[-0.6, 0.5, 0.75], 0.5, 0.1, 7], [[0.9, 0.2, 0.5], 0.1, 0.7, 5], [[0, 1, 0.2], 0.4, 0.2, 4]],
-            page: ["#e0714f", "#1d1440"], shadow: 0.5, mirror: 0.3, strength: 1.15 },
+            page: ["#e0714f", "#1d1440"], shadow: 0.5, mirror: 0.2, strength: 1.15 },
     night: { sky: ["#0a0c1c", "#4a4f86", "#05060c"], lamps: [[[-0.6, 0.7, 0.5], 0.3, 0.08, 3], [[0.95, 0.2, 0.4], 0.05, 0.7, 3]],
-             page: ["#171a2e", "#030409"], shadow: 0.6, mirror: 0.45, strength: 0.8 },
+             page: ["#171a2e", "#030409"], shadow: 0.6, mirror: 0.3, strength: 0.8 },
 };
 export const worldOf = name => worlds[name] ?? worlds[dark.matches ? "dark" : "light"];
 export const onDark = call => dark.addEventListener("change", call);

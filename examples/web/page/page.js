@@ -159,27 +159,29 @@ function update() {
         const [weighs, suits] = [fonts.weigh(controls.values["page.weight"]), fonts.suit(text)];
         if (weighs || suits) setFonts();
         makeMarked(text, options);
+        count(performance.now() - began);
         say("");
     } catch (e) {
         say(e.message);
         return;
     }
     show(target);
-    count(performance.now() - began);
     clearTimeout(later);
     later = setTimeout(() => measure(text, options), 200);
     remember();
     tellProgram();
     lookFurther();
 }
-/** Of the last changes the median, without the first one, which makes all anew: letters, fonts, surroundings. */
+/** Milliseconds with two digits or more. */
+const inMs = ms => `${ms < 10 ? Number(ms.toPrecision(2)) : number(Math.round(ms))} ms`;
+/** Of the last changes the median, without drawing, and without the first one, which makes all anew: letters, fonts. */
 function count(ms) {
     lastChange = ms;
     if (isNew) return void (isNew = false);
     changes.push(ms);
     if (changes.length > 21) changes.shift();
     at("change").closest("div").hidden = false;
-    at("change").value = [...changes].sort((a, b) => a - b)[changes.length >> 1].toFixed(1);
+    at("change").value = inMs([...changes].sort((a, b) => a - b)[changes.length >> 1]);
 }
 const changes = [];
 let lastChange = 0, isNew = true;
@@ -207,7 +209,7 @@ function show(to) {
     at("vertices").value = number(s.vertices);
     at("triangles").value = number(s.triangles);
     note();
-    for (const id of ["open-edges", "cold", "cached"]) at(id).value = "…";
+    for (const id of ["open-edges", "cached"]) at(id).value = "…";
 }
 /** What there is to say of the mesh. */
 function note() {
@@ -229,20 +231,26 @@ function measure(text, options) {
     stage?.settle();
     const marked = { ...options, markup: options.markup === true && !trouble };
     const cold = leastOf(() => measurer.mesh(text, { ...marked, cached: false }));
-    at("cold").value = number(Math.round(cold.microseconds));
     at("open-edges").value = number(morph ? mesh.openEdges() : cold.made.openEdges());
-    if (morph) at("cached").value = number(Math.round(mesh.statistics.microseconds));
-    else at("cached").value = number(Math.round(leastOf(() => (make(text, marked), mesh)).microseconds));  // all its letters are there now
+    const { ms } = leastOf(() => morph ? (mesh = morph.at(weightAt(performance.now()))) : (make(text, marked), mesh));  // all letters are there now
+    at("cached").value = inMs(ms);
+    at("making").title = (morph ? "The next weight of this text" : "This text anew, with its letters built before") +
+        `: the least of some times, drawing not included. With no letter built before: ${inMs(cold.ms)}`;
     document.documentElement.dataset.measured = String(++measured);
 }
 let measured = 0;
-/** The last of some meshes, as many as take ten milliseconds, and the least of their times: other programs run as well. */
+/** The last of some meshes, and the least of their times: other programs run as well. As browsers' clocks are coarse, some are timed together. */
 function leastOf(makes) {
     const began = performance.now();
-    let made, microseconds = Infinity;
-    do made = makes(), microseconds = Math.min(microseconds, made.statistics.microseconds);
-    while (performance.now() - began < 10);
-    return { made, microseconds };
+    let made, ms = Infinity, together = 1, now = began;
+    do {
+        const from = now;
+        for (let i = 0; i < together; ++i) made = makes();
+        now = performance.now();
+        if (now - from >= 2) ms = Math.min(ms, (now - from) / together);
+        else together *= 2;
+    } while (ms === Infinity || now - began < 30);
+    return { made, ms };
 }
 
 // --- a thousand characters a frame -------------------------------------------------------------------------------------------
