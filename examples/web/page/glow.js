@@ -20,14 +20,14 @@ const add = `
 varying vec2 at;
 uniform sampler2D from, wide;
 void main() {
-    vec3 c = 0.75 * texture2D(from, at).rgb + 0.9 * texture2D(wide, at).rgb;
+    vec3 c = 0.8 * texture2D(from, at).rgb + 0.55 * texture2D(wide, at).rgb;
     gl_FragColor = vec4(pow(1.0 - exp(-c), vec3(1.0 / 1.8)), 1.0);
 }`;
 
 export class Glow {
     #quad = new THREE.Mesh(new THREE.PlaneGeometry(2, 2));
     #eye = new THREE.Camera();
-    #sizes = [4, 16].map(part => ({ part, one: target(), two: target() }));
+    #sizes = [2, 8].map(part => ({ part, one: target(), two: target() }));
     #blur = new THREE.ShaderMaterial({ vertexShader, fragmentShader: blur, depthTest: false, uniforms: { from: { value: null }, step: { value: new THREE.Vector2() } } });
     #add = new THREE.ShaderMaterial({ vertexShader, fragmentShader: add, depthTest: false, depthWrite: false, transparent: true, blending: THREE.AdditiveBlending,
                                       toneMapped: false, uniforms: { from: { value: null }, wide: { value: null } } });

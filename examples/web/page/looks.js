@@ -27,7 +27,6 @@ export const worlds = {
 };
 export const worldOf = name => worlds[name] ?? worlds[dark.matches ? "dark" : "light"];
 export const onDark = call => dark.addEventListener("change", call);
-const ink = () => dark.matches ? 0xeceae5 : 0x1d1f23;
 
 const partShades = { front: 0, back: 0, side: -0.3, front_bevel: 0.07, back_bevel: 0.07, letter_front: 0.9, letter_back: 0.9, letter_side: 0.6 };
 
@@ -48,12 +47,20 @@ class Materials {
         checker.anisotropy = 8;
         this.normals = movable(new THREE.MeshNormalMaterial());
         this.texture = movable(new THREE.MeshStandardMaterial({ map: checker, roughness: 0.6 }));
-        this.line = movable(new THREE.LineBasicMaterial({ color: ink(), transparent: true, opacity: 0.75 }));
+        this.line = movable(new THREE.LineBasicMaterial({ transparent: true, opacity: 0.75 }));
+        this.wires = movable(new THREE.LineBasicMaterial({ name: "wires", transparent: true, opacity: 0.85 }));
+        this.casing = new THREE.MeshStandardMaterial({ color: 0x0b0c10, roughness: 0.3, metalness: 0.5 });
+        this.drum = new THREE.MeshStandardMaterial({ color: 0x24272e, roughness: 0.6, metalness: 0.3, envMapIntensity: 0.5 });
+        this.pole = new THREE.MeshStandardMaterial({ color: 0xe2b04a, roughness: 0.25, metalness: 0.9 });
         this.contour = new THREE.LineBasicMaterial({ color: 0x1a6fd0, depthTest: false });
         this.depth = movable(new THREE.MeshDepthMaterial());
         this.solid = {};
         this.dress("satin", "");
-        onDark(() => this.line.color.set(ink()));
+    }
+
+    /** Lines are seen before what surrounds them. */
+    drawOn(world) {
+        for (const material of [this.line, this.wires]) material.color.set(world === worlds.light ? 0x1d1f23 : 0xeceae5);
     }
 
     /** Makes all parts of a finish and a colour; its own colour for "". */
@@ -66,7 +73,7 @@ class Materials {
             const shade = kind.metalness ? 0.3 * Math.min(0, partShades[name]) : partShades[name];
             const own = base.clone().lerp(new THREE.Color(shade > 0 ? "#ffffff" : "#000000"), Math.abs(shade));
             const material = this.solid[name];
-            if (kind.glows) material.emissive.copy(base).multiplyScalar(name === "side" ? 1.2 : 2.2), material.color.set(0x08080c);
+            if (kind.glows) material.emissive.copy(base).multiplyScalar(name === "side" ? 1.5 : 2.2), material.color.set(0x08080c);
             else material.color.copy(own);
         }
         Object.assign(this, { finish, colour });

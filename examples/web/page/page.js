@@ -166,6 +166,7 @@ function update() {
         return;
     }
     show(target);
+    if (!morph) controls.showWeight();
     clearTimeout(later);
     later = setTimeout(() => measure(text, options), 200);
     remember();
@@ -194,6 +195,7 @@ const weightAt = time => {
 function breath(time) {
     if (!morph) return false;
     mesh = morph.at(weightAt(time));
+    controls.showWeight(weightAt(time));
     stage.move(mesh);
     return true;
 }
@@ -350,12 +352,12 @@ function setView(name) {
 
 /** Options without those that have the library's defaults. */
 function pruned(options) {
-    const movesEdges = options.embolden || options.outline?.width;
+    const movesEdges = options.embolden || options.outline?.width || options.tube?.radius;
     const usual = new Map(typemesh.options.map(o => [o.name, o.default ?? o.choices?.[0]])), kept = {};
     for (const [name, value] of Object.entries(options)) {
         if (value?.constructor === Object && name !== "features") {
             const inner = Object.fromEntries(Object.entries(value).filter(([k, v]) => v !== usual.get(`${name}.${k}`)));
-            if (Object.keys(inner).some(k => ["width", "height", "cylinder", "twist", "wave", "arc", "flag", "ring"].includes(k))) kept[name] = inner;
+            if (Object.keys(inner).some(k => ["width", "height", "cylinder", "twist", "wave", "arc", "flag", "ring", "radius"].includes(k))) kept[name] = inner;
         } else if (value !== usual.get(name) && name !== "letters" && !(name === "letterSpacing" && value === 0 && !movesEdges)) kept[name] = value;
     }
     return kept;
