@@ -48,9 +48,9 @@ class Materials {
         this.normals = movable(new THREE.MeshNormalMaterial());
         this.texture = movable(new THREE.MeshStandardMaterial({ map: checker, roughness: 0.6 }));
         this.line = movable(new THREE.LineBasicMaterial({ transparent: true, opacity: 0.75 }));
-        this.wires = movable(new THREE.LineBasicMaterial({ name: "wires", transparent: true, opacity: 0.85 }));
-        this.casing = new THREE.MeshStandardMaterial({ color: 0x0b0c10, roughness: 0.3, metalness: 0.5 });
-        this.drum = new THREE.MeshStandardMaterial({ color: 0x24272e, roughness: 0.6, metalness: 0.3, envMapIntensity: 0.5 });
+        this.wires = movable(new THREE.LineBasicMaterial({ name: "wires", transparent: true, opacity: 0.42 }));
+        this.casing = new THREE.MeshStandardMaterial({ color: 0x23262e, roughness: 0.32, metalness: 0.15 });
+        this.drum = new THREE.MeshStandardMaterial({ color: 0x1b1d22, roughness: 0.6, envMapIntensity: 0.6 });
         this.pole = new THREE.MeshStandardMaterial({ color: 0xe2b04a, roughness: 0.25, metalness: 0.9 });
         this.contour = new THREE.LineBasicMaterial({ color: 0x1a6fd0, depthTest: false });
         this.depth = movable(new THREE.MeshDepthMaterial());
@@ -60,7 +60,8 @@ class Materials {
 
     /** Lines are seen before what surrounds them. */
     drawOn(world) {
-        for (const material of [this.line, this.wires]) material.color.set(world === worlds.light ? 0x1d1f23 : 0xeceae5);
+        this.line.color.set(world === worlds.light ? 0x1d1f23 : 0xeceae5);
+        this.wires.color.set(world === worlds.light ? 0x1450a8 : 0x9fd0ff);
     }
 
     /** Makes all parts of a finish and a colour; its own colour for "". */

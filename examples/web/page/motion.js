@@ -78,6 +78,7 @@ const tinted = "pow(letterTint.rgb, vec3(2.2))";  // where a geometry has no tin
 
 /** Lets a material move and colour letters. Geometries without letters stay still, as their motion is 0 then. */
 export function movable(material) {
+    material.customProgramCacheKey = () => `movable ${material.name === "side" || material.name === "wires" ? material.name : ""}`;  // what differs below
     material.onBeforeCompile = shader => {
         Object.assign(shader.uniforms, uniforms);
         shader.vertexShader = declarations + shader.vertexShader
@@ -97,7 +98,7 @@ nonPerturbedNormal = normal;` : "#include <normal_fragment_begin>")
             .replace("#include <emissivemap_fragment>", `#include <emissivemap_fragment>
 float glow = max(max(emissive.r, emissive.g), emissive.b);
 totalEmissiveRadiance = mix(glow * ${tinted}, totalEmissiveRadiance, letterTint.a);${material.name === "side" ? `
-totalEmissiveRadiance += 0.7 * glow * pow(max(0.0, dot(normal, normalize(vViewPosition))), 3.0);` : ""}`);  // tubes are brighter in their middle
+totalEmissiveRadiance += 0.32 * glow * pow(max(0.0, dot(normal, normalize(vViewPosition))), 3.0);` : ""}`);  // tubes are brighter in their middle
     };
     return material;
 }

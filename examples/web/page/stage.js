@@ -206,7 +206,7 @@ export class Stage {
     #casing(wheels) {
         const width = wheelStep * wheels + 0.12, high = windowHeight + 0.3, rim = 0.16, [back, front] = [-0.75, 0.14], middle = (back + front) / 2;
         for (let i = 0; i < wheels; ++i) {
-            const drum = new THREE.CylinderGeometry(wheelRadius - 0.04, wheelRadius - 0.04, 0.96 * wheelStep, 48, 1, true, -0.8, 1.6).rotateZ(Math.PI / 2);
+            const drum = new THREE.CylinderGeometry(wheelRadius - 0.04, wheelRadius - 0.04, 0.96 * wheelStep, 48, 1, true, -0.74, 1.48).rotateZ(Math.PI / 2);
             this.#prop(drum, materials.drum, [wheelStep * (i - 0.5 * (wheels - 1)), 0, -wheelRadius]);
         }
         const box = (x, y, z, place) => this.#prop(new THREE.BoxGeometry(x, y, z), materials.casing, place);
