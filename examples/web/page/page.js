@@ -232,9 +232,9 @@ function measure(text, options) {
     if (ticking || !mesh) return;
     stage?.settle();
     const marked = { ...options, markup: options.markup === true && !trouble };
-    const cold = leastOf(() => measurer.mesh(text, { ...marked, cached: false }));
+    const cold = leastOf(() => measurer.mesh(text, { ...marked, cached: false }), 60);
     at("open-edges").value = number(morph ? mesh.openEdges() : cold.made.openEdges());
-    const { ms } = leastOf(() => morph ? (mesh = morph.at(weightAt(performance.now()))) : (make(text, marked), mesh));  // all letters are there now
+    const { ms } = leastOf(() => morph ? (mesh = morph.at(weightAt(performance.now()))) : (make(text, marked), mesh), 300);  // all letters are there now
     at("cached").value = inMs(ms);
     at("making").title = (morph ? "The next weight of this text" : "This text anew, with its letters built before") +
         `: the least of some times, drawing not included. With no letter built before: ${inMs(cold.ms)}`;
@@ -242,17 +242,16 @@ function measure(text, options) {
 }
 let measured = 0;
 /** The last of some meshes, and the least of their times: other programs run as well. As browsers' clocks are coarse, some are timed together. */
-function leastOf(makes) {
+function leastOf(makes, longest) {
     const began = performance.now();
     let made, ms = Infinity, together = 1, now = began, times = 0;
     do {
-        ++times;
         const from = now;
         for (let i = 0; i < together; ++i) made = makes();
         now = performance.now();
-        if (now - from >= 2) ms = Math.min(ms, (now - from) / together);
-        else together *= 2;
-    } while (ms === Infinity || now - began < (times < 5 ? 300 : 30));
+        if (now - from < 0.5) together *= 2;
+        else ++times, ms = Math.min(ms, (now - from) / together);
+    } while (times === 0 || now - began < (times < 12 ? longest : 20));
     return { made, ms };
 }
 
