@@ -193,6 +193,7 @@ await part("typing", async () => {
     changes.sort((a, b) => a - b);
     const shown = await value("change");
     check(/^[\d.,]+ ms$/.test(shown) && Number.parseFloat(shown) > 0 && Number.parseFloat(shown) <= Math.max(...changes) + 0.5, `the page shows the median of its changes: ${shown}`);
+    await page.waitForFunction(() => / ms$/.test(document.getElementById("cached").value));
     const making = await value("cached");
     check(/^[\d.,]+ ms$/.test(making) && Number.parseFloat(making) > 0, `and in what time a mesh is made: ${making}`);
     check(/drawing not included.*With no letter built before: [\d.,]+ ms$/.test(await page.$eval("#making", e => e.title)), "and what that is");
