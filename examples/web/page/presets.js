@@ -16,7 +16,7 @@ export const presets = [
     { name: "score", label: "1,984", title: "A score that rolls up like a mileage counter, in one mesh", set: { text: "1984", "page.motion": "score", "page.finish": "lacquer", "page.world": "dark", "page.weight": 900, "page.colour": "#ffb000", depth: 0.12, "bevel.width": 0.02 } },
     { name: "scripts", label: "Aあبअ", title: "Five scripts and emoji in one text: fonts for them are fetched when they are needed", set: { text: scripts, "page.rainbow": 1, "page.finish": "gloss", "page.world": "dark", "bevel.width": 0.02 } },
     { name: "tags", label: "[tags]", title: "Tags in the text: weight, colour, size, marks, and small text above", set: { text: "[b]Tags[/b] say [colour=#d1235b]colour[/colour],\n[size=1.6]size[/size], [mark=#ffd23f]marks[/mark]\nand [ruby=small text]ruby[/ruby] x[sup]2[/sup]", "page.colour": "#30343c", "page.weight": 650 } },
-    { name: "ribbon", label: "Twist", title: "A bevelled line of text, twisted by a third of a turn, and still one closed mesh", set: { text: "Twist again", "bend.twist": 120, "page.weight": 900, "page.finish": "gold", "page.world": "dark", "bevel.width": 0.026, depth: 0.25 } },
+    { name: "ribbon", label: "Twist", title: "A bevelled line of text, twisted by a third of a turn, and still one closed mesh", set: { text: "Twist again", "bend.twist": 120, "page.weight": 900, "page.finish": "gold", "page.world": "light", "bevel.width": 0.026, depth: 0.25 } },
 ];
 
 /** Whether two links set the same, in whatever order. */
