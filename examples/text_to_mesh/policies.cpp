@@ -14,14 +14,6 @@ typemesh::carved carved_of(const options& o)
     return solid;
 }
 
-typemesh::tubed tubed_of(const options& o)
-{
-    typemesh::tubed solid{.radius = o.tube.radius, .sides = o.tube.sides};
-    solid.texture = o.uv;
-    if (o.crease) solid.crease_degrees = *o.crease;
-    return solid;
-}
-
 chosen_solid solid_of(const options& o)
 {
     if (o.inflate.height > 0.0f) return inflated_of(o);

@@ -69,6 +69,14 @@ typemesh::bevelled bevelled_of(const options& o)
     return solid;
 }
 
+typemesh::tubed tubed_of(const options& o)
+{
+    typemesh::tubed solid{.radius = o.tube.radius, .sides = o.tube.sides};
+    solid.texture = o.uv;
+    if (o.crease) solid.crease_degrees = *o.crease;
+    return solid;
+}
+
 typemesh::inflated inflated_of(const options& o)
 {
     typemesh::inflated solid{.height = o.inflate.height, .form = o.inflate.form, .texture = o.uv};

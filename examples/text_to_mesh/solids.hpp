@@ -8,6 +8,7 @@
 #include <typemesh/extrude/inflated.hpp>
 #include <typemesh/extrude/one_of.hpp>
 #include <typemesh/extrude/outlined.hpp>
+#include <typemesh/extrude/tubed.hpp>
 #include <typemesh/markup/markup_styles.hpp>
 #include <typemesh/typemesh.hpp>
 
@@ -26,6 +27,7 @@ using bent_bevels = typemesh::bent<chosen_bend, typemesh::bevelled>;
 [[nodiscard]] plain_solid plain_of(const options& o);
 [[nodiscard]] typemesh::bevelled bevelled_of(const options& o);
 [[nodiscard]] typemesh::inflated inflated_of(const options& o);
+[[nodiscard]] typemesh::tubed tubed_of(const options& o);
 
 /// By how much [b] moves the edges of letters outwards, in em. They stand apart by twice as much.
 inline constexpr double bold_growth = 0.015;

@@ -130,6 +130,7 @@ constexpr option table[] = {
     {"path.wave", kind::number, "", "0", set_bend<&bends::path_wave>},
     {"inflate.height", kind::number, "", "0", set_inner_number<&options::inflate, &inflate_options::height>},
     {"inflate.form", kind::choice, "balloon|dome", "", set_inner_choice<&options::inflate, &inflate_options::form>},
+    {"tube.radius", kind::number, "", "0", set_inner_number<&options::tube, &chosen_tube::radius>},
     {"merge", kind::boolean, "", "", [](settings& to, double n) { to.merge = n != 0.0; }},
     {"width", kind::number, "", "", set_inner_number<&options::lines, &paragraph::width>},
     {"wrap", kind::choice, "word_or_grapheme|word|grapheme|none", "", set_wrap},
@@ -235,12 +236,12 @@ options settings::settled() const
     const double around = o.outline.place == outline_place::outer    ? width
                           : o.outline.place == outline_place::centre ? 0.5 * width
                                                                      : 0.0;
-    const double wider = 2.0 * (bolder + around);
+    const double wider = 2.0 * (bolder + around + static_cast<double>(o.tube.radius));
     o.letter_spacing = letter_spacing.value_or(wider);
     o.columns.combined_gap = wider;
     const bool edges_move = o.bevel.width > 0.0f || o.outline.width > 0.0f || o.embolden != 0.0f;
     o.keeps_apart = merge == false;
-    o.merge = merge.value_or(edges_move || o.inflate.height > 0.0f);
+    o.merge = merge.value_or(edges_move || o.inflate.height > 0.0f || o.tube.radius > 0.0f);
     return o;
 }
 
@@ -249,7 +250,14 @@ const char* settings::refused() const noexcept
     if (const char* why = bend.refused()) return why;
     const bool has_bevels = chosen.bevel.width > 0.0f && chosen.depth > 0.0f, has_ring = chosen.outline.width > 0.0f;
     if (bend.in_space() && has_ring) return "Hollow letters cannot be bent: leave out outline or bend.";
-    if (!(chosen.inflate.height > 0.0f)) return nullptr;
+    const bool has_air = chosen.inflate.height > 0.0f;
+    if (chosen.tube.radius > 0.0f) {
+        if (bend.in_space()) return "Tubes cannot be bent: leave out tube or bend.";
+        if (has_bevels) return "Tubes have no bevels: leave out tube or bevel.";
+        if (has_ring) return "Tubes cannot be hollow: leave out tube or outline.";
+        if (has_air) return "Tubes cannot be inflated: leave out tube or inflate.";
+    }
+    if (!has_air) return nullptr;
     if (bend.in_space()) return "Inflated letters cannot be bent: leave out inflate or bend.";
     if (has_bevels) return "Inflated letters have no bevels: leave out inflate or bevel.";
     if (has_ring) return "Inflated letters cannot be hollow: leave out inflate or outline.";

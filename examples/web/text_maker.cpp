@@ -31,6 +31,7 @@ web_solid solid_of(const text_to_mesh::options& o)
 {
     using namespace text_to_mesh;
     if (o.inflate.height > 0.0f) return inflated_of(o);
+    if (o.tube.radius > 0.0f) return tubed_of(o);
     if (o.bend.is_on && o.bevel.width > 0.0f) return bent_of(o, bevelled_of(o));
     if (o.bend.is_on) return bent_of(o, plain_of(o));
     const web_upright letter = o.bevel.width > 0.0f ? web_upright{bevelled_of(o)} : web_upright{plain_of(o)};

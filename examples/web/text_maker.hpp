@@ -7,6 +7,7 @@
 #include "settings.hpp"
 #include "text_to_mesh/solids.hpp"
 
+#include <typemesh/extrude/tubed.hpp>
 #include <typemesh/glyph/glyph_cache.hpp>
 #include <typemesh/typemesh.hpp>
 
@@ -17,8 +18,9 @@ namespace typemesh_web {
 
 // The solids of the page. text_to_mesh has more, which would make the module larger.
 using web_upright = typemesh::one_of<text_to_mesh::plain_solid, typemesh::bevelled>;
-using web_solid = typemesh::one_of<web_upright, typemesh::outlined<web_upright, text_to_mesh::plain_solid>,
-                                   text_to_mesh::bent_solid, text_to_mesh::bent_bevels, typemesh::inflated>;
+using web_solid =
+    typemesh::one_of<web_upright, typemesh::outlined<web_upright, text_to_mesh::plain_solid>, text_to_mesh::bent_solid,
+                     text_to_mesh::bent_bevels, typemesh::inflated, typemesh::tubed>;
 using web_plan = typemesh::text_plan<web_solid>;
 
 /// What is to be meshed: a text, or the page that it was laid out as.

@@ -44,6 +44,7 @@ const options = [
     { bend: { wave: 0.2 }, warp: { arc: 60 }, depth: 0 },
     { inflate: { height: 1 }, warp: { arc: -60 } },
     { inflate: { height: 0.5, form: 'dome' } },
+    { tube: { radius: 0.02 }, path: { ring: 3 } },
 ];
 
 /** {bevel: {width: 0.02}} as "bevel.width=0.02". */

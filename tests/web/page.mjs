@@ -191,7 +191,12 @@ await part("typing", async () => {
         changes.push(await page.evaluate(() => globalThis.page.lastChange));
     }
     changes.sort((a, b) => a - b);
-    check(Number(await value("change")) > 0 && Number(await value("change")) <= Math.max(...changes), "the page shows the median of its changes");
+    const shown = await value("change");
+    check(/^[\d.,]+ ms$/.test(shown) && Number.parseFloat(shown) > 0 && Number.parseFloat(shown) <= Math.max(...changes) + 0.5, `the page shows the median of its changes: ${shown}`);
+    await page.waitForFunction(() => / ms$/.test(document.getElementById("cached").value));
+    const making = await value("cached");
+    check(/^[\d.,]+ ms$/.test(making) && Number.parseFloat(making) > 0, `and in what time a mesh is made: ${making}`);
+    check(/drawing not included.*With no letter built before: [\d.,]+ ms$/.test(await page.$eval("#making", e => e.title)), "and what that is");
     figures.push(`a change of 200 characters: ${changes[10].toFixed(1)} ms (median of 20), ${changes[19].toFixed(1)} ms at most`);
     await page.focus("#text");
     await change(() => page.keyboard.type("!"));
@@ -231,7 +236,7 @@ await part("shape", async () => {
     await open();
     await page.$$eval("#groups details", all => all.forEach(e => { e.open = true; }));  // where sliders have the focus
     const straight = await hash();
-    for (const name of ["bend.cylinder", "bend.twist", "bend.wave", "warp.arc", "warp.flag", "path.ring", "path.wave", "inflate.height"]) {
+    for (const name of ["bend.cylinder", "bend.twist", "bend.wave", "warp.arc", "warp.flag", "path.ring", "path.wave", "inflate.height", "tube.radius"]) {
         await page.focus(at(name));
         await change(() => page.keyboard.press("ArrowRight"));
         const step = await page.$eval(at(name), e => [Number(e.value), Number(e.step), e.getAttribute("aria-valuetext")]);
@@ -253,6 +258,13 @@ await part("shape", async () => {
     for (const name of ["depth", "bevel.width", "outline.width", "normals"])
         check(await page.$eval(at(name), e => e.disabled), `inflated letters have no ${name}`);
     check(/Inflated letters have no bevels/.test(await value("notes")), `which is told: ${await value("notes")}`);
+    await set(at("tube.radius"), "0.02");
+    check(await value("option-inflate-height") === "0" && /so Inflate is 0 again\./.test(await value("notes")), `tubes are not inflated, which is told: ${await value("notes")}`);
+    for (const name of ["depth", "bevel.width", "outline.width", "normals"])
+        check(await page.$eval(at(name), e => e.disabled), `tubes have no ${name}`);
+    check(await value("open-edges") === "0", `tubes: open edges ${await value("open-edges")}`);
+    await set(at("inflate.height"), "1");
+    check(await value("option-tube-radius") === "0" && await hash() === balloon, "and a balloon has no tubes");
     await page.click("#link");
     const shape = await page.evaluate(() => location.hash);
     await open(shape);
@@ -388,12 +400,20 @@ await part("weights", async () => {
 // A slow turn until the mesh is touched.
 await part("turn", async () => {
     await open("", { still: false });
-    const before_turn = await canvas();
+    const before_turn = await canvas(), band = await page.evaluate(async () => {
+        const { stage } = globalThis.page;
+        stage.turn(true);
+        await new Promise(done => setTimeout(done, 300));
+        stage.drawNow();
+        return stage.wires?.visible === true;
+    });
+    check(band, "a band of wires passes while it comes in");
     await rest(1500);
     check(await canvas() !== before_turn && await page.$eval("#turn", e => e.getAttribute("aria-pressed")) === "true", "the mesh turns by itself");
     await page.focus("#canvas");
     await page.keyboard.press("ArrowRight");
     await rest(300);
+    check(await page.evaluate(() => !globalThis.page.stage.wires?.visible), "no band of wires is left");
     const touched = await canvas();
     await rest(900);
     check(await canvas() === touched && await page.$eval("#turn", e => e.getAttribute("aria-pressed")) === "false", "and rests once it is touched");
@@ -409,6 +429,11 @@ await part("breathing", async () => {
     });
     figures.push(`60 weights of a text of 40 letters, ${weights.vertices} vertices, without drawing: ${weights.ms.toFixed(0)} ms`);
     check(weights.ms < 1000 || isBusy(), `60 weights take ${weights.ms} ms, less than a second`);
+
+    const slider = await value("option-page-weight");
+    await page.waitForFunction(was => document.getElementById("option-page-weight").value !== was, {}, slider);  // it goes with the weight
+    await set("#option-page-weight", "300");
+    check(await value("option-page-motion") === "still" && await value("option-page-weight") === "300", "and who moves it ends the breathing");
 
     await open("#page.motion=breathe&page.tags=0&text=" + encodeURIComponent("a[1]"), { width: 420, height: 320, still: false });
     check(await page.evaluate(() => globalThis.page.mesh.statistics.glyphs) === 4, "brackets breathe too where tags are not read");
@@ -649,6 +674,7 @@ await part("missing", async () => {
     await other.waitForFunction(() => document.documentElement.dataset.measured);
     const colours = () => other.evaluate(() => {
         const { stage } = globalThis.page, gl = stage.renderer.getContext(), pixels = new Uint8Array(4 * 32 * 32), seen = new Set();
+        stage.turn(false);  // no band of wires
         stage.drawNow();
         gl.readPixels(gl.drawingBufferWidth / 2 - 16, gl.drawingBufferHeight / 2 - 16, 32, 32, gl.RGBA, gl.UNSIGNED_BYTE, pixels);
         for (let i = 0; i < pixels.length; i += 4) seen.add(pixels[i] > 1.5 * pixels[i + 2]);

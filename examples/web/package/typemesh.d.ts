@@ -168,7 +168,12 @@ export interface MeshOptions {
         /** Front and back, or the front on walls of `depth`. */
         form?: "balloon" | "dome";
     };
-    /** Letters that meet become one solid. By default only if they have bevels, rings or moved edges, or are inflated. */
+    /** Neon letters: round tubes along the outline. Not with bevels, rings, `inflate` or `bend`; `depth` is without effect. */
+    tube?: {
+        /** In em, at most; what is too narrow for it gets thinner tubes. 0, the default: no tubes. */
+        radius?: number;
+    };
+    /** Letters that meet become one solid. By default only if they have bevels, rings or moved edges, are inflated or tubes. */
     merge?: boolean;
 
     /** Where lines end; no width by default: only where the text demands it. Columns: their height. */

@@ -25,6 +25,7 @@ export const groups = [
         range("embolden", "Bolder", 0, -0.05, 0.1, 0.002),
         range("outline.width", "Hollow: rim", 0, 0, 0.08, 0.002),
         range("inflate.height", "Inflate", 0, 0, 2, 0.05),
+        range("tube.radius", "Tubes", 0, 0, 0.06, 0.002),
         range("letterSpacing", "Space between", 0, -0.1, 0.5, 0.01),
     ] },
     { title: "Edges", open: true, controls: [
@@ -70,7 +71,7 @@ const all = groups.flatMap(g => g.controls);
 // Of each of these sets one control at a time is not 0: moving one sets the others back.
 const bends = ["bend.cylinder", "bend.twist", "bend.wave"];
 const rivals = [
-    { names: [...bends, "inflate.height"], words: "Letters are bent, twisted, waved or inflated" },
+    { names: [...bends, "inflate.height", "tube.radius"], words: "Letters are bent, twisted, waved, inflated or tubes" },
     { names: ["warp.arc", "warp.flag", "path.ring", "path.wave"], words: "Letters stand on an arc, a flag, a ring or a wave" },
 ];
 // What has no effect while one of `by` is not 0, and what is said if it would have had one.
@@ -79,6 +80,10 @@ const idle = [
     { by: ["inflate.height"], name: "bevel", words: "Inflated letters have no bevels." },
     { by: ["inflate.height"], name: "outline.width", words: "Inflated letters are not hollow." },
     { by: ["inflate.height"], name: "normals", words: "" },
+    { by: ["tube.radius"], name: "depth", words: "" },
+    { by: ["tube.radius"], name: "bevel", words: "Tubes have no bevels." },
+    { by: ["tube.radius"], name: "outline.width", words: "Tubes are not hollow." },
+    { by: ["tube.radius"], name: "normals", words: "" },
     { by: bends, name: "outline.width", words: "Bent letters are not hollow." },
     { by: ["page.motion"], is: "breathe", name: "bevel", words: "A text that breathes has no bevels." },
 ];
@@ -117,6 +122,7 @@ export class Controls {
             this.values[c.name] = c.kind === "check" ? input.checked : c.kind === "range" ? Number(input.value) : input.value;
             this.#yield(c);
             this.#show(c);
+            if (c.name === "page.weight" && this.motion === "breathe") this.set("page.motion", "still");
             changed();
         });
         if (c.kind === "range") input.addEventListener("dblclick", () => {
@@ -196,6 +202,13 @@ export class Controls {
     get colour() { return this.values["page.colour"] || finishes[this.values["page.finish"]].colour; }
     /** As stage.dress() takes it. */
     get look() { return { finish: this.values["page.finish"], colour: this.values["page.colour"], world: this.values["page.world"] }; }
+
+    /** The slider goes with a text that breathes; without a weight it shows its own. */
+    showWeight(weight) {
+        const { input } = all.find(one => one.name === "page.weight"), shown = Math.round(weight ?? this.values["page.weight"]);
+        input.value = shown;
+        input.parentNode.querySelector("output").value = shown;
+    }
 
     /** Only fonts with an axis have a slider for it. */
     setWeights(axis) {

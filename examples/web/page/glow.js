@@ -20,14 +20,14 @@ const add = `
 varying vec2 at;
 uniform sampler2D from, wide;
 void main() {
-    vec3 c = 0.75 * texture2D(from, at).rgb + 0.9 * texture2D(wide, at).rgb;
+    vec3 c = 0.85 * texture2D(from, at).rgb + 0.6 * texture2D(wide, at).rgb;
     gl_FragColor = vec4(pow(1.0 - exp(-c), vec3(1.0 / 1.8)), 1.0);
 }`;
 
 export class Glow {
     #quad = new THREE.Mesh(new THREE.PlaneGeometry(2, 2));
     #eye = new THREE.Camera();
-    #sizes = [4, 16].map(part => ({ part, one: target(), two: target() }));
+    #sizes = [3, 9].map(part => ({ part, one: target(), two: target() }));
     #blur = new THREE.ShaderMaterial({ vertexShader, fragmentShader: blur, depthTest: false, uniforms: { from: { value: null }, step: { value: new THREE.Vector2() } } });
     #add = new THREE.ShaderMaterial({ vertexShader, fragmentShader: add, depthTest: false, depthWrite: false, transparent: true, blending: THREE.AdditiveBlending,
                                       toneMapped: false, uniforms: { from: { value: null }, wide: { value: null } } });
@@ -49,8 +49,7 @@ export class Glow {
         renderer.setClearColor(this.#black, 1);
         renderer.clear();
         renderer.render(scene, camera);
-        this.#pass(fine.one, fine.two, 1, 0);
-        this.#pass(fine.two, fine.one, 0, 1);
+        for (let i = 0; i < 2; ++i) this.#pass(fine.one, fine.two, 1, 0), this.#pass(fine.two, fine.one, 0, 1);
         this.#pass(fine.one, wide.one, 1, 1);
         for (let i = 0; i < 2; ++i) this.#pass(wide.one, wide.two, 1, 0), this.#pass(wide.two, wide.one, 0, 1);
         renderer.setRenderTarget(null);

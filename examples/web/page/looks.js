@@ -18,16 +18,15 @@ export const finishes = {
 // sky: top, horizon, below; lamps: direction, half of their width and height, brightness. page: middle and corners of what is behind.
 const studioLamps = [[[-0.75, 0.75, 0.5], 0.42, 0.28, 9], [[0.95, 0.25, 0.35], 0.13, 0.6, 7], [[0.1, 0.98, -0.1], 0.6, 0.25, 5], [[-0.2, 0.12, 1], 0.5, 0.05, 1.6]];
 export const worlds = {
-    light: { sky: ["#f7f4ee", "#ffffff", "#8f877c"], lamps: studioLamps, page: ["#ffffff", "#d9d3c7"], shadow: 0.34, mirror: 0.16, strength: 0.85 },
-    dark: { sky: ["#3a404c", "#8d95a5", "#15171c"], lamps: studioLamps, page: ["#343943", "#0d0f12"], shadow: 0.7, mirror: 0.3, strength: 1 },
+    light: { sky: ["#f7f4ee", "#ffffff", "#8f877c"], lamps: studioLamps, page: ["#ffffff", "#d9d3c7"], shadow: 0.34, mirror: 0.1, strength: 0.85 },
+    dark: { sky: ["#3a404c", "#8d95a5", "#15171c"], lamps: studioLamps, page: ["#343943", "#0d0f12"], shadow: 0.7, mirror: 0.2, strength: 1 },
     dusk: { sky: ["#16245c", "#ffe4d2", "#32142f"], lamps: [[[-0.6, 0.5, 0.75], 0.5, 0.1, 7], [[0.9, 0.2, 0.5], 0.1, 0.7, 5], [[0, 1, 0.2], 0.4, 0.2, 4]],
-            page: ["#e0714f", "#1d1440"], shadow: 0.5, mirror: 0.3, strength: 1.15 },
+            page: ["#e0714f", "#1d1440"], shadow: 0.5, mirror: 0.2, strength: 1.15 },
     night: { sky: ["#0a0c1c", "#4a4f86", "#05060c"], lamps: [[[-0.6, 0.7, 0.5], 0.3, 0.08, 3], [[0.95, 0.2, 0.4], 0.05, 0.7, 3]],
-             page: ["#171a2e", "#030409"], shadow: 0.6, mirror: 0.45, strength: 0.8 },
+             page: ["#171a2e", "#030409"], shadow: 0.6, mirror: 0.3, strength: 0.8 },
 };
 export const worldOf = name => worlds[name] ?? worlds[dark.matches ? "dark" : "light"];
 export const onDark = call => dark.addEventListener("change", call);
-const ink = () => dark.matches ? 0xeceae5 : 0x1d1f23;
 
 const partShades = { front: 0, back: 0, side: -0.3, front_bevel: 0.07, back_bevel: 0.07, letter_front: 0.9, letter_back: 0.9, letter_side: 0.6 };
 
@@ -48,12 +47,21 @@ class Materials {
         checker.anisotropy = 8;
         this.normals = movable(new THREE.MeshNormalMaterial());
         this.texture = movable(new THREE.MeshStandardMaterial({ map: checker, roughness: 0.6 }));
-        this.line = movable(new THREE.LineBasicMaterial({ color: ink(), transparent: true, opacity: 0.75 }));
+        this.line = movable(new THREE.LineBasicMaterial({ transparent: true, opacity: 0.75 }));
+        this.wires = movable(new THREE.LineBasicMaterial({ name: "wires", transparent: true, opacity: 0.42 }));
+        this.casing = new THREE.MeshStandardMaterial({ color: 0x23262e, roughness: 0.32, metalness: 0.15 });
+        this.drum = new THREE.MeshStandardMaterial({ color: 0x1b1d22, roughness: 0.6, envMapIntensity: 0.6 });
+        this.pole = new THREE.MeshStandardMaterial({ color: 0xe2b04a, roughness: 0.25, metalness: 0.9 });
         this.contour = new THREE.LineBasicMaterial({ color: 0x1a6fd0, depthTest: false });
         this.depth = movable(new THREE.MeshDepthMaterial());
         this.solid = {};
         this.dress("satin", "");
-        onDark(() => this.line.color.set(ink()));
+    }
+
+    /** Lines are seen before what surrounds them. */
+    drawOn(world) {
+        this.line.color.set(world === worlds.light ? 0x1d1f23 : 0xeceae5);
+        this.wires.color.set(world === worlds.light ? 0x1450a8 : 0x9fd0ff);
     }
 
     /** Makes all parts of a finish and a colour; its own colour for "". */
@@ -66,7 +74,7 @@ class Materials {
             const shade = kind.metalness ? 0.3 * Math.min(0, partShades[name]) : partShades[name];
             const own = base.clone().lerp(new THREE.Color(shade > 0 ? "#ffffff" : "#000000"), Math.abs(shade));
             const material = this.solid[name];
-            if (kind.glows) material.emissive.copy(base).multiplyScalar(name === "side" ? 1.2 : 2.2), material.color.set(0x08080c);
+            if (kind.glows) material.emissive.copy(base).multiplyScalar(name === "side" ? 1.5 : 2.2), material.color.set(0x08080c);
             else material.color.copy(own);
         }
         Object.assign(this, { finish, colour });

@@ -5,12 +5,15 @@ export const motions = ["still", "wave", "reveal", "scatter", "typewriter", "fla
 export const lessMotion = matchMedia("(prefers-reduced-motion: reduce)");
 const period = 4000, scorePeriod = 9000;  // ms
 
-/** Of all materials: the number of the motion, its time from 0 to 1, how many letters there are; where a flag hangs and its width; a score and its wheels. */
+/** Of all materials: the number of the motion, its time from 0 to 1, how many letters there are; where a flag hangs and its width; a score and its wheels;
+ * from where to where triangles are wires: see orderAlong(). */
 export const uniforms = {
     motion: { value: 0 }, motionTime: { value: 0 }, motionLetters: { value: 1 }, flagFrom: { value: 0 }, flagWidth: { value: 1 },
-    score: { value: 0 }, wheels: { value: 1 },
+    score: { value: 0 }, wheels: { value: 1 }, wires: { value: [1, 0] },
 };
-export const wheelStep = 0.78, wheelRadius = 1.4;  // em
+export const wheelStep = 0.78, wheelRadius = 1.4, windowHeight = 0.66;  // em; half of the window's height
+/** Where a place is in the order in which a band of wireframe passes over a mesh. */
+export const orderAlong = (x, y) => x + 0.3 * y;
 
 const declarations = `
 attribute float letter;
@@ -18,6 +21,7 @@ attribute vec3 pivot;
 attribute vec2 digit;
 attribute vec4 tint;
 varying vec4 letterTint;
+varying vec3 letterPlace;  // where in the order of wires; the shade of a fold; the height on a wheel
 uniform int motion;
 uniform float motionTime, motionLetters, flagFrom, flagWidth, score, wheels;
 float letterNoise(float n) { return 2.0 * fract(sin((letter + 1.0) * n) * 43758.5453) - 1.0; }
@@ -31,8 +35,9 @@ vec3 turnedLetter(vec3 v, float angle) {
 }
 float letterAngle() { return motion == 3 ? 3.0 * letterNoise(91.7) * (1.0 - letterProgress()) : 0.0; }
 // A flag: a wave that runs from its pole on and grows on the way.
-float flagPhase(float x) { return 6.2831853 * (1.1 * (x - flagFrom) / 3.0 - motionTime); }
-float flagGrowth(float x) { return 0.26 * smoothstep(0.0, 0.8, (x - flagFrom) / flagWidth); }
+float flagPhase(vec3 p) { return 6.2831853 * (1.9 * (p.x - flagFrom) / flagWidth + 0.1 * p.y - motionTime); }
+float flagGrowth(vec3 p) { return clamp(0.08 * flagWidth, 0.1, 0.5) * smoothstep(0.0, 0.6, (p.x - flagFrom) / flagWidth); }
+vec2 flagSlope(vec3 p) { return flagGrowth(p) * cos(flagPhase(p)) * 6.2831853 * vec2(1.9 / flagWidth, 0.1); }
 // A wheel of ten digits. It moves while the one to its right goes from 9 to 0.
 float wheelAngle() {
     float gone = score;
@@ -52,19 +57,19 @@ vec3 movedLetter(vec3 p) {
         return pivot + turnedLetter(p - pivot, letterAngle()) + away;
     }
     if (motion == 4) return letter < (motionLetters + 4.0) * motionTime * 1.4 ? p : pivot;
-    if (motion == 5) return p + vec3(0.0, 0.0, flagGrowth(p.x) * sin(flagPhase(p.x)));
+    if (motion == 5) return p + vec3(0.0, 0.0, flagGrowth(p) * sin(flagPhase(p)));
     if (motion == 6) {
         vec3 axle = vec3(${wheelStep.toFixed(2)} * (digit.x - 0.5 * (wheels - 1.0)), 0.0, ${(-wheelRadius).toFixed(1)});
         float angle = wheelAngle();
-        return abs(angle) > 1.0 ? axle : axle + onWheel(p - pivot + vec3(0.0, 0.0, ${wheelRadius.toFixed(1)}), angle);
+        return abs(angle) > 1.1 ? axle : axle + onWheel(p - pivot + vec3(0.0, 0.0, ${wheelRadius.toFixed(1)}), angle);
     }
     return p;
 }
 vec3 movedNormal(vec3 n, vec3 p) {
     if (motion == 3) return turnedLetter(n, letterAngle());
     if (motion == 5) {
-        float a = atan(flagGrowth(p.x) * cos(flagPhase(p.x)) * 2.3);
-        return vec3(n.x * cos(a) - n.z * sin(a), n.y, n.x * sin(a) + n.z * cos(a));
+        vec2 slope = flagSlope(p);
+        return normalize(vec3(n.xy - n.z * slope, n.z + dot(n.xy, slope)));
     }
     return motion == 6 ? onWheel(n, wheelAngle()) : n;
 }
@@ -73,20 +78,27 @@ const tinted = "pow(letterTint.rgb, vec3(2.2))";  // where a geometry has no tin
 
 /** Lets a material move and colour letters. Geometries without letters stay still, as their motion is 0 then. */
 export function movable(material) {
+    material.customProgramCacheKey = () => `movable ${material.name === "side" || material.name === "wires" ? material.name : ""}`;  // what differs below
     material.onBeforeCompile = shader => {
         Object.assign(shader.uniforms, uniforms);
         shader.vertexShader = declarations + shader.vertexShader
             .replace("#include <beginnormal_vertex>", "#include <beginnormal_vertex>\nobjectNormal = movedNormal(objectNormal, position);")
-            .replace("#include <begin_vertex>", "#include <begin_vertex>\ntransformed = movedLetter(transformed);\nletterTint = tint;");
-        shader.fragmentShader = "varying vec4 letterTint;\n" + shader.fragmentShader
+            .replace("#include <begin_vertex>", `#include <begin_vertex>\ntransformed = movedLetter(transformed);\nletterTint = tint;
+letterPlace = vec3(position.x + 0.3 * position.y, motion == 5 ? 1.0 + 0.45 * clamp(flagSlope(position).x, -1.0, 0.3) : 1.0, motion == 6 ? transformed.y : 0.0);`);
+        const isHidden = material.name === "wires" ? "!areWires" : material.isMeshStandardMaterial ? "areWires" : "false";
+        shader.fragmentShader = "varying vec4 letterTint;\nvarying vec3 letterPlace;\nuniform vec2 wires;\n" + shader.fragmentShader
+            .replace("#include <clipping_planes_fragment>", `#include <clipping_planes_fragment>
+bool areWires = letterPlace.x > wires.x && letterPlace.x < wires.y;
+if (${isHidden} || abs(letterPlace.z) > ${(windowHeight + 0.25).toFixed(2)}) discard;`)
             .replace("#include <normal_fragment_begin>", material.isMeshStandardMaterial ? `#include <normal_fragment_begin>
 vec3 eyeward = normalize(vViewPosition);  // at an outline, normals between vertices may face away, and would be black there
 normal = normalize(normal + max(0.0, 0.06 - dot(normal, eyeward)) * eyeward);
 nonPerturbedNormal = normal;` : "#include <normal_fragment_begin>")
-            .replace("#include <color_fragment>", `#include <color_fragment>\ndiffuseColor.rgb = mix(${tinted}, diffuseColor.rgb, letterTint.a);`)
+            .replace("#include <color_fragment>", `#include <color_fragment>\ndiffuseColor.rgb = letterPlace.y * mix(${tinted}, diffuseColor.rgb, letterTint.a);`)
             .replace("#include <emissivemap_fragment>", `#include <emissivemap_fragment>
 float glow = max(max(emissive.r, emissive.g), emissive.b);
-totalEmissiveRadiance = mix(glow * ${tinted}, totalEmissiveRadiance, letterTint.a);`);
+totalEmissiveRadiance = mix(glow * ${tinted}, totalEmissiveRadiance, letterTint.a);${material.name === "side" ? `
+totalEmissiveRadiance += 0.32 * glow * pow(max(0.0, dot(normal, normalize(vViewPosition))), 3.0);` : ""}`);  // tubes are brighter in their middle
     };
     return material;
 }
@@ -114,7 +126,9 @@ export class Motion {
         if (!this.moves) return;
         uniforms.motionTime.value = time % period / period;
         this.begun ??= time;
-        const share = Math.min(1, (time - this.begun) % scorePeriod / (0.7 * scorePeriod));
-        uniforms.score.value = Math.round(1000 * this.target * (1 - (1 - share) ** 3)) / 1000;
+        const now = (time - this.begun) % scorePeriod / scorePeriod;  // it is there, rolls back, and up again
+        const back = Math.min(1, Math.max(0, (now - 0.2) / 0.15)), up = Math.min(1, Math.max(0, (now - 0.38) / 0.6));
+        const share = now < 0.36 ? 1 - back * back * (3 - 2 * back) : 1 - (1 - up) ** 3;
+        uniforms.score.value = Math.round(1000 * this.target * share) / 1000;
     }
 }

@@ -159,27 +159,30 @@ function update() {
         const [weighs, suits] = [fonts.weigh(controls.values["page.weight"]), fonts.suit(text)];
         if (weighs || suits) setFonts();
         makeMarked(text, options);
+        count(performance.now() - began);
         say("");
     } catch (e) {
         say(e.message);
         return;
     }
     show(target);
-    count(performance.now() - began);
+    if (!morph) controls.showWeight();
     clearTimeout(later);
     later = setTimeout(() => measure(text, options), 200);
     remember();
     tellProgram();
     lookFurther();
 }
-/** Of the last changes the median, without the first one, which makes all anew: letters, fonts, surroundings. */
+/** Milliseconds with two digits or more. */
+const inMs = ms => `${ms < 10 ? Number(ms.toPrecision(2)) : number(Math.round(ms))} ms`;
+/** Of the last changes the median, without drawing, and without the first one, which makes all anew: letters, fonts. */
 function count(ms) {
     lastChange = ms;
     if (isNew) return void (isNew = false);
     changes.push(ms);
     if (changes.length > 21) changes.shift();
     at("change").closest("div").hidden = false;
-    at("change").value = [...changes].sort((a, b) => a - b)[changes.length >> 1].toFixed(1);
+    at("change").value = inMs([...changes].sort((a, b) => a - b)[changes.length >> 1]);
 }
 const changes = [];
 let lastChange = 0, isNew = true;
@@ -192,6 +195,7 @@ const weightAt = time => {
 function breath(time) {
     if (!morph) return false;
     mesh = morph.at(weightAt(time));
+    controls.showWeight(weightAt(time));
     stage.move(mesh);
     return true;
 }
@@ -207,7 +211,7 @@ function show(to) {
     at("vertices").value = number(s.vertices);
     at("triangles").value = number(s.triangles);
     note();
-    for (const id of ["open-edges", "cold", "cached"]) at(id).value = "…";
+    for (const id of ["open-edges", "cached"]) at(id).value = "…";
 }
 /** What there is to say of the mesh. */
 function note() {
@@ -228,21 +232,27 @@ function measure(text, options) {
     if (ticking || !mesh) return;
     stage?.settle();
     const marked = { ...options, markup: options.markup === true && !trouble };
-    const cold = leastOf(() => measurer.mesh(text, { ...marked, cached: false }));
-    at("cold").value = number(Math.round(cold.microseconds));
+    const cold = leastOf(() => measurer.mesh(text, { ...marked, cached: false }), 60);
     at("open-edges").value = number(morph ? mesh.openEdges() : cold.made.openEdges());
-    if (morph) at("cached").value = number(Math.round(mesh.statistics.microseconds));
-    else at("cached").value = number(Math.round(leastOf(() => (make(text, marked), mesh)).microseconds));  // all its letters are there now
+    const { ms } = leastOf(() => morph ? (mesh = morph.at(weightAt(performance.now()))) : (make(text, marked), mesh), 300);  // all letters are there now
+    at("cached").value = inMs(ms);
+    at("making").title = (morph ? "The next weight of this text" : "This text anew, with its letters built before") +
+        `: the least of some times, drawing not included. With no letter built before: ${inMs(cold.ms)}`;
     document.documentElement.dataset.measured = String(++measured);
 }
 let measured = 0;
-/** The last of some meshes, as many as take ten milliseconds, and the least of their times: other programs run as well. */
-function leastOf(makes) {
+/** The last of some meshes, and the least of their times: other programs run as well. As browsers' clocks are coarse, some are timed together. */
+function leastOf(makes, longest) {
     const began = performance.now();
-    let made, microseconds = Infinity;
-    do made = makes(), microseconds = Math.min(microseconds, made.statistics.microseconds);
-    while (performance.now() - began < 10);
-    return { made, microseconds };
+    let made, ms = Infinity, together = 1, now = began, times = 0;
+    do {
+        const from = now;
+        for (let i = 0; i < together; ++i) made = makes();
+        now = performance.now();
+        if (now - from < 0.5) together *= 2;
+        else ++times, ms = Math.min(ms, (now - from) / together);
+    } while (times === 0 || now - began < (times < 12 ? longest : 20));
+    return { made, ms };
 }
 
 // --- a thousand characters a frame -------------------------------------------------------------------------------------------
@@ -342,12 +352,12 @@ function setView(name) {
 
 /** Options without those that have the library's defaults. */
 function pruned(options) {
-    const movesEdges = options.embolden || options.outline?.width;
+    const movesEdges = options.embolden || options.outline?.width || options.tube?.radius;
     const usual = new Map(typemesh.options.map(o => [o.name, o.default ?? o.choices?.[0]])), kept = {};
     for (const [name, value] of Object.entries(options)) {
         if (value?.constructor === Object && name !== "features") {
             const inner = Object.fromEntries(Object.entries(value).filter(([k, v]) => v !== usual.get(`${name}.${k}`)));
-            if (Object.keys(inner).some(k => ["width", "height", "cylinder", "twist", "wave", "arc", "flag", "ring"].includes(k))) kept[name] = inner;
+            if (Object.keys(inner).some(k => ["width", "height", "cylinder", "twist", "wave", "arc", "flag", "ring", "radius"].includes(k))) kept[name] = inner;
         } else if (value !== usual.get(name) && name !== "letters" && !(name === "letterSpacing" && value === 0 && !movesEdges)) kept[name] = value;
     }
     return kept;

@@ -35,6 +35,7 @@ function solidOf(state) {
         const solid = braced({ height: float(o.inflate.height) });
         return { code: `typemesh::inflated${solid}`, headers: ["typemesh/extrude/inflated.hpp"] };
     }
+    if (has(o.tube?.radius)) return { code: `typemesh::tubed${braced({ radius: float(o.tube.radius) })}`, headers: ["typemesh/extrude/tubed.hpp"] };
     const bevelled = has(o.bevel?.width) && depth > 0, profile = o.bevel?.profile ?? "chamfer";
     const bevels = () => braced({
         depth: float(depth), width: float(o.bevel.width), bevel_depth: float(o.bevel.depth ?? o.bevel.width),
@@ -182,6 +183,7 @@ export function command(state) {
         add("--embolden", some(o.embolden));
         add("--outline", some(o.outline?.width));
         add("--inflate", some(o.inflate?.height));
+        add("--tube", some(o.tube?.radius));
         add("--bend", deformation(state)?.word ?? (has(o.warp?.arc) ? `arc:${number(o.warp.arc)}` : has(o.warp?.flag) ? `flag:${number(o.warp.flag)},${number(state.advance || 1)}` : undefined));
         if (has(o.path?.ring)) add("--path", `circle:${number(o.path.ring)}`);
         if (has(o.path?.wave)) add("--path", `wave:${number(o.path.wave)},6`);

@@ -5,13 +5,14 @@ import * as THREE from "three";
 import { OrbitControls } from "three/addons/controls/OrbitControls.js";
 import { Glow } from "./glow.js";
 import { Backdrop, environment, materials, onDark, worldOf } from "./looks.js";
-import { lessMotion, Motion, uniforms, wheelRadius, wheelStep } from "./motion.js";
+import { lessMotion, Motion, orderAlong, uniforms, wheelRadius, wheelStep, windowHeight } from "./motion.js";
 
 export { materials };
 export const views = ["solid", "wireframe", "normals", "texture", "contours"];
 const rainbow = [0xff3b5c, 0xff9f1c, 0xffd23f, 0x2ec4b6, 0x3a86ff, 0x8f5bff];
 const sway = 0.5, swayPeriod = 13000;  // radians to each side, ms
 const entry = 1.1, entryTime = 1600;  // from how far round a mesh comes in
+const bandFirst = 2200, bandTime = 3200, bandPeriod = 9000, maxInBand = 600000;  // ms; indices
 
 export class Stage {
     #frame;
@@ -74,6 +75,7 @@ export class Stage {
         this.scene.environment = this.#skies.get(world);
         this.scene.environmentIntensity = world.strength;
         this.backdrop.dress(world);
+        materials.drawOn(world);
         if (materials.glows) this.glow ??= new Glow(this.renderer);
         this.draw();
     }
@@ -86,8 +88,8 @@ export class Stage {
         const { low, high } = mesh.bounds;
         this.box = new THREE.Box3(new THREE.Vector3(...low), new THREE.Vector3(...high));
         const wheels = motion === "score" ? new Set(mesh.letters.map(l => l.word)).size : 0;
-        if (wheels > 0) this.box.set(new THREE.Vector3(-wheelStep * wheels / 2, -0.88 * wheelRadius, -0.9 * wheelRadius), new THREE.Vector3(wheelStep * wheels / 2, 0.88 * wheelRadius, 0));
         Object.entries({ flagFrom: low[0], flagWidth: Math.max(0.1, high[0] - low[0]), wheels }).forEach(([name, v]) => { uniforms[name].value = v; });
+        this.wires = undefined;
         if (mesh.index.length > 0) {
             const geometry = this.#geometry();
             this.#fill(geometry, mesh);
@@ -100,9 +102,14 @@ export class Stage {
             if (this.#hasFloor) this.mirror.add(this.#placed(new THREE.Mesh(geometry, solid)));
             this.group.children[0].castShadow = this.#hasFloor && !materials.glows;
             this.group.children[0].customDepthMaterial = materials.depth;
-            if (this.view === "wireframe") this.#lines(mesh.position, edges(mesh.index), materials.line, letters);
-            if (this.view === "contours") this.#lines(mesh.contours(), null, materials.contour);
+            if (this.view === "wireframe") this.#lines(geometry.attributes.position, edges(mesh.index), materials.line, letters);
+            else if (this.view === "solid" && motion === "still" && this.turning && !this.moved && !lessMotion.matches && !materials.glows && mesh.index.length <= maxInBand)
+                this.wires = this.#lines(geometry.attributes.position, edges(mesh.index), materials.wires);
+            if (this.view === "contours") this.#lines(this.#array(mesh.contours(), 3), null, materials.contour);
+            if (this.#hasFloor && motion === "flag") this.#pole();
+            if (this.#hasFloor && wheels > 0) this.#casing(wheels);
         }
+        this.#sweep(-1);
         this.#drawn = false;
         this.#light();
         this.motion.set(this.view === "contours" ? "still" : motion, mesh.letters.length, target);
@@ -113,7 +120,7 @@ export class Stage {
     /** The next mesh of a text that breathes: in the place of the last one, if it has as many vertices. */
     move(mesh) {
         const geometry = this.group.children[0]?.geometry;
-        if (this.group.children.length !== 1 || geometry.attributes.position.count !== mesh.statistics.vertices || geometry.index.count !== mesh.index.length)
+        if (!geometry || this.view === "contours" || geometry.attributes.position.count !== mesh.statistics.vertices || geometry.index.count !== mesh.index.length)
             return this.show(mesh);
         for (const [name, view] of [["position", mesh.position], ["normal", mesh.normal]])
             Object.assign(geometry.attributes[name], { array: view, needsUpdate: true });
@@ -124,7 +131,7 @@ export class Stage {
     /** The colours of vertices that letters have of their own: see motion.js. */
     get tints() { return this.group.children[0]?.geometry.attributes.tint?.array; }
 
-    get #hasFloor() { return this.view === "solid"; }
+    get #hasFloor() { return this.view === "solid" || this.view === "wireframe"; }
 
     /** Floor, mirror and shadow fit the mesh. */
     #light() {
@@ -171,9 +178,57 @@ export class Stage {
     #lines(points, index, material, letters = {}) {
         const geometry = this.#geometry();
         for (const name in letters) geometry.setAttribute(name, letters[name]);
-        geometry.setAttribute("position", this.#array(points, 3));
+        geometry.setAttribute("position", points);
         if (index) geometry.setIndex(new THREE.BufferAttribute(index, 1));
-        this.group.add(this.#placed(new THREE.LineSegments(geometry, material)));
+        const lines = this.#placed(new THREE.LineSegments(geometry, material));
+        this.group.add(lines);
+        return lines;
+    }
+    /** What is not of the text, and is not saved: it stands with it, and is mirrored. */
+    #prop(geometry, material, place) {
+        for (const group of [this.group, this.mirror]) {
+            const one = this.#placed(new THREE.Mesh(geometry, material));
+            one.position.set(...place);
+            one.castShadow = group === this.group;
+            group.add(one);
+        }
+    }
+    /** Of a flag; the ground is at its foot. */
+    #pole() {
+        const { min, max } = this.box, height = max.y - min.y, width = max.x - min.x, radius = Math.min(0.07, 0.04 * height);
+        const foot = min.y - 0.45 * height, top = max.y + 0.12 * height, x = min.x - 0.6 * radius;
+        this.#prop(new THREE.CylinderGeometry(radius, radius, top - foot, 24), materials.pole, [x, (foot + top) / 2, 0]);
+        this.#prop(new THREE.SphereGeometry(1.9 * radius, 24, 16), materials.pole, [x, top, 0]);
+        this.box.min.set(x - radius, foot, -0.08 * width);
+        this.box.max.set(max.x, top + 2 * radius, 0.08 * width);
+    }
+    /** Of wheels: a drum that carries the digits, behind a window that shows one row of them. */
+    #casing(wheels) {
+        const width = wheelStep * wheels + 0.12, high = windowHeight + 0.3, rim = 0.16, [back, front] = [-0.75, 0.14], middle = (back + front) / 2;
+        for (let i = 0; i < wheels; ++i) {
+            const drum = new THREE.CylinderGeometry(wheelRadius - 0.04, wheelRadius - 0.04, 0.96 * wheelStep, 48, 1, true, -0.74, 1.48).rotateZ(Math.PI / 2);
+            this.#prop(drum, materials.drum, [wheelStep * (i - 0.5 * (wheels - 1)), 0, -wheelRadius]);
+        }
+        const box = (x, y, z, place) => this.#prop(new THREE.BoxGeometry(x, y, z), materials.casing, place);
+        for (const side of [-1, 1]) {
+            box(width + 2 * rim, high - windowHeight, front - back, [0, side * (high + windowHeight) / 2, middle]);
+            box(rim, 2 * windowHeight, front - back, [side * (width + rim) / 2, 0, middle]);
+        }
+        box(width, 2 * high, 0.05, [0, 0, back]);
+        this.box.set(new THREE.Vector3(-width / 2 - rim, -high, back), new THREE.Vector3(width / 2 + rim, high, front));
+    }
+    /** A band of wires passes over a mesh that comes in, and again now and then; since: ms. Whether there is one. */
+    #sweep(since) {
+        const wires = uniforms.wires.value, { min, max } = this.box ?? {};
+        wires[0] = 1, wires[1] = 0;
+        if (!this.wires) return;
+        const first = since < bandFirst, at = first ? since / bandFirst : (since - bandFirst) % bandPeriod - (bandPeriod - bandTime);
+        this.wires.visible = since >= 0 && at >= 0;
+        if (!this.wires.visible) return;
+        const from = orderAlong(min.x, min.y), length = orderAlong(max.x, max.y) - from, width = Math.min(2, 0.3 * length);
+        const place = first ? from + length * at * at * (3 - 2 * at) : from - width + (length + width) * at / bandTime;
+        wires[0] = place;
+        wires[1] = first ? 1e9 : place + width;
     }
     #geometry() {
         const geometry = new THREE.BufferGeometry();
@@ -246,7 +301,8 @@ export class Stage {
             this.camera.position.sub(this.orbit.target).applyAxisAngle(new THREE.Vector3(0, 1, 0), by).add(this.orbit.target);
             this.turned = angle;
             this.orbit.update();
-        }
+            this.#sweep(since);
+        } else this.#sweep(-1);
         const breathes = this.breath?.(time);
         this.drawNow();
         if (turns || this.motion.moves || breathes) this.draw();

@@ -51,7 +51,7 @@ test('every value of every option makes a mesh', () => {
         'bevel.points': [[0, 0, 0.2, 0.8, 1, 1]], 'bevel.steps': [3], embolden: [0.01, -0.005], 'outline.width': [0.01],
         'bend.cylinder': [180, -90], 'bend.radius': [3], 'bend.twist': [90], 'bend.wave': [0.1], 'warp.arc': [90], 'warp.flag': [0.1],
         'path.ring': [3, -3], 'path.wave': [0.3],
-        'inflate.height': [1, 0.5],
+        'inflate.height': [1, 0.5], 'tube.radius': [0.02, 0.01],
         width: [4], letterSpacing: [0.1], lineSpacing: [1.5], indent: [1], maxLines: [1], ellipsis: ['…'],
         features: [{ liga: 0 }, { smcp: true }], language: ['tr'], script: ['Latn'],
     };
@@ -130,6 +130,11 @@ test('bent, warped and inflated letters', () => {
     assert.equal(stamp.openEdges(), 0);
     assert.deepEqual(stamp.parts.map((p) => p.name), ['front', 'back']);
     assert.ok(Math.abs(stamp.bounds.low[2] + stamp.bounds.high[2]) < 1e-5, 'a balloon is alike in front and behind');
+    const neon = typemesh.mesh(text, font, { path: { ring: 3 }, tube: { radius: 0.02 } });
+    check(neon);
+    assert.equal(neon.openEdges(), 0);
+    assert.deepEqual(neon.parts.map((p) => p.name), ['side']);
+    assert.ok(Math.abs(neon.bounds.high[2] - 0.02) < 1e-5 && Math.abs(neon.bounds.low[2] + 0.02) < 1e-5, 'tubes are as deep as wide');
     const columns = typemesh.mesh('ab\ncd', font, { direction: 'ttb', bend: { cylinder: 90 } });
     assert.equal(columns.openEdges(), 0);
 });
@@ -313,6 +318,10 @@ test('what is refused is said in a sentence', () => {
     bent('Hello', { bend: { twist: 90 }, inflate: { height: 1 } }, /^Inflated letters cannot be bent/);
     bent('Hello', { inflate: { height: 1 }, bevel: { width: 0.01 } }, /^Inflated letters have no bevels/);
     bent('Hello', { inflate: { height: 1 }, outline: { width: 0.01 } }, /^Inflated letters cannot be hollow/);
+    bent('Hello', { tube: { radius: 0.02 }, bend: { twist: 90 } }, /^Tubes cannot be bent/);
+    bent('Hello', { tube: { radius: 0.02 }, bevel: { width: 0.01 } }, /^Tubes have no bevels/);
+    bent('Hello', { tube: { radius: 0.02 }, outline: { width: 0.01 } }, /^Tubes cannot be hollow/);
+    bent('Hello', { tube: { radius: 0.02 }, inflate: { height: 1 } }, /^Tubes cannot be inflated/);
     bent('Hello', { inflate: { height: 1, form: 'dome' }, depth: 0 }, /^A dome stands on walls/);
     refuses(() => typemesh.mesh('Hello world!', font, { bend: { radius: 0.5 } }), TypemeshError, /^The text is longer than the circumference/);
     assert.ok(typemesh.mesh('a', font).statistics.triangles > 0, 'all is well afterwards');
