@@ -172,8 +172,10 @@ public:
         for (std::size_t k = i + 1; k < by_x.size() && left(by_x[k]) < right(by_x[i]); ++k)
             if (!separates(by_x[i], by_x[k]) && !separates(by_x[k], by_x[i])) return "two triangles overlap";
     }
+    // A tip where contours cross may have moved to where their curves do: curved_boundary::move_crossing().
+    const double beyond = s.data.boundary.moved() != 0 ? 4.0 * s.filled.tolerance() + 4.0 : 3.0;
     for (const grid_point p : s.filled.points())
-        if (p.x < s.plan.around.low.x - 3.0 || p.x > s.plan.around.high.x + 3.0) return "the box";
+        if (p.x < s.plan.around.low.x - beyond || p.x > s.plan.around.high.x + beyond) return "the box";
 
     double area = 0.0, of_region = 0.0, around = 0.0;
     for (const triangle t : s.data.read().of<triangle>()) {
