@@ -23,10 +23,12 @@
 #include <typemesh/extrude/inflated.hpp>
 #include <typemesh/extrude/outlined.hpp>
 #include <typemesh/extrude/refined.hpp>
+#include <typemesh/extrude/tubed.hpp>
 #include <typemesh/outline/stroked.hpp>
 #include <typemesh/outline/svg_path.hpp>
 #include <typemesh/paragraph/paragraph.hpp>
 #include <typemesh/paragraph/total_fit.hpp>
+#include <typemesh/plate/name_plate.hpp>
 #include <typemesh/refine/non_obtuse.hpp>
 #include <typemesh/refine/quadtree_refined.hpp>
 #include <typemesh/triangulate/constrained_delaunay.hpp>
@@ -210,6 +212,17 @@ inline void hash_arcs(hash& h)
             }
 }
 
+inline void hash_written(hash& h, const std::vector<vertex>& vertices, const std::vector<std::uint32_t>& indices)
+{
+    for (const vertex& v : vertices) {
+        for (const float x : {v.position.x, v.position.y, v.position.z, v.normal.x, v.normal.y, v.normal.z, v.uv.x,
+                              v.uv.y, v.tangent.x, v.tangent.y, v.tangent.z, v.tangent.w})
+            h.add(x);
+        h.add(v.cluster, 4), h.add(v.part, 4);
+    }
+    for (const std::uint32_t i : indices) h.add(i, 4);
+}
+
 /// Every written number.
 template <class Policy>
 void hash_mesh(hash& h, const faces& all, const Policy& policy, const typemesh::text_options& how = {})
@@ -221,13 +234,27 @@ void hash_mesh(hash& h, const faces& all, const Policy& policy, const typemesh::
         auto mesher = typemesh::text_mesher{f->letters}.with(policy);
         if (auto made = mesher.build(run, typemesh::into(vertices, indices), how); !made)
             stop(std::string{"a mesh is refused: "} + made.error().message());
-        for (const vertex& v : vertices) {
-            for (const float x : {v.position.x, v.position.y, v.position.z, v.normal.x, v.normal.y, v.normal.z, v.uv.x,
-                                  v.uv.y, v.tangent.x, v.tangent.y, v.tangent.z, v.tangent.w})
-                h.add(x);
-            h.add(v.cluster, 4), h.add(v.part, 4);
+        hash_written(h, vertices, indices);
+    }
+}
+
+/// Every written number of plates with the letters.
+inline void hash_plates(hash& h, const faces& all, const typemesh::plate_options& how)
+{
+    typemesh::name_plate plate;
+    for (const auto& f : all) {
+        auto mesher = typemesh::text_mesher{f->letters};
+        const typemesh::glyph_run run = row_of(*f);
+        const auto text = mesher.plan(run, {});
+        if (!text) stop("letters are not planned");
+        if (const auto made = plate.plan(*text, how, typemesh::monotone{}); !made)
+            stop(std::string{"a plate is refused: "} + made.error().message());
+        for (std::size_t k = 0; k < plate.solid_count(); ++k) {
+            std::vector<vertex> vertices;
+            std::vector<std::uint32_t> indices;
+            if (!plate.write(k, typemesh::into(vertices, indices))) stop("a plate is not written");
+            hash_written(h, vertices, indices);
         }
-        for (const std::uint32_t i : indices) h.add(i, 4);
     }
 }
 
@@ -349,6 +376,10 @@ inline std::vector<stage_hash> hash_stages(const faces& all)
         hash_mesh(h, all, stroked{{.width = 0.03, .cap = stroke_cap::round, .join = stroke_join::round}});
     });
     stage("mesh: flat_curved", [&](hash& h) { hash_mesh(h, all, flat_curved{}); });
+    stage("mesh: tubed", [&](hash& h) { hash_mesh(h, all, tubed{}); });
+    stage("mesh: plate, inlay", [&](hash& h) { hash_plates(h, all, {.style = plate_style::inlay}); });
+    stage("mesh: plate, stencil",
+          [&](hash& h) { hash_plates(h, all, {.style = plate_style::cut, .bridge_width = 0.05f}); });
     stage("text: levels, graphemes, breaks, scripts", [](hash& h) { hash_analysis(h); });
     stage("text: lines, first_fit", [](hash& h) { hash_lines(h, {}, first_fit{}); });
     stage("text: lines, first_fit, justified",
