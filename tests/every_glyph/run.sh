@@ -8,7 +8,7 @@
 #     tests/every_glyph/run.sh                      everything: smoke fonts, then nasty glyphs
 #     tests/every_glyph/run.sh --quality high       more options: see every_glyph.cpp
 #     tests/every_glyph/run.sh --only nasty         smoke, nasty, or the name of one package
-#     tests/every_glyph/run.sh --program every_bevel    or every_offset, every_refined, every_plate: the same for their laws
+#     tests/every_glyph/run.sh --program every_bevel    or every_offset, every_refined, every_plate, every_tube: the same
 set -eu
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
 build=$root/build/every_glyph

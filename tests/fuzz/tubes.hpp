@@ -114,7 +114,8 @@ inline broken_law of_surface(const mesh& m, double nothing)
     return {};
 }
 
-inline broken_law of_tubed(const tubed& how, drawn_shape& from)
+/// `fits_floats`: whether floats can tell all points of the region apart.
+inline broken_law of_tubed(const tubed& how, drawn_region& from, bool fits_floats)
 {
     tubed_data data;
     mesh m;
@@ -133,7 +134,7 @@ inline broken_law of_tubed(const tubed& how, drawn_shape& from)
     if (!plan->touching)
         if (broken_law broken = of_clearance(paths, rounding); !broken.empty()) return broken;
     if (broken_law broken = of_path(paths, from.made, double(how.corner_cut), rounding); !broken.empty()) return broken;
-    if (!from.fits_floats()) return {};
+    if (!fits_floats) return {};
     const double turn = 6.283185307179586 / how.sides;
     double volume = 0.0, surface = 0.0;
     for (std::size_t k = 0; k < paths.radii.size(); ++k) {
@@ -162,7 +163,7 @@ inline broken_law tubes(values in)
     drawn_shape from;
     if (broken_law broken = from.read(in); !broken.empty()) return broken;
     if (from.made.points().empty()) return {};
-    return of_tubed(how, from);
+    return of_tubed(how, from, from.fits_floats());
 }
 
 }  // namespace fuzz
