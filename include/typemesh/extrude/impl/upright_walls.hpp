@@ -124,7 +124,7 @@ private:
     }
 
     template <attribute Wants, class Mapping, class Axes, class Put>
-    void write(array_view<const grid_point> points, array_view<const side_point> side_points, const Axes& axes,
+    [[gnu::flatten]] void write(array_view<const grid_point> points, array_view<const side_point> side_points, const Axes& axes,
                const placement& at, Put& put) const noexcept
     {
         const float upper = at.height(top), lower = at.height(bottom);
