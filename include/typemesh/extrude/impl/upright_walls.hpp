@@ -124,8 +124,10 @@ private:
     }
 
     template <attribute Wants, class Mapping, class Axes, class Put>
-    [[gnu::flatten]] void write(array_view<const grid_point> points, array_view<const side_point> side_points, const Axes& axes,
-               const placement& at, Put& put) const noexcept
+    [[gnu::flatten]]  // g++ 12 left `put` a call: 25 % of writing tangents
+    void
+    write(array_view<const grid_point> points, array_view<const side_point> side_points, const Axes& axes,
+          const placement& at, Put& put) const noexcept
     {
         const float upper = at.height(top), lower = at.height(bottom);
         [[maybe_unused]] const Mapping mapping{at};
