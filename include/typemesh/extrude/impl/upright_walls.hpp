@@ -123,9 +123,10 @@ private:
         }
     }
 
+    /// Flattened: otherwise g++ 12 leaves `put` a call, which cost 25 % where tangents are written.
     template <attribute Wants, class Mapping, class Axes, class Put>
-    void write(array_view<const grid_point> points, array_view<const side_point> side_points, const Axes& axes,
-               const placement& at, Put& put) const noexcept
+    [[gnu::flatten]] void write(array_view<const grid_point> points, array_view<const side_point> side_points,
+                                const Axes& axes, const placement& at, Put& put) const noexcept
     {
         const float upper = at.height(top), lower = at.height(bottom);
         [[maybe_unused]] const Mapping mapping{at};

@@ -86,12 +86,13 @@ private:
     void find_middles(array_view<const shaped_glyph> glyphs, double pen, placed_glyph* out) const noexcept
     {
         for (std::size_t i = 0; i < glyphs.size();) {
-            const std::size_t first = i;
-            double advance = 0.0;
-            for (; i < glyphs.size() && glyphs[i].cluster == glyphs[first].cluster; ++i) advance += glyphs[i].advance;
+            const std::size_t first = i++;
+            double advance = 0.0 + glyphs[first].advance;  // the sum of a cluster without width is +0
+            while (i < glyphs.size() && glyphs[i].cluster == glyphs[first].cluster) advance += glyphs[i++].advance;
             const double middle = pen + 0.5 * advance;
-            for (std::size_t k = first; k < i; ++k)
-                out[k].to_middle = static_cast<float>(middle - along(out[k].origin));
+            std::size_t k = first;
+            do out[k].to_middle = static_cast<float>(middle - along(out[k].origin));
+            while (++k < i);  // usually once
             pen += advance;
         }
     }

@@ -26,7 +26,8 @@ inline void bound(text_glyphs& all, solid_ref how) noexcept
     for (const drawn_glyph& s : all.records) {
         at.frame = placed.frame;
         at.pen = s.built->cells() * (s.origin - placed.centre);
-        turn(at, s.right);
+        const bool turns = all.turns(s);
+        if (turns) turn(at, s.right);
         at.unit_per_cell = placed.unit_per_font_unit * s.built->font_units_per_cell();
         const box& around = s.built->around();
         if (each_has_own) {
@@ -38,7 +39,7 @@ inline void bound(text_glyphs& all, solid_ref how) noexcept
             const vec3 corner = at.position(at.foot(around.low), bottom);
             all.bounds = {corner, corner};
         }
-        add_placed(all.bounds, around, bottom, top, at, along_axes && !is_turned(s.right));
+        add_placed(all.bounds, around, bottom, top, at, along_axes && !turns);
     }
 }
 

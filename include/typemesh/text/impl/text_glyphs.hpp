@@ -195,7 +195,7 @@ struct text_glyphs {
     /// next_alike, before). Records are placed style by style, ascending.
     ///
     /// Fails with error::too_large if 32 bits do not suffice, or with error::out_of_memory
-    error place_glyph(drawn_glyph s, std::uint32_t number) noexcept
+    error place_glyph(drawn_glyph& s, std::uint32_t number) noexcept
     {
         const part_sizes& sizes = s.built->sizes();
         if (!(totals.total() + sizes.total()).fits_32_bits()) return error::too_large;
@@ -260,6 +260,8 @@ struct text_glyphs {
         const box own = turned_box(s.built->ink(), s.right);
         return {s.origin + own.low, s.origin + own.high};
     }
+    /// Whether a path turns a glyph. One comparison suffices for most texts.
+    [[nodiscard]] bool turns(const drawn_glyph& s) const noexcept { return turned && is_turned(s.right); }
 
     /// A glyph's own box that textures span, likewise; in the flat text, if a path turns the glyph.
     [[nodiscard]] static box textured_of(const drawn_glyph& s) noexcept
