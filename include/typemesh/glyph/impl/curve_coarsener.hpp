@@ -95,9 +95,10 @@ private:
     }
 
     static constexpr std::uint8_t stays = 0, dropped = 1;
-    static constexpr std::uint32_t max_others = 16;
-    static constexpr std::uint32_t none = ~std::uint32_t{0};
+    static constexpr std::uint32_t max_others = 16, none = ~std::uint32_t{0};
     static constexpr double kept_share = 1.0 - 0x1p-20;  // of the tolerance; the rest is a margin for rounding
+    static constexpr double estimate_share = 0.8;  // of the pieces that the whole's error predicts, for a first try
+    static constexpr double nothing = 0x1p-38;     // beside the longest leg, squared: twice the 2^-20 of `tangents`
 
     using chords = cubic_chords<false>;
 
@@ -153,7 +154,7 @@ private:
             least = along < least ? along : least;
             longest = longest < square ? square : longest;
         }
-        may_stop_ = !(least > 0.0 && least * least > 0x1p-38 * longest * dot(way, way));
+        may_stop_ = !(least > 0.0 && least * least > nothing * longest * dot(way, way));
         return may_stop_;
     }
 
@@ -239,11 +240,11 @@ private:
         const std::uint32_t edges = last - first;
         const double whole = excess(of_curve, first, first, last);
         if (whole <= 1.0) return 1;
-        const double estimate = 0.8 * std::sqrt(std::sqrt(whole));
+        const double estimate = estimate_share * std::sqrt(std::sqrt(whole));
         if (!(estimate < static_cast<double>(edges))) return edges;
         std::uint32_t pieces = estimate > 2.0 ? static_cast<std::uint32_t>(estimate) : 2;
         while (pieces < edges && !fits_evenly(of_curve, first, last, pieces)) ++pieces;
-        const bool is_as_estimated = 0.8 * (static_cast<double>(pieces) - 1.0) <= estimate;
+        const bool is_as_estimated = estimate_share * (static_cast<double>(pieces) - 1.0) <= estimate;
         return is_as_estimated || pieces_one_by_one(of_curve, first, last) >= pieces ? pieces : edges;
     }
 
