@@ -99,7 +99,6 @@ private:
     static constexpr double kept_share = 1.0 - 0x1p-20;  // of the tolerance; the rest is a margin for rounding
     static constexpr double estimate_share = 0.8;  // of the pieces that the whole's error predicts, for a first try
     static constexpr double nothing = 0x1p-38;     // beside the longest leg, squared: twice the 2^-20 of `tangents`
-
     using chords = cubic_chords<false>;
 
     struct curve_place {
