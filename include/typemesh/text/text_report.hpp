@@ -46,7 +46,7 @@ struct text_report {
     std::uint32_t lost_caps = 0;
     cluster_id first_lost_cap = no_cluster;  ///< position of the first of them
     /// The number of triangles of refined caps that miss the refiner's aim, such as its least angle: see
-    /// refined_cap::kept. Each glyph of the text counts with those of its solid_plan.
+    /// refined_cap::kept. A glyph counts as often as it occurs.
     std::uint32_t kept_triangles = 0;
     cluster_id first_kept_triangle = no_cluster;  ///< position of the first glyph with one
 
