@@ -10,7 +10,8 @@ using namespace typemesh;
 
 TEST_CASE("a limit flattens high membranes and leaves low ones, and is never reached", "[extrude]")
 {
-    const inflated_surface round{.height = 2.0f}, pillow{.height = 2.0f, .limit = 0.1f};
+    const inflated_surface round{.height = 2.0f, .limit = 0.0f, .depth = 0.1f},
+        pillow{.height = 2.0f, .limit = 0.1f, .depth = 0.1f};
     double before = 0.0;
     for (const float membrane : {0.0001f, 0.001f, 0.01f, 0.1f, 1.0f, 10.0f}) {
         CAPTURE(membrane);
@@ -31,7 +32,7 @@ TEST_CASE("an inflated surface has the normals that its heights ask for", "[extr
     for (const float limit : {0.0f, 0.05f, 0.5f}) {
         for (const float height : {0.5f, 1.0f, 3.0f}) {
             CAPTURE(limit, height);
-            const inflated_surface how{.height = height, .limit = limit};
+            const inflated_surface how{.height = height, .limit = limit, .depth = 0.1f};
             const auto membrane = [&](double at) { return static_cast<float>(std::sqrt(at * (w - at))); };
             inflated_surface::plan_data data;
             const grid_point place{0, 0};

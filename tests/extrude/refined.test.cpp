@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 
+#include <typemesh/extrude/bevelled.hpp>
 #include <typemesh/extrude/cap_normals.hpp>
 #include <typemesh/extrude/flat.hpp>
+#include <typemesh/extrude/outlined.hpp>
 #include <typemesh/extrude/refined.hpp>
 #include <typemesh/glyph/cap_builder.hpp>
 #include <typemesh/glyph/region_caps.hpp>
@@ -47,6 +49,31 @@ result<refined_mesh> refine(const shapes::shape& s, const E& how, plan_data_of<E
     if (const auto done = write_solid<E>({form, *plan}, how, in_em(), static_cast<mesh<everything>&>(out)); !done)
         return done.error();
     return out;
+}
+
+/// Says of each cap that seven triangles miss its aim.
+struct resigned : delaunay_refined {
+    [[nodiscard]] error operator()(const region& r, array_view<const triangle> cap, scratch& space,
+                                   const refined_cap& out) const noexcept
+    {
+        const error e = delaunay_refined::operator()(r, cap, space, out);
+        out.kept = 7;
+        return e;
+    }
+};
+
+template <class E>
+std::uint32_t kept_triangles_of(const E& how)
+{
+    plan_data_of<E> data;
+    cap_builder caps, further;
+    const monotone cut;
+    const auto all = shapes::all();
+    const shapes::shape& s = all[0];
+    region_caps maker{caps, further, cut, array_view<const triangle>{s.cap}};
+    const auto plan = plan_solid(how, s.made(), data, maker);
+    REQUIRE(plan);
+    return plan->kept_triangles;
 }
 
 /// The volume inside a mesh's triangles.
@@ -215,4 +242,17 @@ TEST_CASE("a refined solid without memory says so, and asks for none once it is 
         REQUIRE(refine(letter, how, data));
         CHECK(memory.requests == warm);
     }
+}
+
+TEST_CASE("a refined solid's plan counts the triangles that miss the aim, of each cap that it has",
+          "[extrude][refined]")
+{
+    CHECK(kept_triangles_of(refined<>{}) == 0);
+    CHECK(kept_triangles_of(refined<extruded<>, resigned>{}) == 7);
+    CHECK(kept_triangles_of(refined<flat, resigned>{}) == 7);
+    bevelled bevel{.depth = 0.2f, .width = 0.01f, .bevel_depth = 0.01f};
+    CHECK(kept_triangles_of(refined<bevelled, resigned>{bevel, {}}) == 7);  // both caps lie within bevels
+    bevel.sides = bevel_sides::front;
+    CHECK(kept_triangles_of(refined<bevelled, resigned>{bevel, {}}) == 14);  // the back is the letter's own
+    CHECK(kept_triangles_of(outlined<refined<extruded<>, resigned>>{.width = 0.01f}) == 7);
 }

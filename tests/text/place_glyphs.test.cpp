@@ -23,7 +23,10 @@ struct narrowing : flat {
         const auto sizes = flat::plan(r);
         if (!sizes) return sizes.error();
         const bool is_large = r.points().size() > 4;
-        return solid_plan{.sizes = *sizes, .narrowed = is_large, .lost_caps = is_large ? 2u : 0u};
+        return solid_plan{.sizes = *sizes,
+                          .narrowed = is_large,
+                          .lost_caps = is_large ? 2u : 0u,
+                          .kept_triangles = is_large ? 5u : 0u};
     }
 };
 static_assert(extruder<narrowing>);
@@ -79,6 +82,8 @@ TEST_CASE("what an extruder narrows is counted glyph by glyph, whichever way the
         CHECK(plan->report().first_narrowed == 2);
         CHECK(plan->report().lost_caps == 6);
         CHECK(plan->report().first_lost_cap == 2);
+        CHECK(plan->report().kept_triangles == 15);
+        CHECK(plan->report().first_kept_triangle == 2);
         std::uint32_t found = 0;
         for (const drawn_glyph& g : plan->glyphs()) found += g.built->is_narrowed() ? 1u : 0u;
         CHECK(found == 3);
@@ -103,6 +108,7 @@ TEST_CASE("what an extruder narrows is counted glyph by glyph, whichever way the
     const auto whole = test::required(plain.plan(narrow));
     CHECK(whole->report().narrowed == 0);
     CHECK(whole->report().first_narrowed == no_cluster);
+    CHECK(whole->report().first_kept_triangle == no_cluster);
 }
 
 TEST_CASE("of merged glyphs that are narrowed one is counted, and the first is the first of the run in any style",

@@ -110,17 +110,20 @@ struct bevelled {
         return bits;
     }
 
+    /// `width_option` is the name of the option that is at fault if the width is out of range: extruders that are a
+    /// bevel may have another one.
     template <cap_maker Caps>
-    [[nodiscard]] result<solid_plan> plan(const region& filled, plan_data& data, Caps& caps) const noexcept
+    [[nodiscard]] result<solid_plan> plan(const region& filled, plan_data& data, Caps& caps,
+                                          const char* width_option = "width") const noexcept
     {
-        if (error e = refused()) return e;
+        if (error e = refused(width_option)) return e;
         const std::size_t n = filled.points().size();
         if (n == 0) return solid_plan{};
         if (n > 0x3FFF'FFFFu) return error::too_large;
         const double em = filled.grid().cells * filled.grid().units_per_em;
         if (!(em > 0.0)) return error::bad("units_per_em");
         profile_scale scale = scale_of(filled, em);
-        if (!(scale.width < (outward ? 0x1p25 : grid::reach))) return error::bad("width");
+        if (!(scale.width < (outward ? 0x1p25 : grid::reach))) return error::bad(width_option);
         solid_plan made;
         const bevel_planner<bevelled> planner{*this, own_heights()};
         const error e = outward && scale.width >= profile_levels::finest
@@ -271,11 +274,11 @@ struct bevelled {
 private:
     [[nodiscard]] bevel_heights own_heights() const noexcept { return {depth, bevel_depth, sides, centred, standing}; }
 
-    [[nodiscard]] error refused() const noexcept
+    [[nodiscard]] error refused(const char* width_option = "width") const noexcept
     {
         const auto is_length = [](float v) noexcept { return is_finite(as_double(v)) && v >= 0.0f; };
         if (!is_length(depth) || !(depth > 0.0f)) return error::bad("depth");
-        if (!is_length(width)) return error::bad("width");
+        if (!is_length(width)) return error::bad(width_option);
         if (!wall_rows::is_valid(segments)) return error::bad("segments");
         const double bevels = sides == bevel_sides::both ? 2.0 : 1.0;
         if (!is_length(bevel_depth) || bevels * as_double(bevel_depth) > as_double(depth))

@@ -351,6 +351,7 @@ private:
         all->touching = all->touching || within->touching;
         all->corners_moved += within->corners_moved;
         all->lost_caps += within->lost_caps;
+        all->kept_triangles += within->kept_triangles;
         if (grows(ring, data.ring)) return error::bad("ring");
         if (grows(letter, data.letter)) return error::bad("letter");
         return all;

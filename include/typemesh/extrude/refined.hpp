@@ -30,6 +30,7 @@ struct refined_data : refined_solid<Solid> {
     typename Refiner::scratch working;  ///< the refiner's memory, which is not stored with the glyph
     detail::rim_refinement rim;         ///< likewise, for caps within bevels
     triangle_list own_cap;              ///< likewise, the refined triangles of the region's own cap
+    std::uint32_t own_kept = 0;         ///< likewise, how many of these miss the refiner's aim
 
     explicit refined_data(memory source = heap()) noexcept
         : refined_solid<Solid>{source}, working{source}, rim{source}, own_cap{source}
@@ -38,9 +39,12 @@ struct refined_data : refined_solid<Solid> {
 
     // --- for extruders that make caps of their own: see refinable_caps
 
+    std::uint32_t kept = 0;  ///< afterwards: of all these caps
+
     /// Gives the solid the refined cap of the region.
     [[nodiscard]] error region_cap(std::uint32_t& added) noexcept
     {
+        kept += own_kept;
         this->triangles.swap(own_cap);
         added = static_cast<std::uint32_t>(this->inner.size());
         return this->loops.points.append(this->inner.view()) ? error{} : error{error::out_of_memory};
@@ -50,6 +54,7 @@ struct refined_data : refined_solid<Solid> {
                             std::uint32_t& added) noexcept
     {
         added = 0;
+        kept += rim.kept();
         return {};
     }
 };
@@ -97,6 +102,8 @@ private:
 /// It has the other extruder's parts. All triangles of merged glyphs belong to shared_glyph. A ring of `outlined` and
 /// the letter within it are refined one by one, so their common edges get different points.
 ///
+/// solid_plan::kept_triangles counts the triangles that miss the refiner's aim.
+///
 /// Fails  as the refiner and the other extruder do
 template <refinable Solid = extruded<>, refiner Refiner = delaunay_refined>
 struct refined {
@@ -121,12 +128,14 @@ struct refined {
     {
         if (error e = how.refused_options()) return e;
         if (filled.points().empty()) return data.plan(solid, filled, caps);
-        std::uint32_t kept = 0;
-        if (error e = how(filled, caps.triangles(), data.working, data.out(kept))) return e;
-        if constexpr (refinable_extruder<Solid>)
-            return data.plan_refined(solid, filled, caps);
-        else
+        if (error e = how(filled, caps.triangles(), data.working, data.out(data.own_kept))) return e;
+        if constexpr (refinable_extruder<Solid>) {
+            auto made = data.plan_refined(solid, filled, caps);
+            if (made) made->kept_triangles += data.own_kept;
+            return made;
+        } else {
             return plan_caps(filled, data, caps);
+        }
     }
 
     // The reports of the other extruder.
@@ -193,7 +202,9 @@ private:
         detail::refining_caps<Caps, Solid, Refiner> own{caps, data, how};
         auto made = data.plan_by(solid, boundary, own);
         if (!made) return made;
+        data.kept = 0;
         if (error e = solid.refine_caps(data, data.data, *made)) return e;
+        made->kept_triangles += data.kept;
         return made;
     }
 };

@@ -34,13 +34,15 @@ struct solid_with : solid {
 struct solid_plan {
     part_sizes sizes;
     box around = {};
-    box textured = {};                ///< the box that textures span, in cells, if it is not that box
-    bool narrowed = false;            ///< whether its edges moved less than wanted, because at the full distance they
-                                      ///< were not proven simple, or less than half as far in order to fit
-    bool touching = false;            ///< whether corners touch that should have been separated or joined
-    std::uint32_t corners_moved = 0;  ///< the number of corners that were separated or joined; see contours::corners
-    std::uint32_t lost_caps = 0;      ///< the number of components smaller than a tolerance that have no cap in spite
-                                      ///< of bevel_mode::fit
+    box textured = {};                 ///< the box that textures span, in cells, if it is not that box
+    bool narrowed = false;             ///< whether its edges moved less than wanted, because at the full distance they
+                                       ///< were not proven simple, or less than half as far in order to fit
+    bool touching = false;             ///< whether corners touch that should have been separated or joined
+    std::uint32_t corners_moved = 0;   ///< the number of corners that were separated or joined; see contours::corners
+    std::uint32_t lost_caps = 0;       ///< the number of components smaller than a tolerance that have no cap in spite
+                                       ///< of bevel_mode::fit
+    std::uint32_t kept_triangles = 0;  ///< the number of triangles of its caps that miss a refiner's aim: see
+                                       ///< refined_cap::kept; those that front and back share count once
 };
 
 /// A solid with the result of its extruder's plan().

@@ -16,7 +16,6 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <string_view>
 
 namespace typemesh::inline TYPEMESH_ABI {
 
@@ -65,9 +64,7 @@ struct tapered {
     [[nodiscard]] result<solid_plan> plan(const region& filled, plan_data& data, Caps& caps) const noexcept
     {
         if (!is_valid()) return error::bad("degrees");
-        auto made = walls().plan(filled, data, caps);
-        const error e = made.error();
-        return e == error::bad_option && std::string_view{e.option} == "width" ? error::bad("degrees") : made;
+        return walls().plan(filled, data, caps, "degrees");
     }
 
     [[nodiscard]] height_range heights() const noexcept { return walls().heights(); }

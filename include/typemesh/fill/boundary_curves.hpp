@@ -14,7 +14,7 @@
 #include <typemesh/core/point.hpp>
 #include <typemesh/core/region.hpp>
 #include <typemesh/core/result.hpp>
-#include <typemesh/fill/impl/curve_run.hpp>
+#include <typemesh/fill/impl/curve_chain.hpp>
 
 #include <cmath>
 #include <cstdint>
@@ -40,7 +40,7 @@ namespace typemesh::inline TYPEMESH_ABI {
 /// tolerance, and do not cross as polylines, may cross as curves.
 class boundary_curves {
 public:
-    explicit boundary_curves(memory source = heap()) noexcept : runs_{source} {}
+    explicit boundary_curves(memory source = heap()) noexcept : chains_{source} {}
 
     /// Finds the curves of a region, in font units, into `out`: outer loops counter-clockwise, holes clockwise. Each
     /// curve begins exactly where the one before it ends.
@@ -74,7 +74,7 @@ public:
     [[nodiscard]] std::uint32_t straight_edges() const noexcept { return straight_; }
 
 private:
-    /// The points and edges of a loop, counted from its seam, a place where a run begins.
+    /// The points and edges of a loop, counted from its seam, a place where a chain begins.
     struct loop {
         array_view<const grid_point> points;
         array_view<const contour_edge> edges;
@@ -97,9 +97,9 @@ private:
                 filled.curves()};
         while (of.seam < of.size() && goes_on(of, of.size() - 1)) ++of.seam;
         if (of.seam == of.size()) of.seam = 0;
-        runs_.clear();
+        chains_.clear();
         for (std::uint32_t i = 0; i < of.size();) {
-            detail::curve_run r;
+            detail::curve_chain r;
             r.first = i++;
             while (i < of.size() && goes_on(of, i - 1)) ++i;
             r.last = i;
@@ -107,12 +107,12 @@ private:
             r.t0 = as_double(of.edge(r.first).t0);
             r.t1 = as_double(of.edge(i - 1).t1);
             if (of.has(r.curve)) set_shift(of, r);
-            if (!runs_.push_back(r)) return false;
+            if (!chains_.push_back(r)) return false;
         }
-        for (std::size_t k = 0; k < runs_.size(); ++k)
-            runs_[k].start = meet(of, runs_[k == 0 ? runs_.size() - 1 : k - 1], runs_[k]);
-        for (std::size_t k = 0; k < runs_.size(); ++k)
-            if (!add_run(of, runs_[k], runs_[k + 1 == runs_.size() ? 0 : k + 1].start, out)) return false;
+        for (std::size_t k = 0; k < chains_.size(); ++k)
+            chains_[k].start = meet(of, chains_[k == 0 ? chains_.size() - 1 : k - 1], chains_[k]);
+        for (std::size_t k = 0; k < chains_.size(); ++k)
+            if (!add_chain(of, chains_[k], chains_[k + 1 == chains_.size() ? 0 : k + 1].start, out)) return false;
         return true;
     }
 
@@ -129,8 +129,8 @@ private:
         return std::fabs(as_double(e.t0) - as_double(before.t1)) * legs * c.degree * cells_ <= 4.0;
     }
 
-    /// Sets how far a run is from its curve: points inside a run are the curve's own, rounded.
-    void set_shift(const loop& of, detail::curve_run& r) const noexcept
+    /// Sets how far a chain is from its curve: points inside a chain are the curve's own, rounded.
+    void set_shift(const loop& of, detail::curve_chain& r) const noexcept
     {
         const curve& c = of.curves[r.curve];
         point sum;
@@ -151,14 +151,14 @@ private:
             r.follows = length(of.place(i) - place(of, r, as_double(of.edge(i).t0))) <= slack_;
     }
 
-    [[nodiscard]] point place(const loop& of, const detail::curve_run& r, double t) const noexcept
+    [[nodiscard]] point place(const loop& of, const detail::curve_chain& r, double t) const noexcept
     {
         return detail::place_on(of.curves[r.curve], t, cells_, r.shift);
     }
     [[nodiscard]] static bool is_end(double t) noexcept { return !(t > 0.0) || !(t < 1.0); }
 
-    /// The point where a run ends and the next one begins. Their parameters are set to it.
-    [[nodiscard]] point meet(const loop& of, detail::curve_run& a, detail::curve_run& b) noexcept
+    /// The point where a chain ends and the next one begins. Their parameters are set to it.
+    [[nodiscard]] point meet(const loop& of, detail::curve_chain& a, detail::curve_chain& b) noexcept
     {
         const point corner = of.place(b.first);
         const point end = a.follows ? place(of, a, a.t1) : corner, begin = b.follows ? place(of, b, b.t0) : corner;
@@ -179,8 +179,8 @@ private:
         return m.at;
     }
 
-    /// Adds a run's piece, or its edges.
-    [[nodiscard]] bool add_run(const loop& of, const detail::curve_run& r, point end, outline& out) noexcept
+    /// Adds a chain's piece, or its edges.
+    [[nodiscard]] bool add_chain(const loop& of, const detail::curve_chain& r, point end, outline& out) noexcept
     {
         if (r.follows && add_piece(of, r, end, out)) return !failed_;
         point at = r.start;
@@ -193,9 +193,9 @@ private:
         return true;
     }
 
-    /// Adds a run's piece of its curve. Its ends are moved to where it must begin and end, the points between in
+    /// Adds a chain's piece of its curve. Its ends are moved to where it must begin and end, the points between in
     /// proportion. False if it is then too far from the region.
-    [[nodiscard]] bool add_piece(const loop& of, const detail::curve_run& r, point end, outline& out) noexcept
+    [[nodiscard]] bool add_piece(const loop& of, const detail::curve_chain& r, point end, outline& out) noexcept
     {
         failed_ = false;
         curve piece = detail::piece_of(of.curves[r.curve], r.t0, r.t1);
@@ -231,9 +231,9 @@ private:
         return out.curves.push_back(c);
     }
 
-    buffer<detail::curve_run> runs_;
+    buffer<detail::curve_chain> chains_;
     double cells_ = 1.0;
-    double slack_ = 0.0;   // of points between the ends of a run, in cells
+    double slack_ = 0.0;   // of points between the ends of a chain, in cells
     double reach_ = 0.0;   // of its ends
     bool failed_ = false;  // out of memory
     std::uint32_t meetings_ = 0, straight_ = 0;

@@ -83,6 +83,8 @@ public:
     [[nodiscard]] bool is_touching() const noexcept { return plan_.touching; }
     /// The number of its components that have lost their caps: see solid_plan.
     [[nodiscard]] std::uint32_t lost_caps() const noexcept { return plan_.lost_caps; }
+    /// The number of triangles of its caps that miss a refiner's aim: see solid_plan.
+    [[nodiscard]] std::uint32_t kept_triangles() const noexcept { return plan_.kept_triangles; }
     [[nodiscard]] double cells() const noexcept { return cells_; }
     /// The size of the grid's cells, in font units.
     [[nodiscard]] double font_units_per_cell() const noexcept { return font_units_per_cell_; }

@@ -81,15 +81,15 @@ public:
         if (error e = how.refused()) return e;
         const double em = r.grid().cells * r.grid().units_per_em, longest = as_double(how.edge) * em;
         if (!(em > 0.0)) return error::bad("units_per_em");
-        if (longest < 64.0) return error::bad("edge");
-        auto limits = detail::refinement_limits::from(25.0, longest, how.max_points);
+        if (longest < min_edge) return error::bad("edge");
+        auto limits = detail::refinement_limits::from(least_angle, longest, how.max_points);
         limits.boundary_only = true;  // the rings will divide most of the long edges inside
         if (error e = mesh_.run(r, cap, limits)) return e;
         out.kept = mesh_.kept();
         if (error e = mesh_.write(out)) return e;
         if (!system_.solve(view_of(out))) return error::out_of_memory;
         if (!rise_.measure(system_, mesh_.mesh(), r.starts(), out.loops.points.size())) return error::out_of_memory;
-        if (error e = rise_.shorten(mesh_, r.starts(), 1.0, longest / 16.0)) return e;
+        if (error e = rise_.shorten(mesh_, r.starts(), longest / max_shortening)) return e;
         if (!detail::rim_rings::divide_crossings(mesh_.mesh()) ||
             !detail::rim_rings::add_rings(mesh_.mesh(), rise_.data(), longest) ||
             !detail::rim_rings::divide_long(mesh_.mesh(), longest, how.max_points) ||
@@ -106,6 +106,11 @@ public:
     [[nodiscard]] array_view<const membrane_point> points() const noexcept { return points_.view(); }
 
 private:
+    static constexpr double min_edge = 64.0;        // cells: rings need places between the outline and the middle
+    static constexpr double least_angle = 25.0;     // degrees, as delaunay_refined's default
+    static constexpr double max_shortening = 16.0;  // edges of thin strokes are halved up to four times
+    static constexpr double finest = 0x1p-22;       // em: heights and slopes are multiples of it
+
     [[nodiscard]] static detail::membrane_mesh view_of(const refined_cap& cap) noexcept
     {
         return {cap.loops.points.view(), cap.inner.view(), cap.triangles.view()};
@@ -116,13 +121,14 @@ private:
     {
         const std::size_t n = system_.size();
         if (!points_.reserve(n)) return false;
+        constexpr auto least = static_cast<float>(finest);
         const auto rounded = [](double v) noexcept {
-            return static_cast<float>(std::floor(v * 0x1p22 + 0.5) * 0x1p-22);
+            return static_cast<float>(std::floor(v / finest + 0.5) * finest);
         };
         for (std::size_t i = 0; i < n; ++i) {
             const float height = rounded(std::sqrt(2.0 * system_.u()[i]) / em);
             points_.push_back_unchecked(
-                {height > 0x1p-22f ? height : 0x1p-22f, {rounded(slopes_[i].x / em), rounded(slopes_[i].y / em)}});
+                {height > least ? height : least, {rounded(slopes_[i].x / em), rounded(slopes_[i].y / em)}});
         }
         return true;
     }

@@ -45,6 +45,10 @@ struct text_report {
     /// bevel_mode::fit.
     std::uint32_t lost_caps = 0;
     cluster_id first_lost_cap = no_cluster;  ///< position of the first of them
+    /// The number of triangles of refined caps that miss the refiner's aim, such as its least angle: see
+    /// refined_cap::kept. A glyph counts as often as it occurs.
+    std::uint32_t kept_triangles = 0;
+    cluster_id first_kept_triangle = no_cluster;  ///< position of the first glyph with one
 
     /// True if nothing was lost: every glyph of the text is in the mesh, and no place was read as U+FFFD.
     [[nodiscard]] constexpr bool complete() const noexcept

@@ -54,7 +54,13 @@ public:
     }
 
 private:
-    static constexpr int deepest = 12;
+    static constexpr int deepest = 12;                   // divisions within divisions, each in two parts or more
+    static constexpr double max_bound = 0x1p100;         // of a derivative, in em: beyond, nothing could be proven
+    static constexpr double max_samples = 128.0;         // of a piece; one that needs more is divided untried
+    static constexpr int parts_untried = 8;              // then. Powers of two: halvings of parameters are exact
+    static constexpr int max_parts = 64;                 // of a piece that was tried
+    static constexpr double gain = 16.0;                 // of two halves: the error is of fourth order
+    static constexpr double rounded_up = 1.0 + 0x1p-30;  // more than all roundings together
 
     /// A place on a curve and its image, with the derivatives by t.
     struct station {
@@ -81,7 +87,8 @@ private:
         const double x = std::fabs(v.x), y = std::fabs(v.y), bent = by.xx * x * x + 2.0 * by.xy * x * y + by.yy * y * y;
         if (by.x_jump > 0.0) return false;
         if (is_zero(bent)) return true;
-        constexpr double share = 0x1p-6, least_turn = 0x1p-10;
+        constexpr double share = 0x1p-6;        // of the allowed distance: a chord is at most bent / 8 from its arc
+        constexpr double least_turn = 0x1p-10;  // of its direction, in radians
         const bool close =
             bent <= 8.0 * share * allowed_ && bent <= least_turn * length(warps_(line.p[1]).at - warps_(line.p[0]).at);
         if (close) exact_ = false;
@@ -113,16 +120,15 @@ private:
                     image = between(from.image, from.image_along, to.image, to.image_along, step);
         const auto [bound, jump] = bound_of(own, image);
         const double half = 0.5 * allowed_, share = jump > 0.0 ? 0.5 : 1.0;  // of the half, for each of the two
-        if (!(bound + jump < 0x1p100) || depth == deepest) return error::bad_tolerance;
-        constexpr double max_samples = 128.0;
+        if (!(bound + jump < max_bound) || depth == deepest) return error::bad_tolerance;
         const double samples = std::ceil(std::fmax(std::sqrt(bound / (8.0 * share * half)), jump / (2.0 * half)));
-        int parts = 8;  // a power of two: halvings of parameters are exact
+        int parts = parts_untried;
         if (samples <= max_samples) {
             const double farthest = farthest_of(b, from, step, image, static_cast<int>(samples));
             if (farthest <= half)
                 return keep(curve::from(cubic{drawn(image.p0), drawn(image.p1), drawn(image.p2), drawn(image.p3)}));
-            parts = 2;  // the error is of fourth order
-            for (double left = farthest / 16.0; left > half && parts < 64; left /= 16.0) parts *= 2;
+            parts = 2;
+            for (double left = farthest / gain; left > half && parts < max_parts; left /= gain) parts *= 2;
         }
         station last = from;
         for (int i = 1; i <= parts; ++i) {
@@ -160,8 +166,7 @@ private:
                               (by.xx * slope.x * slope.x + 2.0 * by.xy * slope.x * slope.y + by.yy * slope.y * slope.y),
                      turned = 6.0 * ((by.xx * half.x + by.xy * half.y + by.x_jump) * bend.x +
                                      (by.xy * half.x + by.yy * half.y) * bend.y);
-        return {(1.0 + 0x1p-30) * (curved + turned + 6.0 * rest),  // more than all roundings together
-                3.0 * by.x_jump * slope.x};
+        return {rounded_up * (curved + turned + 6.0 * rest), 3.0 * by.x_jump * slope.x};
     }
 
     /// The greatest distance at places that divide the piece into so many parts.

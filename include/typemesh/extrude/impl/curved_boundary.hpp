@@ -22,11 +22,11 @@ namespace typemesh::inline TYPEMESH_ABI::detail {
 
 /// A region's boundary as a few arcs of conics and straight edges, whose control triangles do not meet.
 ///
-///     edges of one curve -- join --> runs -- fit --> pieces -- compare --> pieces
+///     edges of one curve -- join --> chains -- fit --> pieces -- compare --> pieces
 ///                                                      ^         + meet
 ///                                                      +- split -+
 ///
-/// Consecutive edges of one curve become a run. A run is divided where a cubic turns to the other side, then into as
+/// Consecutive edges of one curve become a chain. It is divided where a cubic turns to the other side, then into as
 /// few equal parts as suffice, up to four: each piece is an arc within 2 cells of the curve (conic_fit) and within 3
 /// cells of the region's points that it skips. If four do not suffice, it is halved until all are. If two control
 /// triangles meet, the larger one is divided at a point of the region, or inside an edge if only one is left. At last
@@ -83,9 +83,9 @@ private:
     // curve_piece::fate
     static constexpr std::uint8_t stay = 0, split = 1, revert = 2;
 
-    // --- runs
+    // --- chains
 
-    /// Copies a loop's points and edges, beginning where a run begins, and adds its pieces.
+    /// Copies a loop's points and edges, beginning where a chain begins, and adds its pieces.
     [[nodiscard]] bool add_loop(const region& filled, std::uint32_t begin, std::uint32_t end,
                                 bool with_crossings) noexcept
     {
@@ -186,37 +186,37 @@ private:
         return p;
     }
 
-    /// Adds the pieces of a run, which is divided first where a cubic turns from one side to the other.
-    [[nodiscard]] bool add_bends(const curve_piece& run) noexcept
+    /// Adds the pieces of a chain, which is divided first where a cubic turns from one side to the other.
+    [[nodiscard]] bool add_bends(const curve_piece& chain) noexcept
     {
-        const std::uint32_t of = edges_[run.first].curve;
-        if (of >= curves_.size() || curves_[of].degree != 3) return add_run(run);
+        const std::uint32_t of = edges_[chain.first].curve;
+        if (of >= curves_.size() || curves_[of].degree != 3) return add_chain(chain);
         const turning_points turns = turning_points_of(curves_[of].as_cubic());
-        curve_piece rest = run, first;
-        const bool up = run.t0 < run.t1;
+        curve_piece rest = chain, first;
+        const bool up = chain.t0 < chain.t1;
         for (std::uint32_t i = 0; i < turns.count; ++i) {
             const auto t = static_cast<float>(turns.t[up ? i : turns.count - 1 - i]);
             constexpr float margin = 0.02f;  // what is shorter hardly turns
             const bool inside =
                 up ? rest.t0 + margin < t && t < rest.t1 - margin : rest.t1 + margin < t && t < rest.t0 - margin;
             if (!inside || !cut(rest, t, first, rest)) continue;
-            if (!add_run(first)) return false;
+            if (!add_chain(first)) return false;
         }
-        return add_run(rest);
+        return add_chain(rest);
     }
 
-    /// Adds the pieces of a run: up to four of about equal length, if they fit.
-    [[nodiscard]] bool add_run(const curve_piece& run) noexcept
+    /// Adds the pieces of a chain: up to four of about equal length, if they fit.
+    [[nodiscard]] bool add_chain(const curve_piece& chain) noexcept
     {
         const std::size_t before = pieces_.size();
         for (std::uint32_t count = 1; count <= 4; ++count) {
-            curve_piece rest = run;
+            curve_piece rest = chain;
             bool all_fit = true;
             for (std::uint32_t k = 0; k < count && all_fit; ++k) {
                 curve_piece part = rest;
                 if (k + 1 < count) {
                     const float share = static_cast<float>(k + 1) / static_cast<float>(count);
-                    if (!cut(rest, run.t0 + share * (run.t1 - run.t0), part, rest)) break;
+                    if (!cut(rest, chain.t0 + share * (chain.t1 - chain.t0), part, rest)) break;
                 }
                 all_fit = fit(part);
                 if (!pieces_.push_back(part)) return false;
@@ -224,7 +224,7 @@ private:
             }
             pieces_.truncate(before);
         }
-        return add_halves(run);
+        return add_halves(chain);
     }
 
     /// Adds the pieces of a section, each half as long as the one before it until they fit.
@@ -467,7 +467,7 @@ private:
     grid_point first_point_;
     std::uint32_t moved_ = 0;
     bool stuck_ = false;
-    buffer<grid_point> points_;  // of the region, each loop from the beginning of a run
+    buffer<grid_point> points_;  // of the region, each loop from the beginning of a chain
     buffer<contour_edge> edges_;
     buffer<curve_piece> pieces_, next_;
     box_tree tree_;

@@ -25,9 +25,7 @@ struct membrane_top {
 /// ones, then the outline's hard corners once more. Each has a membrane_point; on the outline the height is 0 and the
 /// slope is the unit vector into the letter.
 struct inflated_surface {
-    float height = 1.0f;
-    float limit = 0.0f;
-    float depth = 0.2f;
+    float height, limit, depth;  // no defaults: inflated has them
     bool is_dome = false;
     bool front = true;
     bool back = true;

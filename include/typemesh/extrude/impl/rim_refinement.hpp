@@ -67,6 +67,9 @@ public:
         return fits ? error{} : error{error::out_of_memory};
     }
 
+    /// The last refined_cap::kept.
+    [[nodiscard]] std::uint32_t kept() const noexcept { return kept_; }
+
 private:
     static constexpr std::uint32_t none = ~std::uint32_t{0};
 
@@ -119,8 +122,7 @@ private:
         loops.curves = {};  // new points on a bevel's rim lie on straight edges
         const region straight = region::proven(loops, cap.holes(), cap.outers(), cap.is_touching());
         loops.curves = curves;
-        std::uint32_t kept = 0;
-        if (error e = how(straight, triangles, working, {rim_, inner_, triangles_, kept})) return e;
+        if (error e = how(straight, triangles, working, {rim_, inner_, triangles_, kept_})) return e;
         if (rim_.points.size() == cap.points().size()) return {};
         if (!add_nodes(cap)) return error::out_of_memory;
         if (!is_unturned()) return error::crossing_contours;
@@ -335,6 +337,7 @@ private:
     buffer<triangle> divided_;
     buffer<swept_edge_at> edges_;
     cell_diagonals diagonals_;
+    std::uint32_t kept_ = 0;
     swept_region* swept_ = nullptr;
 };
 

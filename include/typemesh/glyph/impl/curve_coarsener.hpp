@@ -24,17 +24,17 @@ namespace typemesh::inline TYPEMESH_ABI::detail {
 
 /// Drops points of loops that bound a region. The loops that remain bound a region too, with the same nesting.
 ///
-///          b             Consecutive edges of one curve are a run, and only the points inside runs are dropped. The
-///       .-' '-.          points of a piece of a run are dropped one by one: first b, then c. A point is dropped only
+///          b             Consecutive edges of one curve are a chain, and only points inside chains are dropped. The
+///       .-' '-.          points of a piece of a chain are dropped one by one: first b, then c. A point is dropped only
 ///     a ------- c        if no other point of any loop lies in the closed triangle that it leaves (a b c, then
 ///      '-.       |       a c d). Then the new edge (a c) meets no other edge: an edge that crossed it would also have
 ///         '-.    |       to cross a b or b c, or end in the triangle. And no loop lies in the triangle, so no winding
 ///            '-. |       number changes except in the triangle itself. Every test is exact.
 ///               'd
 ///
-/// A piece may become a chord if the chord keeps the tolerance from the true curve. The points that remain of a run
+/// A piece may become a chord if the chord keeps the tolerance from the true curve. The points that remain of a chain
 /// are evenly distributed over its points where that suffices; the points of `certified` are then again distributed as
-/// it would distribute them. The error of the whole run's chord says with how many pieces to begin. Points where a
+/// it would distribute them. The error of the whole chain's chord says with how many pieces to begin. Points where a
 /// curve stops and turns stay, because they are hard corners.
 ///
 /// The order of the points stays known, because points are only left out of it.
@@ -95,17 +95,17 @@ private:
     }
 
     static constexpr std::uint8_t stays = 0, dropped = 1;
-    static constexpr std::uint32_t max_others = 16;
-    static constexpr std::uint32_t none = ~std::uint32_t{0};
+    static constexpr std::uint32_t max_others = 16, none = ~std::uint32_t{0};
     static constexpr double kept_share = 1.0 - 0x1p-20;  // of the tolerance; the rest is a margin for rounding
-
+    static constexpr double estimate_share = 0.8;  // of the pieces that the whole's error predicts, for a first try
+    static constexpr double nothing = 0x1p-38;     // beside the longest leg, squared: twice the 2^-20 of `tangents`
     using chords = cubic_chords<false>;
 
     struct curve_place {
         double t, offset;  // below 0: not known yet
     };
 
-    /// A loop, whose points are counted from a point where a run begins.
+    /// A loop, whose points are counted from a point where a chain begins.
     struct cyclic {
         std::uint32_t begin, size, seam;
 
@@ -153,11 +153,11 @@ private:
             least = along < least ? along : least;
             longest = longest < square ? square : longest;
         }
-        may_stop_ = !(least > 0.0 && least * least > 0x1p-38 * longest * dot(way, way));
+        may_stop_ = !(least > 0.0 && least * least > nothing * longest * dot(way, way));
         return may_stop_;
     }
 
-    /// The first point of a run, which stays.
+    /// The first point of a chain, which stays.
     [[nodiscard]] std::uint32_t seam_of(std::uint32_t begin, std::uint32_t end) noexcept
     {
         std::uint32_t seam = begin;
@@ -172,7 +172,7 @@ private:
         for (std::uint32_t first = 0; first < loop_.size && spare_ != 0;) {
             std::uint32_t last = first + 1;
             while (last < loop_.size && goes_on(edge(last - 1), edge(last))) ++last;
-            if (last - first >= 2) coarsen_run(first, last);
+            if (last - first >= 2) coarsen_chain(first, last);
             first = last;
         }
     }
@@ -198,7 +198,7 @@ private:
     }
 
     /// Drops points strictly between two places of the loop, whose edges belong to one curve.
-    void coarsen_run(std::uint32_t first, std::uint32_t last) noexcept
+    void coarsen_chain(std::uint32_t first, std::uint32_t last) noexcept
     {
         curve_ = loops_->curves[edge(first).curve];
         for (point& p : curve_.p) p = loops_->grid.cells * p;
@@ -215,7 +215,7 @@ private:
             if (!is_clear) look_around(first, last);
             if (is_clear || may_divide(first, last, pieces)) {
                 spare_ -= edges - pieces;
-                return divide_run(first, last, pieces);
+                return divide_chain(first, last, pieces);
             }
             has_looked = true;
         }
@@ -239,11 +239,11 @@ private:
         const std::uint32_t edges = last - first;
         const double whole = excess(of_curve, first, first, last);
         if (whole <= 1.0) return 1;
-        const double estimate = 0.8 * std::sqrt(std::sqrt(whole));
+        const double estimate = estimate_share * std::sqrt(std::sqrt(whole));
         if (!(estimate < static_cast<double>(edges))) return edges;
         std::uint32_t pieces = estimate > 2.0 ? static_cast<std::uint32_t>(estimate) : 2;
         while (pieces < edges && !fits_evenly(of_curve, first, last, pieces)) ++pieces;
-        const bool is_as_estimated = 0.8 * (static_cast<double>(pieces) - 1.0) <= estimate;
+        const bool is_as_estimated = estimate_share * (static_cast<double>(pieces) - 1.0) <= estimate;
         return is_as_estimated || pieces_one_by_one(of_curve, first, last) >= pieces ? pieces : edges;
     }
 
@@ -283,7 +283,7 @@ private:
         return true;
     }
 
-    void divide_run(std::uint32_t first, std::uint32_t last, std::uint32_t pieces) noexcept
+    void divide_chain(std::uint32_t first, std::uint32_t last, std::uint32_t pieces) noexcept
     {
         std::uint32_t from = first;
         for (std::uint32_t k = 1; k <= pieces; ++k) {
@@ -312,7 +312,7 @@ private:
         return raised(c.degree == 2 ? c.as_quadratic() : quadratic{c.p[0], lerp(c.p[0], c.p[1], 0.5), c.p[1]});
     }
 
-    /// The parameter at a place of a run, and the distance of the point there from the curve.
+    /// The parameter at a place of a chain, and the distance of the point there from the curve.
     [[nodiscard]] const curve_place& measure(std::uint32_t first, std::uint32_t place) noexcept
     {
         curve_place& m = measures_[place - first];
@@ -323,7 +323,7 @@ private:
         return m;
     }
 
-    /// How much the chord between two places of the run exceeds the tolerance: see cubic_chords. The chord's own
+    /// How much the chord between two places of the chain exceeds the tolerance: see cubic_chords. The chord's own
     /// distance, and the distances of its ends.
     [[nodiscard]] double excess(chords& of_curve, std::uint32_t first, std::uint32_t from, std::uint32_t to) noexcept
     {
@@ -346,7 +346,7 @@ private:
         return own - from <= to - from || (own == 0 && to == loop_.size);
     }
 
-    /// Whether the point that stays of each other loop lies beside all triangles of a run: outside the box around it,
+    /// Whether the point that stays of each other loop lies beside all triangles of a chain: outside the box around it,
     /// on the other side of the chord between its ends, or beyond its farthest point.
     [[nodiscard]] bool is_apart(std::uint32_t first, std::uint32_t last) noexcept
     {
@@ -370,7 +370,7 @@ private:
         return true;
     }
 
-    /// Finds out which points may lie in the triangles of a run: its own ones if it is not convex, and the others that
+    /// Finds out which points may lie in the triangles of a chain: its own ones if it is not convex, and others that
     /// are in the box around it; if it is convex, only those between the chord of its ends and its farthest point.
     void look_around(std::uint32_t first, std::uint32_t last) noexcept
     {
@@ -396,8 +396,8 @@ private:
         });
     }
 
-    /// Whether a run and the chord between its ends bound a convex polygon: it turns to one side only, and lies on one
-    /// side of the chord. Then the polygon is simple, because the run's edges do not meet, so it turns exactly once.
+    /// Whether a chain and the chord between its ends bound a convex polygon: it turns to one side only, and is on one
+    /// side of the chord. Then the polygon is simple, because the chain's edges do not meet, so it turns exactly once.
     /// Notes the side of its farthest point.
     [[nodiscard]] bool is_convex(std::uint32_t first, std::uint32_t last) noexcept
     {
@@ -484,14 +484,14 @@ private:
     buffer<std::uint32_t> numbers_, order_;                                   // of the points that stay, afterwards
     buffer<std::uint32_t> seams_;                                             // a point of each loop that stays
     bool is_proven_later_ = false, is_divided_ = false, has_failed_ = false;  // the last: out of memory
-    buffer<curve_place> measures_;                                            // of a run
+    buffer<curve_place> measures_;                                            // of a chain
     const contours* loops_ = nullptr;
     double tolerance_ = 0.0;
     cyclic loop_{};
-    curve curve_;                    // of the run, in cells
+    curve curve_;                    // of the chain, in cells
     std::uint32_t examined_ = none;  // the curve that may_stop_ is about
     bool may_stop_ = false, is_convex_ = false;
-    std::int64_t farthest_ = 0;  // the side of a convex run's farthest point, of the chord between its ends
+    std::int64_t farthest_ = 0;  // the side of a convex chain's farthest point, of the chord between its ends
     std::uint32_t others_ = 0;   // the points that look_around() has found; the first ones are in other_
     grid_point other_[max_others];
     std::uint32_t spare_ = 0;  // the number of points that the loop can still lose

@@ -54,7 +54,7 @@ public:
     [[nodiscard]] static bool add_rings(refinable_mesh& mesh, const double* rise, double longest) noexcept
     {
         const std::uint32_t count = mesh.vertex_count();
-        const double least = longest / 24.0;  // how far below the section triangles may be
+        const double least = longest / flatness;
         for (std::size_t ring = 0; ring < distances.size(); ++ring)
             for (std::uint32_t v = 0; v < count; ++v) {
                 if (mesh.at(v).boundary == none) continue;
@@ -63,7 +63,7 @@ public:
                 if (ring % step != step - 1) continue;
                 if (ring + 1 == distances.size() && distances[1] * r <= least) continue;
                 const double gap = distances[ring] - (ring < step ? 0.0 : distances[ring - step]);
-                if (gap * r > 0.75 * longest) continue;
+                if (gap * r > max_gap * longest) continue;
                 if (!add_at(mesh, v, distances[ring] * r, gap * r)) return false;
                 if (ring == step - 1 && !lower(mesh, v, rise, distances[ring])) return false;
             }
@@ -80,7 +80,7 @@ public:
             for (std::uint32_t t = 0; t < mesh.triangle_count() && mesh.vertex_count() <= max_points; ++t) {
                 const std::uint32_t h = long_edge(mesh, t, longest * longest);
                 if (h == none) continue;
-                const auto [inside, p] = centre_of(mesh, t, 0.25 * longest);
+                const auto [inside, p] = centre_of(mesh, t, nearest_centre * longest);
                 if (inside != none ? mesh.insert(inside, p) == none : !divide(mesh, h)) return false;
             }
         }
@@ -99,6 +99,22 @@ public:
     }
 
 private:
+    // Shares of the longest edge.
+    static constexpr double flatness = 24.0;        // triangles may be this part of it below the round section
+    static constexpr double max_gap = 0.75;         // between rings; farther apart, the mesh's own points are enough
+    static constexpr double nearest_centre = 0.25;  // from the boundary to a centre that becomes a point
+
+    /// Points of rings keep this share of the gap between two rings from other points and from the boundary. Gaps below
+    /// `least_gap` cells have no room for a ring.
+    static constexpr double spacing = 0.5, least_gap = 8.0;
+
+    /// The cosines of the angles in which the outline turns at a corner. Up to the first, 60 degrees, one point on the
+    /// bisector serves both edges. Beyond the second, 154, the sum of both directions is too short to be a bisector.
+    static constexpr double least_smooth = 0.5, most_reversed = -0.9;
+
+    /// A triangle at the outline that is this many times as high as the first ring gets a point over its edge.
+    static constexpr double max_rise = 2.0;
+
     /// 1 - cos of 11.25 degrees and its multiples.
     static constexpr std::array distances = {
         0.0192147195967696, 0.0761204674887133, 0.1685303876974548, 0.2928932188134524,
@@ -188,9 +204,9 @@ private:
         const grid_point at = mesh.place(v);
         const point in = inward(mesh.place(before), at), out = inward(at, mesh.place(next));
         const double cosine = dot(in, out), turn = cross(in, out);
-        if (cosine > 0.5) return add(mesh, v, (1.0 / length(in + out)) * (in + out), distance, gap);
+        if (cosine > least_smooth) return add(mesh, v, (1.0 / length(in + out)) * (in + out), distance, gap);
         if (turn > 0.0) return true;  // a convex corner: the rings of its neighbours meet there
-        const point middle = cosine > -0.9 ? in + out : point{in.y - out.y, out.x - in.x};
+        const point middle = cosine > most_reversed ? in + out : point{in.y - out.y, out.x - in.x};
         return add(mesh, v, (1.0 / length(middle)) * middle, distance, gap) && add(mesh, v, in, distance, gap) &&
                add(mesh, v, out, distance, gap);
     }
@@ -203,7 +219,7 @@ private:
         const double along = length(point{static_cast<double>(q.x) - p.x, static_cast<double>(q.y) - p.y}),
                      height = static_cast<double>(orientation(p, q, c)) / along;
         const double wanted = distance * 0.5 * (rise[v] + rise[b]);
-        if (height < 2.0 * wanted) return true;
+        if (height < max_rise * wanted) return true;
         const point up = inward(p, q);
         const grid_point middle{p.x + (q.x - p.x) / 2, p.y + (q.y - p.y) / 2};
         return add_from(mesh, h / 4, middle, up, wanted, wanted);
@@ -219,11 +235,11 @@ private:
     [[nodiscard]] static bool add_from(refinable_mesh& mesh, std::uint32_t t, grid_point from, point direction,
                                        double distance, double gap) noexcept
     {
-        if (gap < 8.0) return true;
+        if (gap < least_gap) return true;
         const grid_point p{from.x + rounded(distance * direction.x), from.y + rounded(distance * direction.y)};
         t = mesh.locate(t, p).triangle;
         if (t == none) return true;
-        const double nearest = 0.25 * gap * gap;
+        const double nearest = spacing * spacing * gap * gap;
         for (std::uint32_t h = 4 * t; h < 4 * t + 3; ++h) {
             if (distance_to(mesh, h, p) < nearest) return true;
             if (mesh.is_boundary(h)) continue;

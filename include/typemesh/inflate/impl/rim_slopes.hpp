@@ -55,19 +55,19 @@ public:
                 const std::size_t last = i == begin ? end - 1 : i - 1, next = i + 1 == end ? begin : i + 1;
                 const double slope =
                     (flows[last] + 2.0 * flows[i] + flows[next]) / (lengths[last] + 2.0 * lengths[i] + lengths[next]);
-                slopes[v] = std::floor(64.0 * slope + 0.5) / 64.0;
+                slopes[v] = std::floor(parts_of_cell * slope + 0.5) / parts_of_cell;
             }
         }
         return true;
     }
 
-    /// Halves the edges of the boundary that are longer than `most` times the slope at both ends, down to a length:
-    /// strokes narrower than the mesh get shorter edges. Fails as delaunay_refinement::halve() does.
-    [[nodiscard]] error shorten(delaunay_refinement& refinement, array_view<const std::uint32_t> starts, double most,
+    /// Halves the edges of the boundary that are longer than the slopes at both ends, down to a length: strokes
+    /// narrower than the mesh get shorter edges. Fails as delaunay_refinement::halve() does.
+    [[nodiscard]] error shorten(delaunay_refinement& refinement, array_view<const std::uint32_t> starts,
                                 double least) noexcept
     {
         bool is_done = false;
-        for (int rounds = 0; rounds < 8 && !is_done; ++rounds) {
+        for (int round = 0; round < max_rounds && !is_done; ++round) {
             is_done = true;
             const auto known = static_cast<std::uint32_t>(slopes_.size());
             for (std::uint32_t v = 0; v < known; ++v) {
@@ -76,7 +76,7 @@ public:
                 const std::uint32_t next = mesh.next_on_boundary(v);
                 if (next >= known) continue;
                 const double length = length_after(mesh, v);
-                if (length < 2.0 * least || length < most * larger(slopes_[v], slopes_[next])) continue;
+                if (length < 2.0 * least || length < larger(slopes_[v], slopes_[next])) continue;
                 if (error e = refinement.halve(v)) return e;
                 is_done = false;
             }
@@ -88,6 +88,11 @@ public:
     [[nodiscard]] const double* data() const noexcept { return slopes_.data(); }
 
 private:
+    /// A round halves an edge once; a membrane's `least` is reached by four.
+    static constexpr int max_rounds = 8;
+    /// Slopes are rounded to so many parts of a cell.
+    static constexpr double parts_of_cell = 64.0;
+
     /// Interpolates the slopes at the points that have been added to the boundary. False if out of memory.
     [[nodiscard]] bool extend(const refinable_mesh& mesh, array_view<const std::uint32_t> starts) noexcept
     {

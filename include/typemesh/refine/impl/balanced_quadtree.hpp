@@ -6,6 +6,7 @@
 #include <typemesh/core/memory.hpp>
 #include <typemesh/core/orientation.hpp>
 #include <typemesh/core/point.hpp>
+#include <typemesh/refine/impl/row_walk.hpp>
 
 #include <cstddef>
 #include <cstdint>
@@ -32,6 +33,10 @@ public:
     static constexpr std::uint32_t none = ~std::uint32_t{0};
     static constexpr std::int32_t least_width = 16;  ///< of a leaf, in cells of the grid, unless the roots are smaller
     static constexpr std::uint32_t max_levels = 6;   ///< below the roots
+
+    /// How far a refinement's points keep from the outline, and on the outline from each other: two fifths of a
+    /// square's width.
+    [[nodiscard]] static std::int64_t clearance(std::int64_t width) noexcept { return 2 * width / 5; }
 
     /// A square, in squares of its own width from 0. The roots have level 0.
     struct square {
@@ -141,7 +146,7 @@ public:
         const auto number = static_cast<std::uint32_t>(edges_.size());
         if (!edges_.push_back({a, b, from, to})) return false;
         const grid_point ends[] = {a, b};
-        return each_root(ends, width_ / 4, [&](std::int32_t column, std::int32_t row) noexcept {
+        return each_root(ends, margin_of(width_), [&](std::int32_t column, std::int32_t row) noexcept {
             const std::uint32_t n = make_root(column, row);
             return n != none && list(n, number);
         });
@@ -156,7 +161,7 @@ public:
     }
 
     /// Splits leaves while, in one, two edges that share no point come closer to each other than a third of its width,
-    /// as seen from inside, or while it has more than twelve edges. The smallest leaves stay.
+    /// as seen from inside, or while it has more than max_edges. The smallest leaves stay.
     ///
     /// False if out of memory, or if there would be more than `most` squares.
     [[nodiscard]] bool split_crowded(std::size_t most) noexcept
@@ -168,7 +173,7 @@ public:
         return true;
     }
 
-    /// Whether an edge comes closer to a corner of leaves than two fifths of the smallest leaf there.
+    /// Whether an edge comes closer to a corner of leaves than the clearance of the smallest leaf there.
     [[nodiscard]] bool is_close(grid_point p) const noexcept
     {
         std::uint32_t around[4];
@@ -185,7 +190,7 @@ public:
         for (const std::uint32_t n : around)
             if (n != none)
                 for (std::uint32_t e = squares_[n].first_entry; e != none; e = entries_[e].next)
-                    if (is_within(std::int64_t{2} * width(level) / 5, p, edges_[entries_[e].edge])) return true;
+                    if (is_within(clearance(width(level)), p, edges_[entries_[e].edge])) return true;
         return false;
     }
 
@@ -212,6 +217,12 @@ public:
     }
 
 private:
+    static constexpr std::size_t max_edges = 12;  // of a leaf that need not be split: all pairs of them are compared
+    static constexpr std::int64_t crowding = 3;   // edges nearer than this part of a leaf's width need smaller leaves
+
+    /// How far around a square edges are listed.
+    [[nodiscard]] static std::int64_t margin_of(std::int64_t width) noexcept { return width / 4; }
+
     struct edge {
         grid_point a, b;
         std::uint32_t from, to;
@@ -299,7 +310,7 @@ private:
     {
         const edge& e = edges_[number];
         const grid_point ends[] = {e.a, e.b};
-        if (is_apart(box_of(n, width(squares_[n].level) / 4), ends)) return true;
+        if (is_apart(box_of(n, margin_of(width(squares_[n].level))), ends)) return true;
         if (is_leaf(n)) {
             if (!entries_.push_back({number, squares_[n].first_entry})) return false;
             squares_[n].first_entry = static_cast<std::uint32_t>(entries_.size() - 1);
@@ -368,13 +379,12 @@ private:
 
     [[nodiscard]] bool is_crowded(std::uint32_t n) const noexcept
     {
-        constexpr std::size_t most = 12;
-        edge in_it[most], part[most];
+        edge in_it[max_edges], part[max_edges];
         std::size_t count = 0;
         const std::int64_t side = width(squares_[n].level);
-        const box around = box_of(n, side / 4);
+        const box around = box_of(n, margin_of(side));
         for (std::uint32_t e = squares_[n].first_entry; e != none; e = entries_[e].next) {
-            if (count == most) return true;
+            if (count == max_edges) return true;
             in_it[count] = part[count] = edges_[entries_[e].edge];
             clip(around, part[count++]);
         }
@@ -383,7 +393,7 @@ private:
                 const edge &e = in_it[i], &f = in_it[k];
                 if (i == k || e.to == f.from || f.to == e.from) continue;
                 for (const grid_point p : {part[i].a, part[i].b})
-                    if (orientation(f.a, f.b, p) > 0 && is_within(side / 3, p, f)) return true;
+                    if (orientation(f.a, f.b, p) > 0 && is_within(side / crowding, p, f)) return true;
             }
         }
         return false;
@@ -391,44 +401,32 @@ private:
 
     // ---- walks
 
-    /// x where the segment from p to q has this y, which is clamped to the segment; moved by up to a cell.
-    [[nodiscard]] static std::int64_t x_at(grid_point p, grid_point q, std::int64_t y) noexcept
-    {
-        const std::int64_t low = p.y < q.y ? p.y : q.y, high = p.y < q.y ? q.y : p.y;
-        y = y < low ? low : y > high ? high : y;
-        if (low == high) return p.x;
-        return p.x + (std::int64_t{q.x} - p.x) * (y - p.y) / (std::int64_t{q.y} - p.y);
-    }
+    /// The places of the roots for walk_rows(): those that come closer to a shape than a margin.
+    struct root_squares {
+        std::int64_t width, margin;
+
+        [[nodiscard]] interval rows_between(std::int64_t bottom, std::int64_t top) const noexcept
+        {
+            return {divided(bottom - margin, width), divided(top + margin, width)};
+        }
+        [[nodiscard]] interval height_of(std::int64_t row) const noexcept
+        {
+            return {row * width - margin, (row + 1) * width + margin};
+        }
+        [[nodiscard]] interval columns_between(std::int64_t left, std::int64_t right) const noexcept
+        {
+            return rows_between(left, right);
+        }
+    };
 
     /// Visits the places of the roots that a segment or a triangle may touch, or come closer to than a margin, row by
     /// row, until visit() returns false. Returns its last result.
     template <std::size_t count, class Visit>
     [[nodiscard]] bool each_root(const grid_point (&corners)[count], std::int64_t margin, Visit&& visit) const noexcept
     {
-        std::int64_t bottom = corners[0].y, top = bottom;
-        for (const grid_point c : corners) {
-            bottom = c.y < bottom ? c.y : bottom;
-            top = c.y > top ? c.y : top;
-        }
-        const std::int64_t last = divided(top + margin, width_);
-        for (std::int64_t row = divided(bottom - margin, width_); row <= last; ++row) {
-            const std::int64_t y0 = row * width_ - margin, y1 = (row + 1) * width_ + margin;
-            std::int64_t left = std::int64_t{1} << 40, right = -left;
-            const auto widen = [&](std::int64_t x) noexcept {
-                left = x - 1 < left ? x - 1 : left;
-                right = x + 1 > right ? x + 1 : right;
-            };
-            for (std::size_t i = 0; i < count; ++i) {
-                const grid_point p = corners[i], q = corners[i + 1 < count ? i + 1 : 0];
-                if ((p.y < q.y ? p.y : q.y) > y1 || (p.y < q.y ? q.y : p.y) < y0) continue;
-                widen(p.y == q.y ? q.x : x_at(p, q, y0));
-                widen(x_at(p, q, y1));
-            }
-            const std::int64_t end = divided(right + margin, width_);
-            for (std::int64_t column = divided(left - margin, width_); column <= end; ++column)
-                if (!visit(static_cast<std::int32_t>(column), static_cast<std::int32_t>(row))) return false;
-        }
-        return true;
+        return walk_rows(root_squares{width_, margin}, corners, [&](std::int64_t column, std::int64_t row) noexcept {
+            return visit(static_cast<std::int32_t>(column), static_cast<std::int32_t>(row));
+        });
     }
 
     [[nodiscard]] static bool holds(const grid_point (&t)[3], grid_point p) noexcept

@@ -4,6 +4,7 @@
 #include <typemesh/core/buffer.hpp>
 #include <typemesh/core/orientation.hpp>
 #include <typemesh/refine/impl/refinable_mesh.hpp>
+#include <typemesh/refine/impl/row_walk.hpp>
 
 #include <cstddef>
 #include <cstdint>
@@ -114,6 +115,17 @@ private:
         {
             return first + static_cast<std::size_t>(row * columns + column);
         }
+
+        // For walk_rows().
+        [[nodiscard]] interval rows_between(std::int64_t from, std::int64_t to) const noexcept
+        {
+            return from > top || to < bottom ? interval{0, -1} : interval{row_of(from), row_of(to)};
+        }
+        [[nodiscard]] interval height_of(std::int64_t row) const noexcept { return {y_of(row), y_of(row + 1)}; }
+        [[nodiscard]] interval columns_between(std::int64_t from, std::int64_t to) const noexcept
+        {
+            return from > right || to < left ? interval{0, -1} : interval{column_of(from), column_of(to)};
+        }
     };
 
     static constexpr std::int64_t limit = std::int64_t{1} << 40;
@@ -160,7 +172,7 @@ private:
     {
         const grid_point ends[] = {mesh.place(v), mesh.place(mesh.next_on_boundary(v))};
         const bool is_inner = is_short(in, ends[0], ends[1]);
-        return each_bucket(in, ends, [&](std::int64_t column, std::int64_t row) noexcept {
+        return walk_rows(in, ends, [&](std::int64_t column, std::int64_t row) noexcept {
             bucket& to = buckets_[in.at(column, row)];
             if (is_inner && to.inner != refinable_mesh::none) return add_in(inner_of(in, column, row), mesh, v);
             if (!entries_.push_back({v, to.first})) return false;
@@ -195,54 +207,12 @@ private:
     template <class Visit>
     [[nodiscard]] bool each_near_in(const bucket_grid& in, const grid_point (&corners)[3], Visit& visit) const noexcept
     {
-        return each_bucket(in, corners, [&](std::int64_t column, std::int64_t row) noexcept {
+        return walk_rows(in, corners, [&](std::int64_t column, std::int64_t row) noexcept {
             const bucket& b = buckets_[in.at(column, row)];
             for (std::uint32_t e = b.first; e != refinable_mesh::none; e = entries_[e].next)
                 if (!visit(entries_[e].vertex)) return false;
             return b.inner == refinable_mesh::none || each_near_in(inner_of(in, column, row), corners, visit);
         });
-    }
-
-    /// x where the segment from p to q has this y, which is clamped to the segment; rounded down or up by up to a cell.
-    [[nodiscard]] static std::int64_t x_at(grid_point p, grid_point q, std::int64_t y) noexcept
-    {
-        const std::int64_t low = p.y < q.y ? p.y : q.y, high = p.y < q.y ? q.y : p.y;
-        y = y < low ? low : y > high ? high : y;
-        if (low == high) return p.x;
-        return p.x + (std::int64_t{q.x} - p.x) * (y - p.y) / (std::int64_t{q.y} - p.y);
-    }
-
-    /// Visits the buckets of a grid that a segment or a triangle may pass through, row by row, until visit() returns
-    /// false; returns its last result. A row's buckets lie between the smallest and the largest x of all sides in the
-    /// row.
-    template <std::size_t count, class Visit>
-    [[nodiscard]] static bool each_bucket(const bucket_grid& in, const grid_point (&corners)[count],
-                                          Visit&& visit) noexcept
-    {
-        std::int64_t bottom = corners[0].y, top = bottom;
-        for (const grid_point c : corners) {
-            bottom = c.y < bottom ? c.y : bottom;
-            top = c.y > top ? c.y : top;
-        }
-        if (bottom > in.top || top < in.bottom) return true;
-        for (std::int64_t row = in.row_of(bottom), last = in.row_of(top); row <= last; ++row) {
-            const std::int64_t y0 = in.y_of(row), y1 = in.y_of(row + 1);
-            std::int64_t left = limit, right = -left;
-            const auto widen = [&](std::int64_t x) noexcept {
-                left = x - 1 < left ? x - 1 : left;
-                right = x + 1 > right ? x + 1 : right;
-            };
-            for (std::size_t i = 0; i < count; ++i) {
-                const grid_point p = corners[i], q = corners[i + 1 < count ? i + 1 : 0];
-                if ((p.y < q.y ? p.y : q.y) > y1 || (p.y < q.y ? q.y : p.y) < y0) continue;
-                widen(p.y == q.y ? q.x : x_at(p, q, y0));
-                widen(x_at(p, q, y1));
-            }
-            if (left > in.right || right < in.left) continue;
-            for (std::int64_t column = in.column_of(left), end = in.column_of(right); column <= end; ++column)
-                if (!visit(column, row)) return false;
-        }
-        return true;
     }
 
     /// Whether the segment u v and the triangle of these corners a, p, b (counter-clockwise) have nothing in common

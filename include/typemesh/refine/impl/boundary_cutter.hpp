@@ -27,6 +27,7 @@ namespace typemesh::inline TYPEMESH_ABI::detail {
 class boundary_cutter {
 public:
     static constexpr std::uint32_t none = refinable_mesh::none;
+    static constexpr int halvings = 40;  ///< of an interval of parameters; a contour_edge's have 24 bits
 
     explicit boundary_cutter(memory source = heap()) noexcept : near_{source} {}
 
@@ -64,16 +65,41 @@ public:
     {
         const grid_point p = mesh.place(a), q = mesh.place(mesh.next_on_boundary(a));
         const point on_chord = lerp(as_point(p), as_point(q), share);
-        if (ends_on_curve(mesh.at(a).source)) {
-            const auto square = static_cast<double>(squared_distance(p, q));
-            const point on_curve = place_on(mesh.at(a).edge.curve, t), off = on_curve - on_chord;
-            if (typemesh::dot(off, off) < 0.09 * square) {
-                const auto made = try_split(mesh, a, rounded(on_curve, 0), static_cast<float>(t));
-                if (!made || *made != none) return made;
-            }
+        if (!ends_on_curve(mesh.at(a).source)) return split_at(mesh, a, {t, on_chord});
+        const point on_curve = place_on(mesh.at(a).edge.curve, t);
+        return split_at(mesh, a, {t, on_chord, on_curve, is_close(on_curve, on_chord, squared_distance(p, q))});
+    }
+
+    /// The places for a new point of an edge.
+    struct places {
+        double t;  ///< the curve's parameter
+        point on_chord;
+        point on_curve = {};
+        bool allows_curve = false;  ///< whether on_curve comes first
+    };
+
+    /// Whether a place on the curve is so close to the edge's own that it comes first, for an edge of this squared
+    /// length.
+    [[nodiscard]] static bool is_close(point on_curve, point on_chord, std::int64_t square) noexcept
+    {
+        const point off = on_curve - on_chord;
+        return typemesh::dot(off, off) < max_rise * max_rise * static_cast<double>(square);
+    }
+
+    /// Splits the boundary edge that leaves a in the first of these cells that keeps the mesh valid: the nearest one to
+    /// the place on the curve, then the four around the place on the edge. Returns the new point; none if all are
+    /// invalid.
+    ///
+    /// Fails  error::out_of_memory
+    [[nodiscard]] result<std::uint32_t> split_at(refinable_mesh& mesh, std::uint32_t a, const places& at) noexcept
+    {
+        const auto t = static_cast<float>(at.t);
+        if (at.allows_curve) {
+            const auto made = try_split(mesh, a, rounded(at.on_curve, 0), t);
+            if (!made || *made != none) return made;
         }
         for (const int next_best : {0, 1, 2, 3}) {
-            const auto made = try_split(mesh, a, rounded(on_chord, next_best), static_cast<float>(t));
+            const auto made = try_split(mesh, a, rounded(at.on_chord, next_best), t);
             if (!made || *made != none) return made;
         }
         return none;
@@ -87,7 +113,8 @@ public:
         if (edge.curve >= region_->curves().size() || region_->curves()[edge.curve].degree == 1) return false;
         const point first = place_on(edge.curve, as_double(edge.t0)) - as_point(region_->points()[source]),
                     last = place_on(edge.curve, as_double(edge.t1)) - as_point(region_->points()[next_point(source)]);
-        return typemesh::dot(first, first) < 4.0 && typemesh::dot(last, last) < 4.0;
+        constexpr double most = max_end_error * max_end_error;
+        return typemesh::dot(first, first) < most && typemesh::dot(last, last) < most;
     }
 
     /// Where an edge's curve is so far from the edge's first or last point, by bisection.
@@ -95,7 +122,7 @@ public:
     {
         double nearer = as_double(from_first ? edge.t0 : edge.t1), farther = as_double(from_first ? edge.t1 : edge.t0);
         const point from = place_on(edge.curve, nearer);
-        for (int halvings = 0; halvings < 40; ++halvings) {
+        for (int i = 0; i < halvings; ++i) {
             const double middle = 0.5 * (nearer + farther);
             const point off = place_on(edge.curve, middle) - from;
             (typemesh::dot(off, off) < distance * distance ? nearer : farther) = middle;
@@ -135,13 +162,20 @@ public:
         return {static_cast<std::int32_t>(x) + right, static_cast<std::int32_t>(y) + up};
     }
 
+private:
+    /// How far a point on the curve may lie from its place on the chord, as a share of the chord: as an arc of 124
+    /// degrees rises. Farther away, it would make a corner out of the edge.
+    static constexpr double max_rise = 0.3;
+    /// How far an edge's end may lie from its place on the curve, in cells: more than rounding to the grid explains.
+    static constexpr double max_end_error = 2.0;
+
     /// Splits the edge that leaves a at p if that keeps the mesh valid. Returns the new point, or none.
     [[nodiscard]] result<std::uint32_t> try_split(refinable_mesh& mesh, std::uint32_t a, grid_point p, float t) noexcept
     {
         const std::uint32_t h = mesh.at(a).boundary;
         const grid_point from = mesh.place(a), to = mesh.place(mesh.target(h)), c = mesh.place(mesh.apex(h));
         if (orientation(from, p, c) <= 0 || orientation(p, to, c) <= 0) return none;
-        if (dot(p, from, to) >= 0) return none;  // beyond an end
+        if (refinable_mesh::dot(p, from, to) >= 0) return none;  // beyond an end
         constexpr std::int64_t nearest = refinable_mesh::spacing * refinable_mesh::spacing;
         if (squared_distance(p, from) < nearest || squared_distance(p, to) < nearest) return none;
         if (!is_attachable(mesh, a, p)) return none;
@@ -153,13 +187,6 @@ public:
         if (v == none) return error::out_of_memory;
         if (!near_.is_stale(mesh) && (!near_.add(mesh, a) || !near_.add(mesh, v))) return error::out_of_memory;
         return v;
-    }
-
-private:
-    [[nodiscard]] static std::int64_t dot(grid_point at, grid_point p, grid_point q) noexcept
-    {
-        return (std::int64_t{p.x} - at.x) * (std::int64_t{q.x} - at.x) +
-               (std::int64_t{p.y} - at.y) * (std::int64_t{q.y} - at.y);
     }
 
     const region* region_ = nullptr;

@@ -4,20 +4,20 @@
 #include <typemesh/core/array_view.hpp>
 #include <typemesh/core/buffer.hpp>
 #include <typemesh/core/contours.hpp>
-#include <typemesh/core/curve.hpp>
 #include <typemesh/core/grid.hpp>
+#include <typemesh/core/impl/in_circle.hpp>
 #include <typemesh/core/orientation.hpp>
 #include <typemesh/core/region.hpp>
 #include <typemesh/core/result.hpp>
 #include <typemesh/core/triangle.hpp>
 #include <typemesh/refine/impl/boundary_cutter.hpp>
+#include <typemesh/refine/impl/edge_splitter.hpp>
 #include <typemesh/refine/impl/off_centre.hpp>
 #include <typemesh/refine/impl/refinable_mesh.hpp>
 #include <typemesh/refine/impl/triangle_queue.hpp>
 #include <typemesh/refine/impl/write_cap.hpp>
 #include <typemesh/refine/refiner.hpp>
 
-#include <bit>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -49,17 +49,16 @@ struct refinement_limits {
 
 /// Adds points until no angle is too small and no edge too long: Ruppert's algorithm with off-centres.
 ///
-///     boundary edges   An edge is halved while a point of the mesh lies in the circle around it (its *diametral*
-///                      circle) or it is too long. The new point lies on the edge's curve if the region's edge ends
-///                      on the curve and the new point keeps the mesh valid; otherwise it lies on the edge itself.
+///     boundary edges   An edge is split while a point of the mesh lies in its diametral circle, or while it is too
+///                      long: see edge_splitter.
 ///     triangles        Of a bad triangle the off-centre becomes a point: on the perpendicular through the middle of
 ///                      the shortest edge, as far from it as the least angle allows, but no farther than the centre of
 ///                      the circle around the triangle. A point that would lie in the diametral circle of a boundary
-///                      edge is not added; that edge is halved instead.
-///     sharp corners    Edges at a corner below 60 degrees are cut at powers of two from it, so that neighbours are
-///                      cut at the same distance. A triangle between two such cuts keeps its angle.
-///     spacing          No inner point is added within four cells of another point, and no boundary edge is cut within
-///                      four cells of its ends: rounding could otherwise go on for ever.
+///                      edge is not added; that edge is split instead.
+///     sharp corners    A triangle between two cuts at the same distance from a corner below 60 degrees keeps its
+///                      angle.
+///     spacing          No inner point is added within four cells of another point: rounding could otherwise go on for
+///                      ever.
 ///
 /// Whether the mesh stays valid is decided exactly. Whether a triangle is bad enough for a point is decided in double
 /// precision: it can cost a point, never the mesh.
@@ -69,12 +68,12 @@ struct refinement_limits {
 class delaunay_refinement {
 public:
     explicit delaunay_refinement(memory source = heap()) noexcept
-        : mesh_{source}, cut_{source}, edges_{source}, waiting_{source}, cavity_{source}, numbers_{source}
+        : mesh_{source}, edges_{source}, waiting_{source}, cavity_{source}, numbers_{source}
     {
     }
 
     /// Corners beyond the next region's edges: see boundary_cutter.
-    void attach(array_view<const grid_point> corners) noexcept { cut_.attach(corners); }
+    void attach(array_view<const grid_point> corners) noexcept { edges_.attach(corners); }
 
     /// Fails  error::out_of_memory, error::too_many_points
     [[nodiscard]] error run(const region& r, array_view<const triangle> triangles,
@@ -82,14 +81,12 @@ public:
     {
         region_ = &r;
         limits_ = limits;
-        cut_.open(r);
-        edges_.clear();
+        edges_.open(r, limits.max_square, limits.max_points);
         waiting_.clear();
         kept_ = 0;
-        stamp_ = 0;
         if (!mesh_.open(r, triangles)) return error::out_of_memory;
         for (std::uint32_t v = 0; v < mesh_.vertex_count(); ++v)
-            if (!check_boundary(mesh_.at(v).boundary)) return error::out_of_memory;
+            if (!edges_.check(mesh_, mesh_.at(v).boundary)) return error::out_of_memory;
         if (error e = split_edges()) return e;
         for (std::uint32_t t = 0; t < mesh_.triangle_count(); ++t)
             if (!check_triangle(t)) return error::out_of_memory;
@@ -107,6 +104,17 @@ public:
         return settle();
     }
 
+    /// After run(): adds the centre of the circle around each of these triangles that is still there, or splits the
+    /// boundary edges in its way, and refines what has become bad by it. Fails as run() does.
+    [[nodiscard]] error add_centres(array_view<const queued_triangle> of) noexcept
+    {
+        for (const queued_triangle& one : of) {
+            if (error e = improve(one, up_to_centre)) return e;
+            if (error e = split_edges()) return e;
+        }
+        return settle();
+    }
+
     /// Writes the refined cap. Fails with error::out_of_memory.
     [[nodiscard]] error write(const refined_cap& out) noexcept { return write_cap(mesh_, *region_, numbers_, out); }
 
@@ -117,122 +125,35 @@ public:
     /// The number of bad triangles that were left, because a point would have come too near to others.
     [[nodiscard]] std::uint32_t kept() const noexcept { return kept_; }
 
-protected:  // for quadtree_refinement
+    /// What has split the boundary's edges.
+    [[nodiscard]] const boundary_cutter& cutter() const noexcept { return edges_.cutter(); }
+
+private:
     static constexpr std::uint32_t none = refinable_mesh::none;
     static constexpr std::uint32_t good = triangle_queue::ranks;
     static constexpr std::int64_t spacing = refinable_mesh::spacing;
 
-    [[nodiscard]] static std::int64_t dot(grid_point at, grid_point p, grid_point q) noexcept
+    // ---- boundary edges
+
+    /// What edge_splitter calls for the triangles that have changed.
+    [[nodiscard]] auto check_triangles() noexcept
     {
-        return (std::int64_t{p.x} - at.x) * (std::int64_t{q.x} - at.x) +
-               (std::int64_t{p.y} - at.y) * (std::int64_t{q.y} - at.y);
+        return [this](std::uint32_t t) noexcept { return check_triangle(t); };
     }
+    [[nodiscard]] error split(std::uint32_t a) noexcept { return edges_.split(mesh_, a, check_triangles()); }
+    [[nodiscard]] error split_edges() noexcept { return edges_.split_listed(mesh_, check_triangles()); }
+
+    // ---- triangles
 
     /// Adds points until nothing that is listed is bad.
     [[nodiscard]] error settle() noexcept
     {
         while (waiting_.has_more()) {
-            if (error e = improve(waiting_.pop())) return e;
+            if (error e = improve(waiting_.pop(), limits_.off_centre)) return e;
             if (error e = split_edges()) return e;
-            if (error e = too_many()) return e;
+            if (error e = edges_.too_many(mesh_)) return e;
         }
-        return too_many();
-    }
-
-    [[nodiscard]] error too_many() const noexcept
-    {
-        return mesh_.vertex_count() > limits_.max_points ? error{error::too_many_points, limits_.max_points} : error{};
-    }
-
-    // ---- boundary edges
-
-    [[nodiscard]] bool is_too_long(std::int64_t square) const noexcept
-    {
-        return limits_.max_square != 0 && square > limits_.max_square;
-    }
-
-    /// Lists a boundary edge that must be split. False if out of memory.
-    [[nodiscard]] bool check_boundary(std::uint32_t h) noexcept
-    {
-        const grid_point a = mesh_.start(h), b = mesh_.place(mesh_.target(h)), c = mesh_.place(mesh_.apex(h));
-        if (dot(c, a, b) >= 0 && !is_too_long(squared_distance(a, b))) return true;
-        return edges_.push_back(mesh_.origin(h));
-    }
-
-    [[nodiscard]] error split_edges() noexcept
-    {
-        while (!edges_.empty()) {
-            const std::uint32_t a = edges_.back();
-            edges_.truncate(edges_.size() - 1);
-            const std::uint32_t h = mesh_.at(a).boundary;
-            const grid_point p = mesh_.place(a), q = mesh_.place(mesh_.target(h));
-            if (dot(mesh_.place(mesh_.apex(h)), p, q) >= 0 && !is_too_long(squared_distance(p, q))) continue;
-            if (error e = split(a)) return e;
-            if (error e = too_many()) return e;
-        }
-        return {};
-    }
-
-    /// The inner angle of a corner; both numbers are 0 for points that are not the region's own.
-    struct corner {
-        std::int64_t sine = 0, cosine = 0;  // times the lengths of both edges
-
-        /// Below 60 degrees.
-        [[nodiscard]] bool is_sharp() const noexcept
-        {
-            return cosine > 0 && sine > 0 &&
-                   static_cast<double>(sine) < 1.7320508075688772 * static_cast<double>(cosine);
-        }
-    };
-    [[nodiscard]] corner corner_at(std::uint32_t v) const noexcept
-    {
-        if (v >= region_->points().size()) return {};
-        const grid_point at = mesh_.place(v), p = mesh_.place(mesh_.next_on_boundary(v)),
-                         q = mesh_.place(mesh_.previous_on_boundary(v));
-        return {orientation(at, p, q), dot(at, p, q)};
-    }
-
-    /// Splits the boundary edge that leaves a, unless that is impossible.
-    [[nodiscard]] error split(std::uint32_t a) noexcept
-    {
-        const std::uint32_t b = mesh_.next_on_boundary(a);
-        const grid_point p = mesh_.place(a), q = mesh_.place(b);
-        const std::int64_t square = squared_distance(p, q);
-        if (square < 4 * spacing * spacing) return {};
-        const bool from_a = corner_at(a).is_sharp(), from_b = corner_at(b).is_sharp();
-        const double share = from_a == from_b ? 0.5 : from_a ? shell_in(square) : 1.0 - shell_in(square);
-        const contour_edge edge = mesh_.at(a).edge;
-        double t = as_double(edge.t0) + share * (as_double(edge.t1) - as_double(edge.t0));
-        if (from_a != from_b && cut_.ends_on_curve(mesh_.at(a).source))
-            t = cut_.parameter_at(edge, from_a,
-                                  (from_a ? share : 1.0 - share) * std::sqrt(static_cast<double>(square)));
-        const auto v = cut_(mesh_, a, share, t);
-        if (!v) return v.error();
-        return *v == none || check_changed() ? error{} : error{error::out_of_memory};
-    }
-
-    /// The share of an edge at a sharp corner that is cut off: a power of two cells, a third to two thirds of the edge.
-    [[nodiscard]] static double shell_in(std::int64_t square) noexcept
-    {
-        const int power = (static_cast<int>(std::bit_width(static_cast<std::uint64_t>(square))) - 1) / 2;
-        const double length = std::sqrt(static_cast<double>(square)), shell = std::ldexp(1.0, power);
-        return (3.0 * shell > 2.0 * length ? 0.5 * shell : shell) / length;
-    }
-
-    // ---- triangles
-
-    /// Lists what is bad of what has changed. False if out of memory.
-    [[nodiscard]] bool check_changed() noexcept
-    {
-        ++stamp_;
-        for (const std::uint32_t t : mesh_.changed()) {
-            if (mesh_.mark(t) == stamp_) continue;  // listed twice
-            mesh_.mark(t) = stamp_;
-            if (!check_triangle(t)) return false;
-            for (std::uint32_t h = 4 * t; h < 4 * t + 3; ++h)
-                if (mesh_.is_boundary(h) && !check_boundary(h)) return false;
-        }
-        return true;
+        return edges_.too_many(mesh_);
     }
 
     /// The rank of a bad triangle: small angles come first, at the shortest edges first; then long edges, the longest
@@ -252,7 +173,7 @@ protected:  // for quadtree_refinement
             !is_between_shells(corners[least], corners[next], static_cast<double>(sine) / static_cast<double>(cosine)))
             return triangle_queue::rank_of(squares[least]);
         const std::int64_t longer = squares[next] < squares[apex] ? squares[apex] : squares[next];
-        return !limits_.boundary_only && is_too_long(longer)
+        return !limits_.boundary_only && edges_.is_too_long(longer)
                    ? triangle_queue::ranks - 1 - triangle_queue::rank_of(longer)
                    : good;
     }
@@ -266,10 +187,10 @@ protected:  // for quadtree_refinement
         if (u < n || v < n) return false;
         const std::uint32_t edge_u = mesh_.at(u).source, edge_v = mesh_.at(v).source;
         if (edge_u == none || edge_v == none || edge_u == edge_v) return false;
-        const std::uint32_t after_u = cut_.next_point(edge_u), after_v = cut_.next_point(edge_v);
+        const std::uint32_t after_u = cutter().next_point(edge_u), after_v = cutter().next_point(edge_v);
         const std::uint32_t between = after_u == edge_v ? edge_v : after_v == edge_u ? edge_u : none;
         if (between == none) return false;
-        const corner c = corner_at(between);
+        const edge_splitter::corner c = edges_.corner_at(mesh_, between);
         if (!c.is_sharp()) return false;
         const auto sine = static_cast<double>(c.sine), cosine = static_cast<double>(c.cosine);
         if (tangent * (2.0 * std::sqrt(sine * sine + cosine * cosine) - cosine) < 0.98 * sine) return false;
@@ -282,18 +203,17 @@ protected:  // for quadtree_refinement
     /// Lists a triangle if it is bad. False if out of memory.
     [[nodiscard]] bool check_triangle(std::uint32_t t) noexcept
     {
-        const std::uint32_t rank = rank_of(t), h = 4 * t;
-        return rank == good || waiting_.push(rank, {t, mesh_.origin(h), mesh_.origin(h + 1), mesh_.origin(h + 2)});
+        const std::uint32_t rank = rank_of(t);
+        return rank == good || waiting_.push(rank, queued_triangle::of(mesh_, t));
     }
 
-    /// Adds a point for a bad triangle, or lists the boundary edges that must be split first.
-    [[nodiscard]] error improve(const queued_triangle& bad) noexcept
+    /// Adds the off-centre of a bad triangle that is still there, or splits a boundary edge that is in its way.
+    [[nodiscard]] error improve(const queued_triangle& bad, double farthest) noexcept
     {
-        const std::uint32_t h = 4 * bad.t;
-        if (mesh_.origin(h) != bad.a || mesh_.origin(h + 1) != bad.b || mesh_.origin(h + 2) != bad.c) return {};
+        if (!bad.is_in(mesh_)) return {};
         const std::uint32_t short_edge = shortest_edge(bad.t);
         const grid_point p = detail::off_centre(mesh_.start(short_edge), mesh_.place(mesh_.target(short_edge)),
-                                                mesh_.place(mesh_.apex(short_edge)), limits_.off_centre);
+                                                mesh_.place(mesh_.apex(short_edge)), farthest);
         const auto [t, blocked] = mesh_.locate(bad.t, p);
         if (blocked != none) return force(blocked, bad);
         bool is_far = false;
@@ -305,7 +225,7 @@ protected:  // for quadtree_refinement
         if (!is_far) return {};
         if (encroached_ != none) return force(encroached_, bad);
         const std::uint32_t v = mesh_.insert(t, p);
-        if (v == none || !check_changed()) return error::out_of_memory;
+        if (v == none || !edges_.check_changed(mesh_, check_triangles())) return error::out_of_memory;
         return {};
     }
 
@@ -315,9 +235,7 @@ protected:  // for quadtree_refinement
         const std::uint32_t before = mesh_.vertex_count();
         if (error e = split(a)) return e;
         if (mesh_.vertex_count() == before) return {};
-        const std::uint32_t h = 4 * bad.t;
-        const bool is_there = mesh_.origin(h) == bad.a && mesh_.origin(h + 1) == bad.b && mesh_.origin(h + 2) == bad.c;
-        return !is_there || check_triangle(bad.t) ? error{} : error{error::out_of_memory};
+        return !bad.is_in(mesh_) || check_triangle(bad.t) ? error{} : error{error::out_of_memory};
     }
 
     [[nodiscard]] std::int64_t squared_length(std::uint32_t h) const noexcept
@@ -342,8 +260,8 @@ protected:  // for quadtree_refinement
         cavity_.clear();
         if (!cavity_.push_back(t)) return error::out_of_memory;
         bool is_far = true;
-        ++stamp_;
-        mesh_.mark(t) = stamp_;
+        const std::uint32_t seen = mesh_.new_mark();
+        mesh_.mark(t) = seen;
         while (!cavity_.empty()) {
             const std::uint32_t in = cavity_.back();
             cavity_.truncate(cavity_.size() - 1);
@@ -352,15 +270,15 @@ protected:  // for quadtree_refinement
                 is_far = is_far && squared_distance(a, p) >= spacing * spacing;
                 const std::uint32_t g = mesh_.twin(h);
                 if (g == none) {
-                    if (dot(p, a, mesh_.place(mesh_.target(h))) < 0) encroached_ = mesh_.origin(h);
+                    if (refinable_mesh::dot(p, a, mesh_.place(mesh_.target(h))) < 0) encroached_ = mesh_.origin(h);
                     continue;
                 }
                 const std::uint32_t beyond = g / 4;
-                if (mesh_.mark(beyond) == stamp_) continue;
+                if (mesh_.mark(beyond) == seen) continue;
                 if (in_circle(mesh_.start(4 * beyond), mesh_.start(4 * beyond + 1), mesh_.start(4 * beyond + 2), p) <=
                     0)
                     continue;
-                mesh_.mark(beyond) = stamp_;
+                mesh_.mark(beyond) = seen;
                 if (!cavity_.push_back(beyond)) return error::out_of_memory;
             }
         }
@@ -368,14 +286,12 @@ protected:  // for quadtree_refinement
     }
 
     refinable_mesh mesh_;
-    boundary_cutter cut_;
-    buffer<std::uint32_t> edges_;  // first points of boundary edges to be split
+    edge_splitter edges_;
     triangle_queue waiting_;
     buffer<std::uint32_t> cavity_;
     buffer<std::uint32_t> numbers_;
     const region* region_ = nullptr;
     refinement_limits limits_;
-    std::uint32_t stamp_ = 0;
     std::uint32_t kept_ = 0;
     std::uint32_t encroached_ = none;
 };

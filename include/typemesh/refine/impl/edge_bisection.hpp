@@ -11,6 +11,7 @@
 #include <typemesh/refine/impl/boundary_cutter.hpp>
 #include <typemesh/refine/impl/refinable_mesh.hpp>
 #include <typemesh/refine/impl/stretched_circle.hpp>
+#include <typemesh/refine/impl/triangle_queue.hpp>
 #include <typemesh/refine/impl/write_cap.hpp>
 #include <typemesh/refine/refiner.hpp>
 
@@ -79,11 +80,6 @@ public:
 private:
     static constexpr std::uint32_t none = refinable_mesh::none;
 
-    /// A triangle with its corners: if it has others by now, it was replaced.
-    struct listed {
-        std::uint32_t t, a, b, c;
-    };
-
     /// Halves the last edge of the list, or an edge of the last triangle.
     template <class Measure>
     [[nodiscard]] error halve_next(const Measure& measure) noexcept
@@ -93,11 +89,9 @@ private:
             edges_.truncate(edges_.size() - 1);
             return is_too_large(measure, v) ? halve_boundary(measure, v) : error{};
         }
-        const listed one = waiting_.back();
+        const queued_triangle one = waiting_.back();
         waiting_.truncate(waiting_.size() - 1);
-        const std::uint32_t h = 4 * one.t;
-        if (mesh_.origin(h) != one.a || mesh_.origin(h + 1) != one.b || mesh_.origin(h + 2) != one.c) return {};
-        return halve_longest(measure, one.t);
+        return one.is_in(mesh_) ? halve_longest(measure, one.t) : error{};
     }
 
     template <class Measure>
@@ -112,7 +106,7 @@ private:
     {
         const std::uint32_t h = 4 * t;
         if (measure.triangle(mesh_.start(h), mesh_.start(h + 1), mesh_.start(h + 2)) <= 1.0) return true;
-        return waiting_.push_back({t, mesh_.origin(h), mesh_.origin(h + 1), mesh_.origin(h + 2)});
+        return waiting_.push_back(queued_triangle::of(mesh_, t));
     }
 
     template <class Measure>
@@ -174,7 +168,7 @@ private:
     refinable_mesh mesh_;
     boundary_cutter cut_;
     buffer<std::uint32_t> edges_;  // first points of boundary edges that are too large
-    buffer<listed> waiting_;
+    buffer<queued_triangle> waiting_;
     buffer<std::uint32_t> numbers_;
     const region* region_ = nullptr;
     bool cuts_boundary_ = true;

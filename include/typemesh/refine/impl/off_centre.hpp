@@ -10,6 +10,9 @@
 
 namespace typemesh::inline TYPEMESH_ABI::detail {
 
+/// A distance for off_centre() that no triangle reaches: the point is then the centre of the circle.
+inline constexpr double up_to_centre = 0x1p100;
+
 /// The point to add for a bad triangle a, b, c (counter-clockwise) whose shortest edge is a b, rounded to the grid: on
 /// the perpendicular through the middle of a b, at most `farthest` lengths of a b away from it, and at most as far as
 /// the centre of the circle around the triangle.

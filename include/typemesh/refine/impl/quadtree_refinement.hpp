@@ -9,9 +9,11 @@
 #include <typemesh/core/result.hpp>
 #include <typemesh/core/triangle.hpp>
 #include <typemesh/refine/impl/balanced_quadtree.hpp>
-#include <typemesh/refine/impl/delaunay_refinement.hpp>
+#include <typemesh/refine/impl/boundary_cutter.hpp>
+#include <typemesh/refine/impl/edge_splitter.hpp>
 #include <typemesh/refine/impl/off_centre.hpp>
 #include <typemesh/refine/impl/refinable_mesh.hpp>
+#include <typemesh/refine/impl/write_cap.hpp>
 #include <typemesh/refine/refiner.hpp>
 
 #include <cstddef>
@@ -39,56 +41,62 @@ struct quadtree_limits {
 ///     5. diagonals   The two diagonals of a square are equally Delaunay. They alternate like the fields of a
 ///                    chessboard.
 ///
-/// Each insertion is exact, so the mesh is valid after each step, for every region. It shares the splitting of boundary
-/// edges with delaunay_refinement.
+/// Each insertion is exact, so the mesh is valid after each step, for every region.
 ///
 /// From  M. Bern, D. Eppstein & J. Gilbert, Provably good mesh generation (1994); the order of the steps and the use of
 ///       a constrained Delaunay triangulation are our own
-class quadtree_refinement : delaunay_refinement {
+class quadtree_refinement {
 public:
     explicit quadtree_refinement(memory source = heap()) noexcept
-        : delaunay_refinement{source}, tree_{source}, given_{source}
+        : mesh_{source}, edges_{source}, tree_{source}, given_{source}, numbers_{source}
     {
     }
+
+    /// Corners beyond the next region's edges: see boundary_cutter.
+    void attach(array_view<const grid_point> corners) noexcept { edges_.attach(corners); }
 
     /// Fails  error::out_of_memory, error::too_many_points
     [[nodiscard]] error run(const region& r, array_view<const triangle> triangles,
                             const quadtree_limits& limits) noexcept
     {
         region_ = &r;
-        limits_ = {};
-        limits_.max_points = limits.max_points;
-        cut_.open(r);
-        edges_.clear();
-        waiting_.clear();
+        limits_ = limits;
         kept_ = 0;
-        stamp_ = 0;
+        edges_.open(r, 0, limits.max_points);
         tree_.open(limits.width);
-        if (needs_too_many()) return {error::too_many_points, limits_.max_points};
+        const error too_many{error::too_many_points, limits.max_points};
+        if (needs_too_many()) return too_many;
         if (!mesh_.open(r, triangles)) return error::out_of_memory;
         if (!add_edges()) return error::out_of_memory;
-        const std::size_t most = 64 + 16 * std::size_t{limits.max_points};
-        if (!tree_.split_crowded(most))
-            return tree_.square_count() > most ? error{error::too_many_points, limits_.max_points}
-                                               : error{error::out_of_memory};
+        const std::size_t most = max_squares(limits.max_points);
+        if (!tree_.split_crowded(most)) return tree_.square_count() > most ? too_many : error{error::out_of_memory};
         if (error e = cut_outline()) return e;
         tree_.forget_edges();
         if (!add_edges() || !note_triangles()) return error::out_of_memory;
         if (error e = add_corners(0)) return e;
-        limits_.max_square = limits.max_square;
         if (error e = shorten_edges()) return e;
         turn_diagonals();
         return {};
     }
 
-    using delaunay_refinement::attach;
-    using delaunay_refinement::kept;
-    using delaunay_refinement::mesh;
-    using delaunay_refinement::write;
+    /// Writes the refined cap. Fails with error::out_of_memory.
+    [[nodiscard]] error write(const refined_cap& out) noexcept { return write_cap(mesh_, *region_, numbers_, out); }
+
+    [[nodiscard]] const refinable_mesh& mesh() const noexcept { return mesh_; }
+    /// The number of triangles with an edge that is too long.
+    [[nodiscard]] std::uint32_t kept() const noexcept { return kept_; }
 
     [[nodiscard]] const balanced_quadtree& tree() const noexcept { return tree_; }
 
 private:
+    static constexpr std::uint32_t none = refinable_mesh::none;
+
+    /// The limit for squares, by that for points: the tree, too, must end where the mesh would have too many points.
+    [[nodiscard]] static std::size_t max_squares(std::uint32_t max_points) noexcept
+    {
+        return 64 + 16 * std::size_t{max_points};
+    }
+
     /// Whether so many points lie on the outline alone.
     [[nodiscard]] bool needs_too_many() const noexcept
     {
@@ -127,14 +135,13 @@ private:
     {
         const std::uint32_t count = mesh_.vertex_count();
         for (std::uint32_t v = 0; v < count; ++v) {
-            if (!edges_.push_back(v)) return error::out_of_memory;
-            while (!edges_.empty()) {
-                const std::uint32_t a = edges_.back(), before = mesh_.vertex_count();
-                edges_.truncate(edges_.size() - 1);
+            if (!edges_.list(v)) return error::out_of_memory;
+            for (std::uint32_t a = edges_.take(); a != none; a = edges_.take()) {
+                const std::uint32_t before = mesh_.vertex_count();
                 if (error e = cut(a)) return e;
                 if (mesh_.vertex_count() == before) continue;
-                if (mesh_.vertex_count() > limits_.max_points) return {error::too_many_points, limits_.max_points};
-                if (!edges_.push_back(a) || !edges_.push_back(before)) return error::out_of_memory;
+                if (error e = edges_.too_many(mesh_)) return e;
+                if (!edges_.list(a) || !edges_.list(before)) return error::out_of_memory;
             }
         }
         return {};
@@ -145,14 +152,15 @@ private:
     {
         const grid_point p = mesh_.place(a), q = mesh_.place(mesh_.next_on_boundary(a));
         const std::int64_t square = squared_distance(p, q);
-        if (square < 4 * spacing * spacing) return {};
+        if (edge_splitter::is_too_short(square)) return {};
         const std::int64_t dx = std::int64_t{q.x} - p.x, dy = std::int64_t{q.y} - p.y, width = width_along(p, q);
         const bool is_level = (dx < 0 ? -dx : dx) >= (dy < 0 ? -dy : dy);
         const std::int64_t first = is_level ? p.x : p.y, last = is_level ? q.x : q.y;
         const std::int64_t low = first < last ? first : last, high = first < last ? last : first;
-        const std::int64_t line = width * balanced_quadtree::divided(low + high + width, 2 * width);
-        if (5 * (line - low) > 2 * width && 5 * (high - line) > 2 * width) return cut_at(a, is_level, line);
-        return 4 * square > 9 * width * width ? split(a) : error{};
+        const std::int64_t line = width * balanced_quadtree::divided(low + high + width, 2 * width),
+                           nearest = balanced_quadtree::clearance(width);
+        if (line - low > nearest && high - line > nearest) return cut_at(a, is_level, line);
+        return 4 * square > 9 * width * width ? split(a) : error{};  // longer than one and a half squares
     }
 
     /// The width of the smallest leaf at three places of an edge.
@@ -178,34 +186,28 @@ private:
         const double first = coordinate(boundary_cutter::as_point(p)),
                      share = (goal - first) / (coordinate(boundary_cutter::as_point(q)) - first);
         const point on_chord = on_line(lerp(boundary_cutter::as_point(p), boundary_cutter::as_point(q), share));
-        double t = as_double(edge.t0) + share * (as_double(edge.t1) - as_double(edge.t0));
-        if (cut_.ends_on_curve(mesh_.at(a).source)) {
+        boundary_cutter::places at{as_double(edge.t0) + share * (as_double(edge.t1) - as_double(edge.t0)), on_chord};
+        const boundary_cutter& cutter = edges_.cutter();
+        if (cutter.ends_on_curve(mesh_.at(a).source)) {
             double before = as_double(edge.t0), after = as_double(edge.t1);
-            const bool is_below = coordinate(cut_.place_on(edge.curve, before)) < goal;
-            if ((coordinate(cut_.place_on(edge.curve, after)) < goal) == is_below) return split(a);
-            for (int halvings = 0; halvings < 40; ++halvings) {
-                t = 0.5 * (before + after);
-                ((coordinate(cut_.place_on(edge.curve, t)) < goal) == is_below ? before : after) = t;
+            const auto is_below = [&](double t) noexcept { return coordinate(cutter.place_on(edge.curve, t)) < goal; };
+            const bool begins_below = is_below(before);
+            if (is_below(after) == begins_below) return split(a);
+            for (int i = 0; i < boundary_cutter::halvings; ++i) {
+                at.t = 0.5 * (before + after);
+                (is_below(at.t) == begins_below ? before : after) = at.t;
             }
-            const point on_curve = on_line(cut_.place_on(edge.curve, t)), off = on_curve - on_chord;
-            if (typemesh::dot(off, off) >= 0.09 * static_cast<double>(squared_distance(p, q))) return split(a);
-            const auto done = try_split(a, boundary_cutter::rounded(on_curve, 0), static_cast<float>(t));
-            if (!done || *done) return done.error();
+            at.on_curve = on_line(cutter.place_on(edge.curve, at.t));
+            at.allows_curve = boundary_cutter::is_close(at.on_curve, on_chord, squared_distance(p, q));
+            if (!at.allows_curve) return split(a);
         }
-        for (const int next_best : {0, 1, 2, 3}) {
-            const auto done = try_split(a, boundary_cutter::rounded(on_chord, next_best), static_cast<float>(t));
-            if (!done || *done) return done.error();
-        }
-        return {};
+        return edges_.split_at(mesh_, a, at, any_triangle);
     }
 
-    /// Splits the edge that leaves a at p if that keeps the mesh valid; returns whether it did.
-    [[nodiscard]] result<bool> try_split(std::uint32_t a, grid_point p, float t) noexcept
-    {
-        const auto made = cut_.try_split(mesh_, a, p, t);
-        if (!made || *made == none) return made ? result<bool>{false} : result<bool>{made.error()};
-        return check_changed() ? result<bool>{true} : result<bool>{error::out_of_memory};
-    }
+    [[nodiscard]] error split(std::uint32_t a) noexcept { return edges_.split(mesh_, a, any_triangle); }
+
+    /// For edge_splitter: no triangle needs a look while edges are cut.
+    [[nodiscard]] static bool any_triangle(std::uint32_t) noexcept { return true; }
 
     // ---- corners of squares
 
@@ -237,8 +239,8 @@ private:
                 last = holder;
                 if (mesh_.insert(holder, p) == none)
                     failed = error::out_of_memory;
-                else if (mesh_.vertex_count() > limits_.max_points)
-                    failed = {error::too_many_points, limits_.max_points};
+                else
+                    failed = edges_.too_many(mesh_);
                 return failed == error::none;
             });
             if (!done) return failed;
@@ -290,9 +292,10 @@ private:
 
     [[nodiscard]] bool has_long_edge(std::uint32_t t) const noexcept
     {
-        const std::uint32_t h = 4 * t;
-        return is_too_long(squared_length(h)) || is_too_long(squared_length(h + 1)) ||
-               is_too_long(squared_length(h + 2));
+        if (limits_.max_square == 0) return false;
+        const grid_point a = mesh_.start(4 * t), b = mesh_.start(4 * t + 1), c = mesh_.start(4 * t + 2);
+        return squared_distance(a, b) > limits_.max_square || squared_distance(b, c) > limits_.max_square ||
+               squared_distance(c, a) > limits_.max_square;
     }
 
     /// Splits the leaf that holds the centre of the circle around a triangle, unless it is one of the smallest or newer
@@ -300,7 +303,7 @@ private:
     [[nodiscard]] bool split_square_at(std::uint32_t t, std::uint32_t old) noexcept
     {
         const grid_point centre =
-            off_centre(mesh_.start(4 * t), mesh_.start(4 * t + 1), mesh_.start(4 * t + 2), 0x1p100);
+            off_centre(mesh_.start(4 * t), mesh_.start(4 * t + 1), mesh_.start(4 * t + 2), up_to_centre);
         std::uint32_t leaf = tree_.leaf_at(centre.x, centre.y);
         if (tree_.deepest() == 0 || (leaf != none && (leaf >= old || tree_.at(leaf).level == tree_.deepest())))
             return true;
@@ -329,8 +332,14 @@ private:
         }
     }
 
+    refinable_mesh mesh_;
+    edge_splitter edges_;
     balanced_quadtree tree_;
     triangle_list given_;
+    buffer<std::uint32_t> numbers_;
+    const region* region_ = nullptr;
+    quadtree_limits limits_;
+    std::uint32_t kept_ = 0;
 };
 
 }  // namespace typemesh::inline TYPEMESH_ABI::detail

@@ -100,6 +100,7 @@ public:
         edges_.clear();
         list_.clear();
         changed_.clear();
+        last_mark_ = 0;
     }
 
     [[nodiscard]] std::uint32_t vertex_count() const noexcept { return static_cast<std::uint32_t>(vertices_.size()); }
@@ -118,6 +119,13 @@ public:
     [[nodiscard]] bool is_boundary(std::uint32_t h) const noexcept { return edges_[h].twin == none; }
     [[nodiscard]] grid_point start(std::uint32_t h) const noexcept { return vertices_[edges_[h].origin].place; }
 
+    /// The product of the vectors from a place to p and q, exact: negative if the place lies in the circle over p q.
+    [[nodiscard]] static std::int64_t dot(grid_point at, grid_point p, grid_point q) noexcept
+    {
+        return (std::int64_t{p.x} - at.x) * (std::int64_t{q.x} - at.x) +
+               (std::int64_t{p.y} - at.y) * (std::int64_t{q.y} - at.y);
+    }
+
     /// The boundary point after a boundary point.
     [[nodiscard]] std::uint32_t next_on_boundary(std::uint32_t v) const noexcept
     {
@@ -134,6 +142,8 @@ public:
 
     /// A number for each triangle that its user writes and reads; new triangles have 0.
     [[nodiscard]] std::uint32_t& mark(std::uint32_t t) noexcept { return edges_[4 * t + 3].origin; }
+    /// A number that no triangle has yet.
+    [[nodiscard]] std::uint32_t new_mark() noexcept { return ++last_mark_; }
 
     /// The triangles that the last call of split() or insert() has made or changed; some may occur twice.
     [[nodiscard]] array_view<const std::uint32_t> changed() const noexcept { return changed_.view(); }
@@ -313,6 +323,7 @@ private:
     buffer<half_edge> edges_;
     buffer<std::uint32_t> list_;
     buffer<std::uint32_t> changed_;
+    std::uint32_t last_mark_ = 0;
     extents compared_ = extents::both;
 };
 

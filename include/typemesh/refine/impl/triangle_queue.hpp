@@ -3,6 +3,7 @@
 
 #include <typemesh/core/buffer.hpp>
 #include <typemesh/core/memory.hpp>
+#include <typemesh/refine/impl/refinable_mesh.hpp>
 
 #include <bit>
 #include <cstdint>
@@ -12,6 +13,15 @@ namespace typemesh::inline TYPEMESH_ABI::detail {
 /// A triangle of a mesh that changes, with its corners: if it has other corners by now, it was replaced.
 struct queued_triangle {
     std::uint32_t t, a, b, c;
+
+    [[nodiscard]] static queued_triangle of(const refinable_mesh& mesh, std::uint32_t t) noexcept
+    {
+        return {t, mesh.origin(4 * t), mesh.origin(4 * t + 1), mesh.origin(4 * t + 2)};
+    }
+    [[nodiscard]] bool is_in(const refinable_mesh& mesh) const noexcept
+    {
+        return mesh.origin(4 * t) == a && mesh.origin(4 * t + 1) == b && mesh.origin(4 * t + 2) == c;
+    }
 };
 
 /// Triangles in the order of a rank, the lowest first; of one rank, the last one first.

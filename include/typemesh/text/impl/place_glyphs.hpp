@@ -67,6 +67,7 @@ public:
         count(built.is_touching() ? 1 : 0, at, report_.touching, first_touching_, report_.first_touching);
         count(built.is_narrowed() ? 1 : 0, at, report_.narrowed, first_narrowed_, report_.first_narrowed);
         count(built.lost_caps(), at, report_.lost_caps, first_lost_, report_.first_lost_cap);
+        count(built.kept_triangles(), at, report_.kept_triangles, first_kept_, report_.first_kept_triangle);
     }
 
 private:
@@ -87,7 +88,7 @@ private:
     }
 
     text_report& report_;
-    std::uint32_t first_refused_ = 0, first_touching_ = 0, first_narrowed_ = 0, first_lost_ = 0;
+    std::uint32_t first_refused_ = 0, first_touching_ = 0, first_narrowed_ = 0, first_lost_ = 0, first_kept_ = 0;
 };
 
 }  // namespace detail

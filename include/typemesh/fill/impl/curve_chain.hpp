@@ -11,7 +11,7 @@
 namespace typemesh::inline TYPEMESH_ABI::detail {
 
 /// Consecutive edges of a loop that follow one curve, from its parameter t0 to t1. All places are in cells.
-struct curve_run {
+struct curve_chain {
     std::uint32_t first = 0;  ///< the first edge, counted along the loop from the loop's seam
     std::uint32_t last = 0;   ///< the edge after the last one
     std::uint32_t curve = 0;
@@ -19,7 +19,7 @@ struct curve_run {
     double t0 = 0.0;
     double t1 = 1.0;
     point shift;  ///< from the curve to the edges: 0, or the place of a glyph among merged ones
-    point start;  ///< where the run begins; the run before it ends there
+    point start;  ///< where the chain begins; the chain before it ends there
 };
 
 /// The place of a curve, in cells.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 
-#include <typemesh/fill/impl/curve_run.hpp>
+#include <typemesh/fill/impl/curve_chain.hpp>
 
 #include "support/catch.hpp"
 
