@@ -197,7 +197,7 @@ function breath(time) {
     mesh = morph.at(weightAt(time));
     controls.showWeight(weightAt(time));
     stage.move(mesh);
-    if (view === "solid") label(`weight ${Math.round(weightAt(time))}: the same ${number(mesh.statistics.triangles)} triangles`, stage.above);
+    label(`weight ${Math.round(weightAt(time))}: the same ${number(mesh.statistics.triangles)} triangles`, stage.above);
     return true;
 }
 /** Words that stand above a place of the stage; nowhere if there is none. */
@@ -209,7 +209,7 @@ function label(words, spot) {
     const room = at("stage").clientWidth - one.offsetWidth, low = at("top").offsetHeight;
     one.style.transform = `translate(${Math.max(8, Math.min(room - 8, spot.x - one.offsetWidth / 2))}px, ${Math.max(low, spot.y - one.offsetHeight)}px)`;
 }
-const scanned = () => `${at("triangles").value} triangles, one closed mesh, ${at("open-edges").value === "0" ? "0" : "…"} open edges`;
+const scanned = () => `${at("triangles").value} triangles${at("open-edges").value === "0" ? ", one closed mesh, 0 open edges" : ""}`;
 
 function show(to) {
     target = to;

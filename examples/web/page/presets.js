@@ -14,16 +14,16 @@ export const presets = [
       set: { text: "CHROME", "page.finish": "chrome", "page.world": "dusk", "page.weight": 900, "bevel.width": 0.06, depth: 0.3, "bevel.mode": "fit" } },
     { name: "balloons", label: "Balloons", title: "Letters blown up like foil balloons",
       claim: "Any font inflates: each letter becomes a round, closed solid",
-      set: { text: "PARTY!", "page.finish": "foil", "page.world": "dark", "page.rainbow": 1, "page.weight": 900, "inflate.height": 1.3, "page.motion": "wave", letterSpacing: 0.1, merge: 0, "bevel.width": 0 } },
+      set: { text: "PARTY!", "page.finish": "foil", "page.world": "dusk", "page.rainbow": 1, "page.weight": 900, "inflate.height": 1.3, "page.motion": "wave", letterSpacing: 0.06, merge: 0, "bevel.width": 0 } },
     { name: "neon", label: "Neon", title: "Neon tubes along outlines, on a ring",
       claim: "Each outline becomes one closed glass tube, on a path of yours",
-      set: { text: sign, "page.finish": "neon", "page.world": "night", "page.weight": 500, "path.ring": 2.5, letterSpacing: 0.036, "bevel.width": 0, "tube.radius": 0.014 } },
+      set: { text: sign, "page.finish": "neon", "page.world": "night", "page.weight": 500, "path.ring": 2.5, letterSpacing: 0.019, "bevel.width": 0, "tube.radius": 0.016 } },
     { name: "arabic", label: "خط", title: "Arabic calligraphy in gold",
       claim: "Joined Arabic letters become one closed solid: no inner walls",
       set: { text: "سلام", font: "Amiri (Arabic)", "page.finish": "gold", "page.world": "dark", "bevel.width": 0.06, "bevel.profile": "chamfer", embolden: 0.02 } },
     { name: "column", label: "縦書き", title: "Japanese in columns",
       claim: "Japanese in columns, from right to left, as in books",
-      set: { text: column, font: "Sawarabi Mincho (Japanese)", direction: "ttb", "page.finish": "lacquer", "page.world": "light", "bevel.width": 0.02, embolden: 0.024, depth: 0.2, lineSpacing: 0.8 } },
+      set: { text: column, font: "Sawarabi Mincho (Japanese)", direction: "ttb", "page.finish": "lacquer", "page.world": "light", "bevel.width": 0.02, embolden: 0.024, lineSpacing: 0.8 } },
     { name: "flag", label: "Flag", title: "A flag that waves",
       claim: "Cloth and letters are one mesh: the vertex shader is the wind",
       set: { text: "[mark=#1b3a8c]\u00a0AHOY!\u00a0\u00a0[/]", "page.colour": "#ffffff", "page.motion": "flag", "bend.wave": 0.2, depth: 0.08, "bevel.width": 0.012 } },
@@ -41,7 +41,7 @@ export const presets = [
       set: { text: poster, "page.colour": "#23262d", depth: 0.16, "bevel.width": 0.016, lineSpacing: 1.12 } },
     { name: "ribbon", label: "Twist", title: "A bevelled line of text, twisted",
       claim: "Bent with a certified error: {triangles} triangles, still closed, bevels included",
-      set: { text: "[mark=#a3123a]\u00a0TWIST\u00a0ME\u00a0[/]", "bend.twist": 230, "page.weight": 900, "page.finish": "gold", "page.world": "light", "bevel.width": 0.02, depth: 0.12 } },
+      set: { text: "[mark=#a3123a]\u00a0\u00a0\u00a0TWIST\u00a0\u00a0\u00a0[/]", "bend.twist": 270, "page.weight": 900, "page.finish": "gold", "page.world": "light", "bevel.width": 0.02, depth: 0.12 } },
 ];
 
 /** Whether two links set the same, in whatever order. */

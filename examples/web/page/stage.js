@@ -12,7 +12,7 @@ export const views = ["solid", "wireframe", "normals", "texture", "contours"];
 const rainbow = [0xff3b5c, 0xff9f1c, 0xffd23f, 0x2ec4b6, 0x3a86ff, 0x8f5bff];
 const sway = 0.5, swayPeriod = 13000;  // radians to each side, ms
 const entry = 1.1, entryTime = 1600;  // from how far round a mesh comes in
-const bandTime = 4200, bandPeriod = 8000, bandWidth = 1.5, maxInBand = 600000;  // ms; letters; indices
+const bandTime = 5000, bandPeriod = 8000, bandWidth = 1.5, maxInBand = 600000;  // ms; letters; indices
 
 export class Stage {
     #frame;
@@ -241,7 +241,7 @@ export class Stage {
         if (this.wires) {
             for (const one of [this.wires, ...this.edges, ...this.mirrored]) one.visible = seen;
             if (seen) {
-                const width = bandWidth * this.unit, length = max.x - min.x + 2 * width, place = min.x - 1.5 * width + length * at;
+                const width = bandWidth * this.unit, place = min.x - width + (max.x - min.x + width) * at;
                 wires[0] = place, wires[1] = place + width;
                 for (const [i, x] of wires.entries()) this.edges[i].position.x = this.mirrored[i + 1].position.x = x;
             }
