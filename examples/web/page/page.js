@@ -197,7 +197,7 @@ function breath(time) {
     mesh = morph.at(weightAt(time));
     controls.showWeight(weightAt(time));
     stage.move(mesh);
-    label(`weight ${Math.round(weightAt(time))}: the same ${number(mesh.statistics.triangles)} triangles`, stage.above);
+    label(`weight ${Math.round(weightAt(time))}`, stage.above);
     return true;
 }
 /** Words that stand above a place of the stage; nowhere if there is none. */

@@ -5,7 +5,7 @@ const column = "春は曙\n夏は夜\n冬は雪";
 const word = (colour, text) => `[colour=${colour}]${text}[/]`;
 const scripts = `[size=1.3]${word("#ffd23f", "Hello")} ${word("#ff4d6d", "שלום")}[/]\n${word("#ff9f1c", "★")} ${word("#5aa2ff", "こんにちは")} ${word("#ff4d6d", "♥")}\n[size=1.3]${word("#2ee6c5", "नमस्ते")} ${word("#ff9f1c", "مرحبا")}[/]`;
 const sign = `${word("#ff2e88", "open all night")} ${word("#29e0ff", "•")} ${word("#29e0ff", "open all night")} ${word("#ff2e88", "•")} `;
-const poster = "[size=1.8][depth=0.45][colour=#e4432d]DEEP[/][/][/]\u00a0 [depth=0.03]flat[/]\n[mark=#ffc400]\u00a0marked\u00a0[/] [u][colour=#0a7d5a]under[/][/]\n[ruby=small above][colour=#0b57d0]ruby[/][/] [i]E=mc[sup]2[/][/]";
+const poster = "[size=1.8][depth=0.45][colour=#e4432d]DEEP[/][/][/]\u00a0 [depth=0.04]flat[/]\n[mark=#ffc400]\u00a0marked\u00a0[/] [u][colour=#0a7d5a]under[/][/]\n[ruby=small above][colour=#0b57d0]ruby[/][/] [i]E=mc[sup]2[/][/]";
 
 /** name: of the class that dresses its link; claim: what is said while it is shown, with {triangles} where the mesh's number stands. */
 export const presets = [
@@ -28,7 +28,7 @@ export const presets = [
       claim: "Cloth and letters are one mesh: the vertex shader is the wind",
       set: { text: "[mark=#1b3a8c]\u00a0AHOY!\u00a0\u00a0\u00a0[/]", "page.colour": "#ffffff", "page.motion": "flag", "bend.wave": 0.2, depth: 0.08, "bevel.width": 0.012 } },
     { name: "breathe", label: "Breathe", title: "A variable font, any weight, one mesh",
-      claim: "Every weight from 100 to 900 in one mesh: the same {triangles} triangles, only corners move",
+      claim: "Every weight from 100 to 900 in one mesh: the same {triangles} triangles, only their corners move",
       set: { text: "breathe", "page.motion": "breathe", "page.finish": "gloss", "page.colour": "#2ec4b6", depth: 0.24, "bevel.width": 0 } },
     { name: "score", label: "1,984", title: "A score that rolls up like a mileage counter",
       claim: "40 digits on 4 wheels, one mesh: a shader rolls them, no upload per frame",

@@ -338,6 +338,12 @@ export class Stage {
         this.drawNow();
         this.draw();  // a frame that was waiting, for a mesh that turns, is gone with the last line
     }
+    /** For a picture to keep: without the band of triangles, which then goes on. */
+    drawPlain() {
+        this.#sweep(-1);
+        this.drawNow();
+        this.draw();
+    }
     drawNow() {
         this.#drawn = true;
         if (this.#frame !== undefined) cancelAnimationFrame(this.#frame), this.#frame = undefined;
