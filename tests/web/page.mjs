@@ -405,8 +405,7 @@ await part("turn", async () => {
     const before_turn = await canvas(), band = await page.evaluate(async () => {
         const { stage } = globalThis.page;
         stage.turn(true);
-        await new Promise(done => setTimeout(done, 300));
-        stage.drawNow();
+        for (let i = 0; i < 100 && !stage.wires?.visible; ++i) await new Promise(done => setTimeout(done, 50));  // frames may be late
         const label = document.getElementById("label");
         return [stage.wires?.visible === true, stage.mirror.children.includes(stage.mirrored[0]), label.hidden ? "" : label.textContent];
     });
