@@ -108,7 +108,7 @@ export class Stage {
             if (this.view === "wireframe") this.#lines(geometry.attributes.position, edges(mesh.index), materials.line, letters);
             else if (this.view === "solid" && breathes) this.#lines(geometry.attributes.position, wallEdges(mesh), materials.seams);
             else if (this.view === "solid" && motion === "still" && this.turning && !this.moved && !lessMotion.matches && !materials.glows &&
-                     mesh.index.length <= maxInBand && high[0] - low[0] > 2.5 * (high[1] - low[1]))  // a line of text
+                     mesh.index.length <= maxInBand && high[0] - low[0] > 2.5 * (high[1] - low[1]) && high[2] - low[2] < 0.7 * this.unit)  // a line of text, not bent
                 bands = geometry.attributes.position;
             if (this.view === "contours") this.#lines(this.#array(mesh.contours(), 3), null, materials.contour);
             if (this.#hasFloor && motion === "flag") this.#pole();
