@@ -302,6 +302,7 @@ export class Stage {
         this.turned = 0;
         this.ontouch?.();
         if (on) this.fit();
+        else this.#sweep(-1);
         this.#wake();
     }
     #touch() {
