@@ -317,7 +317,9 @@ await part("presets", async () => {
         const [made, hash_of_link] = [await hash(), await page.evaluate(() => location.hash)];
         check(await message() === "" && await value("open-edges") === "0", `${name}: ${await message()} ${await value("open-edges")}`);
         check(await page.$eval(`#presets .${name}`, e => e.getAttribute("aria-current")) === "true", `${name} is marked as what is shown`);
-        check(await value("caption") === await page.$eval(`#presets .${name}`, e => e.title), `${name} says what it shows`);
+        const claim = await page.evaluate(name => globalThis.page.presets.find(p => p.name === name).claim.replace("{triangles}", document.getElementById("triangles").value), name);
+        check(claim !== "" && !/[{}]/.test(claim) && await value("caption") === claim, `${name} says what it shows: ${await value("caption")}`);
+        check(await value("notes") === "" || /prefers less motion/.test(await value("notes")), `${name} has nothing to explain: ${await value("notes")}`);
         programs.push({ name, ...await program() });
         await open(hash_of_link, { width: 500, height: 400 });
         await unhurried();
@@ -403,17 +405,18 @@ await part("turn", async () => {
     const before_turn = await canvas(), band = await page.evaluate(async () => {
         const { stage } = globalThis.page;
         stage.turn(true);
-        await new Promise(done => setTimeout(done, 300));
-        stage.drawNow();
-        return stage.wires?.visible === true;
+        for (let i = 0; i < 100 && !stage.wires?.visible; ++i) await new Promise(done => setTimeout(done, 50));  // frames may be late
+        const label = document.getElementById("label");
+        return [stage.wires?.visible === true, stage.mirror.children.includes(stage.mirrored[0]), label.hidden ? "" : label.textContent];
     });
-    check(band, "a band of wires passes while it comes in");
+    check(band[0] && band[1], "a band of wires passes while it comes in, also in the mirror");
+    check(band[2] === `${await value("triangles")} triangles, one closed mesh, 0 open edges`, `and says what is seen: ${band[2]}`);
     await rest(1500);
     check(await canvas() !== before_turn && await page.$eval("#turn", e => e.getAttribute("aria-pressed")) === "true", "the mesh turns by itself");
     await page.focus("#canvas");
     await page.keyboard.press("ArrowRight");
     await rest(300);
-    check(await page.evaluate(() => !globalThis.page.stage.wires?.visible), "no band of wires is left");
+    check(await page.evaluate(() => !globalThis.page.stage.wires?.visible && document.getElementById("label").hidden), "no band of wires is left");
     const touched = await canvas();
     await rest(900);
     check(await canvas() === touched && await page.$eval("#turn", e => e.getAttribute("aria-pressed")) === "false", "and rests once it is touched");
@@ -432,7 +435,9 @@ await part("breathing", async () => {
 
     const slider = await value("option-page-weight");
     await page.waitForFunction(was => document.getElementById("option-page-weight").value !== was, {}, slider);  // it goes with the weight
+    check(/^weight \d+$/.test(await page.$eval("#label", e => e.hidden ? "" : e.textContent)), "the weight is said");
     await set("#option-page-weight", "300");
+    check(await page.$eval("#label", e => !/^weight/.test(e.hidden ? "" : e.textContent)), "only while it changes");
     check(await value("option-page-motion") === "still" && await value("option-page-weight") === "300", "and who moves it ends the breathing");
 
     await open("#page.motion=breathe&page.tags=0&text=" + encodeURIComponent("a[1]"), { width: 420, height: 320, still: false });

@@ -12,7 +12,7 @@ const words = (name, label, start, hint) => ({ kind: "words", name, label, start
 
 export const groups = [
     { title: "Look", open: true, controls: [
-        choice("page.finish", "Made of", ["satin", "satin plastic"], ["gloss", "balloon skin"], ["chrome", "chrome"], ["gold", "gold"], ["lacquer", "lacquer"], ["neon", "neon light"]),
+        choice("page.finish", "Made of", ["satin", "satin plastic"], ["gloss", "glossy plastic"], ["foil", "foil"], ["chrome", "chrome"], ["gold", "gold"], ["lacquer", "lacquer"], ["neon", "neon light"]),
         { kind: "colour", name: "page.colour", label: "Colour", start: "" },
         check("page.rainbow", "Each letter its own colour", false),
         choice("page.world", "Surroundings", ["auto", "as the page"], ["light", "light studio"], ["dark", "dark studio"], ["dusk", "dusk"], ["night", "night"]),
@@ -22,10 +22,10 @@ export const groups = [
     { title: "Letters", open: true, controls: [
         range("page.weight", "Weight", 800, 100, 900, 5),
         range("depth", "Depth", 0.2, 0, 1, 0.01),
-        range("embolden", "Bolder", 0, -0.05, 0.1, 0.002),
-        range("outline.width", "Hollow: rim", 0, 0, 0.08, 0.002),
+        range("embolden", "Thicker strokes", 0, -0.05, 0.1, 0.002),
+        range("outline.width", "Hollow: wall", 0, 0, 0.08, 0.002),
         range("inflate.height", "Inflate", 0, 0, 2, 0.05),
-        range("tube.radius", "Tubes", 0, 0, 0.06, 0.002),
+        range("tube.radius", "Outline tubes", 0, 0, 0.06, 0.002),
         range("letterSpacing", "Space between", 0, -0.1, 0.5, 0.01),
     ] },
     { title: "Edges", open: true, controls: [
@@ -46,6 +46,7 @@ export const groups = [
     ] },
     { title: "Lines and languages", open: false, controls: [
         range("width", "Lines at most", 0, 0, 40, 0.5, " em"),
+        range("lineSpacing", "Line spacing", 1, 0.5, 2, 0.05),
         choice("align", "Lines stand", ["centre", "in the middle"], ["start", "at their start"], ["end", "at their end"], ["left", "left"], ["right", "right"], ["justify", "stretched to the width"]),
         choice("wrap", "Lines end", ["word_or_grapheme", "after words, else letters"], ["word", "only after words"], ["grapheme", "after any letter"], ["none", "only where I say"]),
         choice("breaker", "Line ends are", ["first_fit", "chosen one by one"], ["total_fit", "chosen for even lines"]),

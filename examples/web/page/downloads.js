@@ -64,6 +64,6 @@ export async function saveStl(mesh, materials) {
 }
 
 export function savePng(stage) {
-    stage.drawNow();  // a drawn canvas may be read only in the same turn
+    stage.drawPlain();  // a drawn canvas may be read only in the same turn
     stage.canvas.toBlob(blob => save(blob, "image/png", "text.png"));
 }

@@ -20,7 +20,7 @@ const add = `
 varying vec2 at;
 uniform sampler2D from, wide;
 void main() {
-    vec3 c = 0.85 * texture2D(from, at).rgb + 0.6 * texture2D(wide, at).rgb;
+    vec3 c = 0.2 * texture2D(from, at).rgb + 0.26 * texture2D(wide, at).rgb;
     gl_FragColor = vec4(pow(1.0 - exp(-c), vec3(1.0 / 1.8)), 1.0);
 }`;
 

@@ -9,6 +9,7 @@ const dark = matchMedia("(prefers-color-scheme: dark)");
 /** Their own colours are those that the page begins with. */
 export const finishes = {
     satin: { colour: "#f0502d", roughness: 0.34, light: 1 },
+    foil: { colour: "#ff4f8b", metalness: 0.8, roughness: 0.17, light: 2.1 },
     gloss: { colour: "#ff3d77", roughness: 0.12, clearcoat: 1, light: 1.15 },
     chrome: { colour: "#ffffff", metalness: 1, roughness: 0.04, light: 1.25 },
     gold: { colour: "#ffb938", metalness: 1, roughness: 0.16, light: 1.3 },
@@ -48,8 +49,10 @@ class Materials {
         this.normals = movable(new THREE.MeshNormalMaterial());
         this.texture = movable(new THREE.MeshStandardMaterial({ map: checker, roughness: 0.6 }));
         this.line = movable(new THREE.LineBasicMaterial({ transparent: true, opacity: 0.75 }));
-        this.wires = movable(new THREE.LineBasicMaterial({ name: "wires", transparent: true, opacity: 0.42 }));
-        this.casing = new THREE.MeshStandardMaterial({ color: 0x23262e, roughness: 0.32, metalness: 0.15 });
+        this.wires = movable(new THREE.LineBasicMaterial({ name: "wires", color: 0xcfe8ff, transparent: true, opacity: 0.6 }));
+        this.seams = new THREE.LineBasicMaterial({ transparent: true, opacity: 0.3 });
+        this.bandLine = new THREE.MeshBasicMaterial({ color: 0x28b4ff, toneMapped: false });
+        this.casing = new THREE.MeshStandardMaterial({ color: 0xc4cad4, roughness: 0.3, metalness: 0.7 });
         this.drum = new THREE.MeshStandardMaterial({ color: 0x1b1d22, roughness: 0.6, envMapIntensity: 0.6 });
         this.pole = new THREE.MeshStandardMaterial({ color: 0xe2b04a, roughness: 0.25, metalness: 0.9 });
         this.contour = new THREE.LineBasicMaterial({ color: 0x1a6fd0, depthTest: false });
@@ -61,7 +64,7 @@ class Materials {
     /** Lines are seen before what surrounds them. */
     drawOn(world) {
         this.line.color.set(world === worlds.light ? 0x1d1f23 : 0xeceae5);
-        this.wires.color.set(world === worlds.light ? 0x1450a8 : 0x9fd0ff);
+        this.seams.color.copy(this.line.color);
     }
 
     /** Makes all parts of a finish and a colour; its own colour for "". */
@@ -133,7 +136,7 @@ void main() {
 export class Backdrop {
     constructor() {
         this.uniforms = { inner: { value: new THREE.Vector3() }, outer: { value: new THREE.Vector3() }, size: { value: new THREE.Vector2(1, 1) },
-                          mirror: { value: 0.2 }, radius: { value: 1 } };
+                          mirror: { value: 0.2 }, fade: { value: 1 }, middle: { value: new THREE.Vector3() } };
         const shades = `
 uniform vec3 inner, outer;
 uniform vec2 size;
@@ -149,16 +152,24 @@ vec3 backdrop() {
         this.back.renderOrder = -1;
         this.floor = new THREE.Mesh(new THREE.CircleGeometry(1, 48).rotateX(-Math.PI / 2), new THREE.ShaderMaterial({
             uniforms: this.uniforms, transparent: true, depthWrite: false, toneMapped: false,
-            vertexShader: "varying vec2 place; void main() { place = position.xz; gl_Position = projectionMatrix * modelViewMatrix * vec4(position, 1.0); }",
+            vertexShader: "varying vec2 place; varying vec3 way; void main() { place = position.xz; vec4 at = modelMatrix * vec4(position, 1.0); way = at.xyz - cameraPosition; gl_Position = projectionMatrix * viewMatrix * at; }",
             fragmentShader: shades + `
 varying vec2 place;
-uniform float mirror;
-void main() { gl_FragColor = vec4(backdrop(), 1.0 - mirror * smoothstep(0.9, 0.1, length(place))); }` }));
+varying vec3 way;
+uniform float mirror, fade;
+uniform vec3 middle;  // of the letters, on the floor
+void main() {
+    vec3 to = middle - cameraPosition;
+    float below = to.y - way.y * dot(to.xz, to.xz) / max(1e-6, dot(way.xz, to.xz));  // how deep what is mirrored here stands
+    gl_FragColor = vec4(backdrop(), 1.0 - mirror * smoothstep(0.9, 0.1, length(place)) * (1.0 - smoothstep(0.1, 1.0, below / fade)));
+}` }));
         this.floor.renderOrder = 1;
         this.shadow = new THREE.Mesh(new THREE.PlaneGeometry(2, 2).rotateX(-Math.PI / 2), new THREE.ShadowMaterial({ depthWrite: false }));
         this.shadow.material.onBeforeCompile = shader => {  // it fades before the edge of its map
-            shader.vertexShader = "varying vec2 place;\n" + shader.vertexShader.replace("#include <begin_vertex>", "#include <begin_vertex>\nplace = position.xz;");
-            shader.fragmentShader = "varying vec2 place;\n" + shader.fragmentShader.replace(/\}\s*$/, "gl_FragColor.a *= smoothstep(1.0, 0.6, length(place)); }");
+            shader.uniforms.fade = this.uniforms.fade;  // and far behind, where the shadows of a last line's upper ones lie
+            shader.vertexShader = "varying vec2 place;\nvarying float behind;\n" + shader.vertexShader.replace("#include <begin_vertex>", "#include <begin_vertex>\nplace = position.xz;\nbehind = -length(modelMatrix[2].xyz) * position.z;");
+            shader.fragmentShader = "varying vec2 place;\nvarying float behind;\nuniform float fade;\n" +
+                shader.fragmentShader.replace(/\}\s*$/, "gl_FragColor.a *= smoothstep(1.0, 0.6, length(place)) * (1.0 - smoothstep(0.6, 1.3, behind / fade)); }");
         };
         this.shadow.receiveShadow = true;
         this.shadow.renderOrder = 2;
@@ -169,7 +180,9 @@ void main() { gl_FragColor = vec4(backdrop(), 1.0 - mirror * smoothstep(0.9, 0.1
         this.uniforms.mirror.value = world.mirror;
         this.shadow.material.opacity = world.shadow;
     }
-    place(middle, ground, reach) {
+    place(middle, ground, reach, unit) {
+        this.uniforms.middle.value.set(middle.x, ground, middle.z);
+        this.uniforms.fade.value = 1.5 * unit;
         for (const [one, size] of [[this.floor, 4 * reach], [this.shadow, 1.5 * reach]]) {
             one.position.set(middle.x, ground, middle.z);
             one.scale.setScalar(size);

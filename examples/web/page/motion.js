@@ -6,14 +6,12 @@ export const lessMotion = matchMedia("(prefers-reduced-motion: reduce)");
 const period = 4000, scorePeriod = 9000;  // ms
 
 /** Of all materials: the number of the motion, its time from 0 to 1, how many letters there are; where a flag hangs and its width; a score and its wheels;
- * from where to where triangles are wires: see orderAlong(). */
+ * from which x to which triangles are seen, as wires on a colour of their own. */
 export const uniforms = {
     motion: { value: 0 }, motionTime: { value: 0 }, motionLetters: { value: 1 }, flagFrom: { value: 0 }, flagWidth: { value: 1 },
-    score: { value: 0 }, wheels: { value: 1 }, wires: { value: [1, 0] },
+    score: { value: 0 }, wheels: { value: 1 }, wires: { value: [1, 0] }, scanned: { value: [0.07, 0.25, 0.6] },
 };
-export const wheelStep = 0.78, wheelRadius = 1.4, windowHeight = 0.66;  // em; half of the window's height
-/** Where a place is in the order in which a band of wireframe passes over a mesh. */
-export const orderAlong = (x, y) => x + 0.3 * y;
+export const wheelStep = 0.78, wheelRadius = 1.4, windowHeight = 0.57;  // em; half of the window's height
 
 const declarations = `
 attribute float letter;
@@ -21,7 +19,7 @@ attribute vec3 pivot;
 attribute vec2 digit;
 attribute vec4 tint;
 varying vec4 letterTint;
-varying vec3 letterPlace;  // where in the order of wires; the shade of a fold; the height on a wheel
+varying vec3 letterPlace;  // its x, for the band of wires; the shade of a fold; the height on a wheel
 uniform int motion;
 uniform float motionTime, motionLetters, flagFrom, flagWidth, score, wheels;
 float letterNoise(float n) { return 2.0 * fract(sin((letter + 1.0) * n) * 43758.5453) - 1.0; }
@@ -84,16 +82,18 @@ export function movable(material) {
         shader.vertexShader = declarations + shader.vertexShader
             .replace("#include <beginnormal_vertex>", "#include <beginnormal_vertex>\nobjectNormal = movedNormal(objectNormal, position);")
             .replace("#include <begin_vertex>", `#include <begin_vertex>\ntransformed = movedLetter(transformed);\nletterTint = tint;
-letterPlace = vec3(position.x + 0.3 * position.y, motion == 5 ? 1.0 + 0.45 * clamp(flagSlope(position).x, -1.0, 0.3) : 1.0, motion == 6 ? transformed.y : 0.0);`);
-        const isHidden = material.name === "wires" ? "!areWires" : material.isMeshStandardMaterial ? "areWires" : "false";
-        shader.fragmentShader = "varying vec4 letterTint;\nvarying vec3 letterPlace;\nuniform vec2 wires;\n" + shader.fragmentShader
+letterPlace = vec3(position.x, motion == 5 ? 1.0 + 0.45 * clamp(flagSlope(position).x, -1.0, 0.3) : 1.0, motion == 6 ? transformed.y : 0.0);`);
+        const isHidden = material.name === "wires" ? "!areWires" : "false";
+        shader.fragmentShader = "varying vec4 letterTint;\nvarying vec3 letterPlace;\nuniform vec2 wires;\nuniform vec3 scanned;\n" + shader.fragmentShader
             .replace("#include <clipping_planes_fragment>", `#include <clipping_planes_fragment>
 bool areWires = letterPlace.x > wires.x && letterPlace.x < wires.y;
-if (${isHidden} || abs(letterPlace.z) > ${(windowHeight + 0.25).toFixed(2)}) discard;`)
+if (${isHidden} || abs(letterPlace.z) > ${(windowHeight + 0.2).toFixed(2)}) discard;`)
             .replace("#include <normal_fragment_begin>", material.isMeshStandardMaterial ? `#include <normal_fragment_begin>
 vec3 eyeward = normalize(vViewPosition);  // at an outline, normals between vertices may face away, and would be black there
 normal = normalize(normal + max(0.0, 0.06 - dot(normal, eyeward)) * eyeward);
 nonPerturbedNormal = normal;` : "#include <normal_fragment_begin>")
+            .replace("#include <dithering_fragment>", material.isMeshStandardMaterial ? `#include <dithering_fragment>
+if (areWires) gl_FragColor = vec4(scanned * (0.55 + 0.45 * normal.z), 1.0);` : "#include <dithering_fragment>")
             .replace("#include <color_fragment>", `#include <color_fragment>\ndiffuseColor.rgb = letterPlace.y * mix(${tinted}, diffuseColor.rgb, letterTint.a);`)
             .replace("#include <emissivemap_fragment>", `#include <emissivemap_fragment>
 float glow = max(max(emissive.r, emissive.g), emissive.b);

@@ -197,20 +197,32 @@ function breath(time) {
     mesh = morph.at(weightAt(time));
     controls.showWeight(weightAt(time));
     stage.move(mesh);
+    label(`weight ${Math.round(weightAt(time))}`, stage.above);
     return true;
 }
+/** Words that stand above a place of the stage; nowhere if there is none. */
+function label(words, spot) {
+    const one = at("label");
+    one.hidden = !spot;
+    if (!spot) return;
+    if (one.textContent !== words) one.textContent = words;
+    const room = at("stage").clientWidth - one.offsetWidth, low = at("top").offsetHeight;
+    one.style.transform = `translate(${Math.max(8, Math.min(room - 8, spot.x - one.offsetWidth / 2))}px, ${Math.max(low, spot.y - one.offsetHeight)}px)`;
+}
+const scanned = () => `${at("triangles").value} triangles${at("open-edges").value === "0" ? ", one closed mesh, 0 open edges" : ""}`;
 
 function show(to) {
     target = to;
     if (stage) {
         stage.dress(controls.look);
         const motion = controls.motion === "score" && target === undefined || morph ? "still" : controls.motion;
-        stage.show(mesh, { motion, target, rainbow: controls.values["page.rainbow"] });
+        stage.show(mesh, { motion, target, rainbow: controls.values["page.rainbow"], breathes: morph !== undefined });
     }
     const s = mesh.statistics;
     at("vertices").value = number(s.vertices);
     at("triangles").value = number(s.triangles);
     note();
+    tellClaim();
     for (const id of ["open-edges", "cached"]) at(id).value = "…";
 }
 /** What there is to say of the mesh. */
@@ -315,15 +327,20 @@ function remember() {  // browsers refuse more than some changes of the address 
     at("undo").disabled = !history.canUndo;
     at("redo").disabled = !history.canRedo;
     const preset = [...at("presets").children].find(one => isSame(one.hash.slice(1), link()));
-    const words = preset?.title ?? (link() === "" ? "Type anything, drag it, or try a sample." : "");
+    const claimed = preset?.claim ?? (link() === "" ? "Type anything, drag it, or try a sample." : "");
     for (const one of at("presets").children) one.removeAttribute("aria-current");
     preset?.setAttribute("aria-current", "true");
-    if (at("caption").textContent !== words) {
-        at("caption").textContent = words;
-        if (preset) at("presets").scrollLeft = preset.offsetLeft - (at("presets").clientWidth - preset.clientWidth) / 2;
-    }
+    if (claim !== claimed && preset) at("presets").scrollLeft = preset.offsetLeft - (at("presets").clientWidth - preset.clientWidth) / 2;
+    claim = claimed;
+    tellClaim();
     remembering = setTimeout(() => globalThis.history.replaceState(null, "", link() ? "#" + link() : location.pathname + location.search), 250);
 }
+/** What a sample shows, with the figures of its mesh. */
+function tellClaim() {
+    const words = claim.replace("{triangles}", number(mesh?.statistics.triangles ?? 0));
+    if (at("caption").textContent !== words) at("caption").textContent = words;
+}
+let claim = "";
 /** Sets the page to what is kept, and gives the name of the font, which is to be chosen next. */
 function recall(kept = new URLSearchParams(location.hash.slice(1))) {
     recalling = true;
@@ -435,7 +452,7 @@ addEventListener("keydown", event => {
 });
 for (const preset of presets) {
     const one = at("presets").appendChild(document.createElement("a"));
-    Object.assign(one, { href: linkOf(preset), className: preset.name, title: preset.title });
+    Object.assign(one, { href: linkOf(preset), className: preset.name, title: preset.title, claim: preset.claim });
     one.appendChild(document.createElement("span")).textContent = preset.label;
     one.addEventListener("click", () => location.hash === one.hash && afresh());
 }
@@ -471,6 +488,7 @@ at("copy").addEventListener("click", async () => {
 if (stage) {
     stage.breath = breath;
     stage.onrestored = update;
+    stage.onscan = spot => (spot || !morph) && label(scanned(), spot);
     stage.covered = () => {
         const [all, top, bar] = ["stage", "top", "bar"].map(id => at(id).getBoundingClientRect());
         return { top: top.bottom - all.top, bottom: all.bottom - bar.top };

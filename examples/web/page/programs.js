@@ -99,6 +99,7 @@ function commonLines(o) {
         "shape.letter_spacing": has(o.letterSpacing) ? real(o.letterSpacing) : undefined,
         "shape.features": featuresOf(o).length ? "features" : undefined,
         "layout.align": o.align && tm(`alignment::${o.align}`),
+        "layout.line_spacing": o.lineSpacing === undefined ? undefined : real(o.lineSpacing),
         tolerance: o.quality && tm(`quality::${o.quality}`),
         size: has(o.size) && o.size !== 1 ? real(o.size) : undefined,
     };
@@ -204,6 +205,7 @@ export function command(state) {
     add("--letter-spacing", o.letterSpacing === undefined ? undefined : number(o.letterSpacing));
     if (!axis) add("--width", some(o.width));
     add("--align", o.align);
+    add("--line-spacing", o.lineSpacing === undefined ? undefined : number(o.lineSpacing));
     if (!axis && has(o.width)) add("--wrap", { word_or_grapheme: "break", grapheme: "letter" }[o.wrap] ?? o.wrap), add("--breaker", o.breaker);
     add("--direction", o.direction);
     for (const [tag, v] of Object.entries(o.features ?? {})) add("--feature", `${tag}=${Number(v)}`);

@@ -5,14 +5,14 @@ import * as THREE from "three";
 import { OrbitControls } from "three/addons/controls/OrbitControls.js";
 import { Glow } from "./glow.js";
 import { Backdrop, environment, materials, onDark, worldOf } from "./looks.js";
-import { lessMotion, Motion, orderAlong, uniforms, wheelRadius, wheelStep, windowHeight } from "./motion.js";
+import { lessMotion, Motion, uniforms, wheelRadius, wheelStep, windowHeight } from "./motion.js";
 
 export { materials };
 export const views = ["solid", "wireframe", "normals", "texture", "contours"];
 const rainbow = [0xff3b5c, 0xff9f1c, 0xffd23f, 0x2ec4b6, 0x3a86ff, 0x8f5bff];
 const sway = 0.5, swayPeriod = 13000;  // radians to each side, ms
 const entry = 1.1, entryTime = 1600;  // from how far round a mesh comes in
-const bandFirst = 2200, bandTime = 3200, bandPeriod = 9000, maxInBand = 600000;  // ms; indices
+const bandTime = 5000, bandPeriod = 8000, bandWidth = 1.5, maxInBand = 600000;  // ms; letters; indices
 
 export class Stage {
     #frame;
@@ -81,15 +81,18 @@ export class Stage {
     }
 
     /** Shows a mesh of typemesh. Its arrays go to the graphics card from where they are, and are not kept. */
-    show(mesh, { motion = "still", target = 0, rainbow: isColourful = false } = {}) {
-        for (const child of this.group.children) child.geometry.dispose();
+    show(mesh, { motion = "still", target = 0, rainbow: isColourful = false, breathes = false } = {}) {
+        this.group.traverse(child => child.geometry?.dispose());
         this.group.clear();
         this.mirror.clear();
         const { low, high } = mesh.bounds;
         this.box = new THREE.Box3(new THREE.Vector3(...low), new THREE.Vector3(...high));
         const wheels = motion === "score" ? new Set(mesh.letters.map(l => l.word)).size : 0;
         Object.entries({ flagFrom: low[0], flagWidth: Math.max(0.1, high[0] - low[0]), wheels }).forEach(([name, v]) => { uniforms[name].value = v; });
+        let bands;
         this.wires = undefined;
+        // About a letter's size, however many lines or columns there are.
+        this.unit = Math.max(0.15 * (high[1] - low[1]), Math.sqrt((high[0] - low[0]) * (high[1] - low[1]) / Math.max(1, mesh.statistics.glyphs))) || 1;
         if (mesh.index.length > 0) {
             const geometry = this.#geometry();
             this.#fill(geometry, mesh);
@@ -103,15 +106,18 @@ export class Stage {
             this.group.children[0].castShadow = this.#hasFloor && !materials.glows;
             this.group.children[0].customDepthMaterial = materials.depth;
             if (this.view === "wireframe") this.#lines(geometry.attributes.position, edges(mesh.index), materials.line, letters);
-            else if (this.view === "solid" && motion === "still" && this.turning && !this.moved && !lessMotion.matches && !materials.glows && mesh.index.length <= maxInBand)
-                this.wires = this.#lines(geometry.attributes.position, edges(mesh.index), materials.wires);
+            else if (this.view === "solid" && breathes) this.#lines(geometry.attributes.position, wallEdges(mesh), materials.seams);
+            else if (this.view === "solid" && motion === "still" && this.turning && !this.moved && !lessMotion.matches && !materials.glows &&
+                     mesh.index.length <= maxInBand && high[0] - low[0] > 2.5 * (high[1] - low[1]) && high[2] - low[2] < 0.7 * this.unit)  // a line of text, not bent
+                bands = geometry.attributes.position;
             if (this.view === "contours") this.#lines(this.#array(mesh.contours(), 3), null, materials.contour);
             if (this.#hasFloor && motion === "flag") this.#pole();
             if (this.#hasFloor && wheels > 0) this.#casing(wheels);
         }
+        this.#light();
+        if (bands) this.#band(bands, edges(mesh.index));
         this.#sweep(-1);
         this.#drawn = false;
-        this.#light();
         this.motion.set(this.view === "contours" ? "still" : motion, mesh.letters.length, target);
         if (!this.moved) this.fit(true);
         else this.draw();
@@ -139,7 +145,7 @@ export class Stage {
         const ground = this.box.min.y - 0.03 * Math.min(1, size.y), reach = 0.5 * Math.hypot(size.x, size.y, size.z) + 0.2;
         this.ground = ground;
         this.mirror.position.y = 2 * ground;
-        this.backdrop.place(middle, ground, reach);
+        this.backdrop.place(middle, ground, reach, this.unit);
         this.lamp.target.position.copy(middle);
         this.lamp.position.copy(middle).add(new THREE.Vector3(-0.45, 1.15, 0.8).multiplyScalar(2 * reach));
         const eye = this.lamp.shadow.camera;
@@ -204,9 +210,9 @@ export class Stage {
     }
     /** Of wheels: a drum that carries the digits, behind a window that shows one row of them. */
     #casing(wheels) {
-        const width = wheelStep * wheels + 0.12, high = windowHeight + 0.3, rim = 0.16, [back, front] = [-0.75, 0.14], middle = (back + front) / 2;
+        const width = wheelStep * wheels + 0.12, high = windowHeight + 0.24, rim = 0.2, [back, front] = [-0.55, 0.14], middle = (back + front) / 2;
         for (let i = 0; i < wheels; ++i) {
-            const drum = new THREE.CylinderGeometry(wheelRadius - 0.04, wheelRadius - 0.04, 0.96 * wheelStep, 48, 1, true, -0.74, 1.48).rotateZ(Math.PI / 2);
+            const drum = new THREE.CylinderGeometry(wheelRadius - 0.04, wheelRadius - 0.04, 0.96 * wheelStep, 48, 1, true, -0.58, 1.16).rotateZ(Math.PI / 2);
             this.#prop(drum, materials.drum, [wheelStep * (i - 0.5 * (wheels - 1)), 0, -wheelRadius]);
         }
         const box = (x, y, z, place) => this.#prop(new THREE.BoxGeometry(x, y, z), materials.casing, place);
@@ -217,18 +223,37 @@ export class Stage {
         box(width, 2 * high, 0.05, [0, 0, back]);
         this.box.set(new THREE.Vector3(-width / 2 - rim, -high, back), new THREE.Vector3(width / 2 + rim, high, front));
     }
-    /** A band of wires passes over a mesh that comes in, and again now and then; since: ms. Whether there is one. */
+    /** A band between two bright lines, in which the triangles are seen: also in the mirror. */
+    #band(points, index) {
+        const { min, max } = this.box, high = max.y - min.y + 0.3 * this.unit, wide = 0.022 * this.unit;
+        this.wires = this.#lines(points, index, materials.wires);
+        this.edges = [0, 1].map(() => this.#placed(new THREE.Mesh(new THREE.BoxGeometry(wide, high, wide), materials.bandLine)));
+        for (const edge of this.edges) edge.position.set(0, this.ground + high / 2, max.z + 0.1 * this.unit);
+        this.group.add(...this.edges);
+        this.mirrored = [this.wires, ...this.edges].map(one => one.clone());
+        this.mirror.add(...this.mirrored);
+    }
+    /** The band passes over a mesh that turns, now and then; since: ms. */
     #sweep(since) {
         const wires = uniforms.wires.value, { min, max } = this.box ?? {};
         wires[0] = 1, wires[1] = 0;
-        if (!this.wires) return;
-        const first = since < bandFirst, at = first ? since / bandFirst : (since - bandFirst) % bandPeriod - (bandPeriod - bandTime);
-        this.wires.visible = since >= 0 && at >= 0;
-        if (!this.wires.visible) return;
-        const from = orderAlong(min.x, min.y), length = orderAlong(max.x, max.y) - from, width = Math.min(2, 0.3 * length);
-        const place = first ? from + length * at * at * (3 - 2 * at) : from - width + (length + width) * at / bandTime;
-        wires[0] = place;
-        wires[1] = first ? 1e9 : place + width;
+        const at = since % bandPeriod / bandTime, seen = since >= 0 && at < 1;
+        if (this.wires) {
+            for (const one of [this.wires, ...this.edges, ...this.mirrored]) one.visible = seen;
+            if (seen) {
+                const width = bandWidth * this.unit, place = min.x - width + (max.x - min.x + width) * at;
+                wires[0] = place, wires[1] = place + width;
+                for (const [i, x] of wires.entries()) this.edges[i].position.x = this.mirrored[i + 1].position.x = x;
+            }
+        }
+        this.onscan?.(this.wires && seen ? this.#seenAt((wires[0] + wires[1]) / 2) : undefined);
+    }
+    get above() { return this.box && this.#seenAt((this.box.min.x + this.box.max.x) / 2); }
+    /** Where a place above the text is seen, in CSS pixels. */
+    #seenAt(x) {
+        this.camera.updateMatrixWorld();
+        const { max } = this.box, place = new THREE.Vector3(x, max.y + 0.35 * this.unit, max.z).project(this.camera);
+        return { x: (0.5 + 0.5 * place.x) * this.canvas.clientWidth, y: (0.5 - 0.5 * place.y) * this.canvas.clientHeight };
     }
     #geometry() {
         const geometry = new THREE.BufferGeometry();
@@ -277,6 +302,7 @@ export class Stage {
         this.turned = 0;
         this.ontouch?.();
         if (on) this.fit();
+        else this.#sweep(-1);
         this.#wake();
     }
     #touch() {
@@ -312,6 +338,12 @@ export class Stage {
         if (this.#drawn) return;
         this.drawNow();
         this.draw();  // a frame that was waiting, for a mesh that turns, is gone with the last line
+    }
+    /** For a picture to keep: without the band of triangles, which then goes on. */
+    drawPlain() {
+        this.#sweep(-1);
+        this.drawNow();
+        this.draw();
     }
     drawNow() {
         this.#drawn = true;
@@ -385,4 +417,15 @@ function edges(index) {
             lines[size++] = to;
         }
     return lines;
+}
+/** The edges of a prism's walls, without the diagonals of their faces. */
+function wallEdges(mesh) {
+    const { position: p, index } = mesh, lines = [], is = (a, b, k) => p[3 * a + k] === p[3 * b + k];
+    for (const { name, start, count } of mesh.parts)
+        for (let t = start; name === "side" && t < start + count; t += 3)
+            for (let k = 0; k < 3; ++k) {
+                const from = index[t + k], to = index[t + (k + 1) % 3];
+                if (is(from, to, 2) || (is(from, to, 0) && is(from, to, 1))) lines.push(from, to);
+            }
+    return Uint32Array.from(lines);
 }
