@@ -25,6 +25,7 @@ namespace {
 struct tube_vertex {
     vec3 position, normal;
     vec2 uv;
+    vec4 tangent;
 };
 
 struct tube_mesh {
@@ -39,8 +40,11 @@ struct tube_mesh {
 
 template <>
 struct typemesh::vertex_traits<tube_vertex> {
-    static constexpr auto wants = attribute::position | attribute::normal | attribute::uv;
-    tube_vertex operator()(const surface_point<wants>& s) const noexcept { return {s.position, s.normal, s.uv}; }
+    static constexpr auto wants = attribute::position | attribute::normal | attribute::uv | attribute::tangent;
+    tube_vertex operator()(const surface_point<wants>& s) const noexcept
+    {
+        return {s.position, s.normal, s.uv, s.tangent};
+    }
 };
 
 namespace {
@@ -106,6 +110,48 @@ TEST_CASE("normals of tubes along lines point out of their triangles", "[text]")
                     }
                 }
             }
+}
+
+TEST_CASE("tangents of tubes along lines are unit vectors along the surface, in which u grows", "[text]")
+{
+    for (const frame& f : {right_handed_y_up, left_handed_y_up, right_handed_z_up})
+        for (const texture_mapping texture : {texture_mapping::em, texture_mapping::cylindrical, texture_mapping::box})
+            for (const char* path : {"M0 0 L50 0 L50 40", "M0 0 C30 0 40 50 60 50 Q90 50 90 20", "M0 0 L50 0 L50 40 Z"})
+                for (const tube_end end : {tube_end::flat, tube_end::round}) {
+                    const tube_style style{.radius = 0.02f, .sides = 16, .end = end, .texture = texture};
+                    const tube_mesh made = tubes_along(path, style, f);
+                    for (const tube_vertex& v : made.vertices) {
+                        const inspect::place n = inspect::to_place(v.normal), t = inspect::to_place(v.tangent);
+                        CHECK(dot(t, t) == Catch::Approx(1.0).margin(1e-5));
+                        CHECK(std::fabs(dot(n, t)) < 1e-5);
+                        if (texture == texture_mapping::cylindrical) CHECK((v.uv.x >= 0.0f && v.uv.x <= 1.0f));
+                    }
+                    if (texture != texture_mapping::em) continue;
+                    for (std::size_t i = 0; i < made.indices.size(); ++i) {
+                        const tube_vertex &a = made.vertices[made.indices[i]],
+                                          &b = made.vertices[made.indices[i % 3 == 2 ? i - 2 : i + 1]];
+                        if (!(b.uv.x > a.uv.x + 1e-4f) || b.uv.x - a.uv.x > 0.2f) continue;
+                        const inspect::place edge = inspect::to_place(b.position) - inspect::to_place(a.position),
+                                             t = inspect::to_place(a.tangent), u = inspect::to_place(b.tangent);
+                        CHECK((dot(edge, t) > 0.0 || dot(edge, u) > 0.0));  // a tip has one tangent for all sides
+                    }
+                }
+}
+
+TEST_CASE("a line that returns on itself has no tube, also where it meets itself", "[text]")
+{
+    for (int x = 1; x < 40; x += 2)
+        for (int y = 0; y < 40; y += 3) {
+            const point to{10.0 * x, 10.0 * y}, across = 0.5 * point{-to.y, to.x};
+            line_tubes tubes;
+            tubes.begin(1000.0);
+            tubes.move({0.0, 0.0});
+            for (const point p : {to, -1.0 * to, across - to, 0.5 * to + across, 0.5 * to - across}) tubes.line(p);
+            const auto done = tubes.plan({.radius = 0.02f, .sides = 8});
+            REQUIRE(done);
+            CHECK(done->lost == 1);
+            CHECK(tubes.size() == mesh_size{});
+        }
 }
 
 TEST_CASE("lines near each other get thinner tubes, lines that cross are counted", "[text]")

@@ -76,8 +76,8 @@ struct tubed {
     float crease_degrees = 15.0f;  ///< the crease angle of the outline, 0 to 180: see curve_normals
     texture_mapping texture = texture_mapping::em;
 
-    /// How far the path of a tube may leave the outline beside sharp corners, in radii, 0 to 1; points that are too
-    /// close to a corner are left out. 0: all points stay.
+    /// How far the path of a tube may leave the outline beside sharp corners, in one and a half of its own radii, 0 to
+    /// 1; points that are too close to a corner are left out. 0: all points stay.
     float corner_cut = 0.5f;
 
     using plan_data = tubed_data;

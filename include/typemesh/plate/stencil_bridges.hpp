@@ -42,8 +42,8 @@ struct stencil_bar {
 ///
 ///        .-----.          An island is a component of the plate that is not joined to the rim. A bridge is an upright
 ///       / .-|-. \         or level rectangle across the stroke beside the island. It is as wide as requested, and it
-///      | | ||| | |        spans the stroke over its whole width: both of its ends lie in solid plate. So the letter is
-///       \ '-|-' /         nowhere narrower there than the bridge.
+///      | | ||| | |        spans the stroke over its whole width: its ends reach into the plate on both sides, or as
+///       \ '-|-' /         far as there is plate, where this is narrower than the bridge.
 ///        '-----'
 ///
 /// For each island, places are tried along its width; upright bridges are tried first. Of these places the one with the

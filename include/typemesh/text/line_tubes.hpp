@@ -36,7 +36,7 @@ struct tube_style {
     tube_end end = tube_end::round;  ///< the ends of open lines
     float crease_degrees = 15.0f;    ///< corners sharper than this are hard, 0 to 180
     texture_mapping texture = texture_mapping::em;
-    float corner_cut = 0.5f;  ///< how far tubes may leave curves beside sharp corners, in radii, 0 to 1: see tubed
+    float corner_cut = 0.5f;  ///< how far tubes may leave curves beside sharp corners, 0 to 1: see tubed
 
     /// The error for options out of range, or none.
     [[nodiscard]] error refused() const noexcept { return detail::tube_section::refused(*this); }
@@ -294,9 +294,10 @@ private:
             if (!is_end) along += length(edge);
             last = leaving;
         }
-        if (!closed) return;
-        sides_[own].along = static_cast<float>(along);  // the seam
-        sides_[own].doubled = sides_[own].seam = true;
+        if (closed) {
+            sides_[own].along = static_cast<float>(along);  // the seam
+            sides_[own].doubled = sides_[own].seam = true;
+        }
         if (style_.texture != texture_mapping::cylindrical) return;
         for (std::size_t i = 0; i < count; ++i) sides_[own + i].along /= static_cast<float>(along);
     }

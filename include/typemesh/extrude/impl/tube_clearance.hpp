@@ -8,6 +8,7 @@
 #include <typemesh/core/orientation.hpp>
 #include <typemesh/core/point.hpp>
 #include <typemesh/extrude/impl/box_tree.hpp>
+#include <typemesh/extrude/impl/half_turn_tangent.hpp>
 #include <typemesh/extrude/impl/path_pairs.hpp>
 #include <typemesh/extrude/impl/wall_normal.hpp>
 
@@ -152,14 +153,16 @@ private:
         for (std::uint32_t i = 0; i < count; ++i) {
             strip* const before = open && i == 0 ? nullptr : &strips_[first_strip + (i == 0 ? count : i) - 1];
             strip* const after = open && i + 1 == count ? nullptr : &strips_[first_strip + i];
-            const point in = outward((before != nullptr ? before : after)->along),
-                        out = outward((after != nullptr ? after : before)->along);
-            const double both = 1.0 + dot(in, out);  // 0 where a path goes back the way it came
-            const point lean = both > 0.0 ? (1.0 / both) * (in + out) : point{};
-            if (before != nullptr) before->shift[1] = both > 0.0 ? dot(lean, before->along) : 0x1p60;
-            if (after != nullptr) after->shift[0] = both > 0.0 ? dot(lean, after->along) : 0x1p60;
+            const bool is_end = before == nullptr || after == nullptr;
+            const strip &in = *(before != nullptr ? before : after), &out = *(after != nullptr ? after : before);
+            const double turn = is_end ? 0.0 : half_turn_tangent(in.a, out.a, out.b);
+            const point lean = turn != turned_back
+                                   ? 0.5 * (outward(in.along) + outward(out.along) + turn * (in.along - out.along))
+                                   : point{};
+            if (before != nullptr) before->shift[1] = turn;
+            if (after != nullptr) after->shift[0] = turn != turned_back ? -turn : turn;
             if (!leans_.push_back(lean)) return false;
-            if (before == nullptr || after == nullptr) continue;
+            if (is_end) continue;
             if (!corners_.push_back({after->a, lean, false, after->path, first + i})) return false;
         }
         return true;

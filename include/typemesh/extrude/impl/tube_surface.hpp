@@ -8,6 +8,7 @@
 #include <typemesh/extrude/placement.hpp>
 #include <typemesh/extrude/side_point.hpp>
 #include <typemesh/extrude/texture.hpp>
+#include <typemesh/extrude/texture_tangent.hpp>
 #include <typemesh/vertex/surface_point.hpp>
 
 #include <cmath>
@@ -217,6 +218,8 @@ private:
         vec2 forwards = {};  // the part of the normal along the path; 0 except in a round end
         float share = 1.0f;  // of the normal across the path
         float along = 0.0f;  // as in side_point
+
+        [[nodiscard]] bool is_end() const noexcept { return forwards != vec2{}; }
     };
 
     /// What all vertices need.
@@ -316,9 +319,21 @@ private:
             const double turn = static_cast<double>(k) / sides_around;
             const wall_place place{p, r.along, v_of(turn, r.girth, in.at), r.right};
             if constexpr (has(Wants, attribute::uv)) v.uv = in.mapping.uv(place);
-            if constexpr (has(Wants, attribute::tangent)) v.tangent = in.mapping.tangent(in.axes, place);
+            if constexpr (has(Wants, attribute::tangent))
+                v.tangent = r.is_end() ? end_tangent(in, k, r) : in.mapping.tangent(in.axes, place);
         }
         return v;
+    }
+
+    /// The tangent beyond a rim: the path's direction, turned with the normal towards the tip or away from it.
+    template <class Setting>
+    [[nodiscard]] static vec4 end_tangent(const Setting& in, std::uint32_t k, const ring_place& r) noexcept
+    {
+        const point right{as_double(r.right.x), as_double(r.right.y)}, path{-right.y, right.x};
+        const double lean = path.x * as_double(r.forwards.x) + path.y * as_double(r.forwards.y);
+        const point t = as_double(r.share) * path - (lean * in.around.right(k)) * right;
+        const vec3 u{static_cast<float>(t.x), static_cast<float>(t.y), static_cast<float>(-lean * in.around.up(k))};
+        return texture_tangent{in.at.frame}.along(in.axes, u, 1.0f);
     }
 
     /// v grows from 0 to the length once around, in em; or from 0 to 1.

@@ -6,6 +6,7 @@
 #include <typemesh/core/error.hpp>
 #include <typemesh/core/memory.hpp>
 #include <typemesh/core/point.hpp>
+#include <typemesh/extrude/impl/half_turn_tangent.hpp>
 #include <typemesh/extrude/impl/tube_clearance.hpp>
 #include <typemesh/extrude/impl/wall_normal.hpp>
 #include <typemesh/extrude/side_point.hpp>
@@ -145,13 +146,10 @@ private:
         return least_radius(without, 4) > now && is_close(a, b);
     }
 
-    /// The tangent of half of the turn at q, positive to the left; 0 at an end.
-    [[nodiscard]] double half_turn(std::uint32_t p, std::uint32_t q, std::uint32_t r) const noexcept
+    /// The half_turn_tangent() at q; 0 at an end.
+    [[nodiscard]] double turn_at(std::uint32_t p, std::uint32_t q, std::uint32_t r) const noexcept
     {
-        if (p == none || r == none) return 0.0;
-        const point in = unit(delta(points_[p], points_[q])), out = unit(delta(points_[q], points_[r]));
-        const double both = 1.0 + dot(in, out);
-        return both > 0.0 ? cross(in, out) / both : 0x1p60;
+        return p == none || r == none ? 0.0 : half_turn_tangent(points_[p], points_[q], points_[r]);
     }
 
     /// The largest radius for the edges between consecutive points; the outer points may be none.
@@ -162,7 +160,7 @@ private:
             if (at[i] == none || at[i + 1] == none) continue;
             const std::uint32_t previous = i > 0 ? at[i - 1] : before_[at[i]],
                                 next = i + 2 < count ? at[i + 2] : after_[at[i + 1]];
-            const double a = half_turn(previous, at[i], at[i + 1]), b = half_turn(at[i], at[i + 1], next);
+            const double a = turn_at(previous, at[i], at[i + 1]), b = turn_at(at[i], at[i + 1], next);
             double largest = std::fabs(a) > std::fabs(b) ? std::fabs(a) : std::fabs(b);
             largest = std::fabs(a + b) > largest ? std::fabs(a + b) : largest;
             const double l = length(delta(points_[at[i]], points_[at[i + 1]]));
