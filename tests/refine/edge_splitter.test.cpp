@@ -46,7 +46,7 @@ struct splittable {
     error split_all(edge_splitter& edges)
     {
         for (std::uint32_t v = 0; v < mesh.vertex_count(); ++v)
-            if (!edges.check(mesh, mesh.at(v).boundary)) return error::out_of_memory;
+            if (!edges.examine(mesh, mesh.at(v).boundary)) return error::out_of_memory;
         return edges.split_listed(mesh, look_at_none);
     }
 };

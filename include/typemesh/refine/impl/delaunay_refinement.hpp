@@ -86,7 +86,7 @@ public:
         kept_ = 0;
         if (!mesh_.open(r, triangles)) return error::out_of_memory;
         for (std::uint32_t v = 0; v < mesh_.vertex_count(); ++v)
-            if (!edges_.check(mesh_, mesh_.at(v).boundary)) return error::out_of_memory;
+            if (!edges_.examine(mesh_, mesh_.at(v).boundary)) return error::out_of_memory;
         if (error e = split_edges()) return e;
         for (std::uint32_t t = 0; t < mesh_.triangle_count(); ++t)
             if (!check_triangle(t)) return error::out_of_memory;

@@ -87,7 +87,7 @@ public:
     [[nodiscard]] bool list(std::uint32_t a) noexcept { return listed_.push_back(a); }
 
     /// Lists the edge whose half-edge is h if it must be split. False if out of memory.
-    [[nodiscard]] bool check(const refinable_mesh& mesh, std::uint32_t h) noexcept
+    [[nodiscard]] bool examine(const refinable_mesh& mesh, std::uint32_t h) noexcept
     {
         return !must_split(mesh, h) || list(mesh.origin(h));
     }
@@ -126,7 +126,7 @@ public:
             mesh.mark(t) = seen;
             if (!look(t)) return false;
             for (std::uint32_t h = 4 * t; h < 4 * t + 3; ++h)
-                if (mesh.is_boundary(h) && !check(mesh, h)) return false;
+                if (mesh.is_boundary(h) && !examine(mesh, h)) return false;
         }
         return true;
     }
