@@ -72,6 +72,7 @@ vec3 movedNormal(vec3 n, vec3 p) {
     return motion == 6 ? onWheel(n, wheelAngle()) : n;
 }
 `;
+const sideShade = "0.55 * ";  // sides are darker than faces, as in looks.js
 const tinted = "pow(letterTint.rgb, vec3(2.2))";  // where a geometry has no tints, WebGL gives (0, 0, 0, 1)
 
 /** Lets a material move and colour letters. Geometries without letters stay still, as their motion is 0 then. */
@@ -94,7 +95,7 @@ normal = normalize(normal + max(0.0, 0.06 - dot(normal, eyeward)) * eyeward);
 nonPerturbedNormal = normal;` : "#include <normal_fragment_begin>")
             .replace("#include <dithering_fragment>", material.isMeshStandardMaterial ? `#include <dithering_fragment>
 if (areWires) gl_FragColor = vec4(scanned * (0.55 + 0.45 * normal.z), 1.0);` : "#include <dithering_fragment>")
-            .replace("#include <color_fragment>", `#include <color_fragment>\ndiffuseColor.rgb = letterPlace.y * mix(${tinted}, diffuseColor.rgb, letterTint.a);`)
+            .replace("#include <color_fragment>", `#include <color_fragment>\ndiffuseColor.rgb = letterPlace.y * mix(${material.name === "side" ? sideShade : ""}${tinted}, diffuseColor.rgb, letterTint.a);`)
             .replace("#include <emissivemap_fragment>", `#include <emissivemap_fragment>
 float glow = max(max(emissive.r, emissive.g), emissive.b);
 totalEmissiveRadiance = mix(glow * ${tinted}, totalEmissiveRadiance, letterTint.a);${material.name === "side" ? `

@@ -175,10 +175,10 @@ function update() {
 }
 /** Milliseconds with two digits or more. */
 const inMs = ms => `${ms < 10 ? Number(ms.toPrecision(2)) : number(Math.round(ms))} ms`;
-/** Of the last changes the median, without drawing, and without the first one, which makes all anew: letters, fonts. */
+/** Of the last changes the median, without drawing, and without the first ones, which make all anew: letters, fonts that arrive. */
 function count(ms) {
     lastChange = ms;
-    if (isNew) return void (isNew = false);
+    if (isNew) return void (isNew = mesh?.statistics.missing > 0);
     changes.push(ms);
     if (changes.length > 21) changes.shift();
     at("change").closest("div").hidden = false;
