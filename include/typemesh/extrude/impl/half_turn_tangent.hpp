@@ -9,7 +9,7 @@
 
 namespace typemesh::inline TYPEMESH_ABI::detail {
 
-/// The half_turn_tangent() of a path that goes back the way it came; of all others it is at most as large.
+/// The half_turn_tangent() of a path that goes back the way it came; of all others it is less.
 inline constexpr double turned_back = 0x1p60;
 
 /// The tangent of half the angle in which a path turns at b, positive to the left.

@@ -156,11 +156,11 @@ private:
             const bool is_end = before == nullptr || after == nullptr;
             const strip &in = *(before != nullptr ? before : after), &out = *(after != nullptr ? after : before);
             const double turn = is_end ? 0.0 : half_turn_tangent(in.a, out.a, out.b);
-            const point lean = turn != turned_back
-                                   ? 0.5 * (outward(in.along) + outward(out.along) + turn * (in.along - out.along))
-                                   : point{};
+            const bool returns = turn >= turned_back;
+            const point lean =
+                returns ? point{} : 0.5 * (outward(in.along) + outward(out.along) + turn * (in.along - out.along));
             if (before != nullptr) before->shift[1] = turn;
-            if (after != nullptr) after->shift[0] = turn != turned_back ? -turn : turn;
+            if (after != nullptr) after->shift[0] = returns ? turn : -turn;
             if (!leans_.push_back(lean)) return false;
             if (is_end) continue;
             if (!corners_.push_back({after->a, lean, false, after->path, first + i})) return false;
