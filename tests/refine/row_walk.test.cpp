@@ -114,7 +114,7 @@ TEST_CASE("a walk along a segment visits both ends, and no more than it passes a
     }
 }
 
-TEST_CASE("a walk over rows keeps its range at the limits of the grid, and stops when it is told to", "[refine]")
+TEST_CASE("a walk over rows keeps its range at the limits of the grid, and stops where a visit says so", "[refine]")
 {
     const plain_squares in{1 << 26};
     constexpr std::int32_t reach = 1 << 28;

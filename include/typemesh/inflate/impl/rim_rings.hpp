@@ -110,7 +110,7 @@ private:
 
     /// The cosines of the angles in which the outline turns at a corner. Up to the first, 60 degrees, one point on the
     /// bisector serves both edges. Beyond the second, 154, the sum of both directions is too short to be a bisector.
-    static constexpr double least_smooth = 0.5, most_reversed = -0.9;
+    static constexpr double bisected = 0.5, reversed = -0.9;
 
     /// A triangle at the outline that is this many times as high as the first ring gets a point over its edge.
     static constexpr double max_rise = 2.0;
@@ -204,9 +204,10 @@ private:
         const grid_point at = mesh.place(v);
         const point in = inward(mesh.place(before), at), out = inward(at, mesh.place(next));
         const double cosine = dot(in, out), turn = cross(in, out);
-        if (cosine > least_smooth) return add(mesh, v, (1.0 / length(in + out)) * (in + out), distance, gap);
+        if (cosine > bisected) return add(mesh, v, (1.0 / length(in + out)) * (in + out), distance, gap);
         if (turn > 0.0) return true;  // a convex corner: the rings of its neighbours meet there
-        const point middle = cosine > most_reversed ? in + out : point{in.y - out.y, out.x - in.x};
+        const bool turns_back = cosine <= reversed;
+        const point middle = turns_back ? point{in.y - out.y, out.x - in.x} : in + out;
         return add(mesh, v, (1.0 / length(middle)) * middle, distance, gap) && add(mesh, v, in, distance, gap) &&
                add(mesh, v, out, distance, gap);
     }
