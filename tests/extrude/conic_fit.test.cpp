@@ -103,6 +103,24 @@ TEST_CASE("balanced arcs are few: both halves of an uneven cubic are one arc eac
     }
 }
 
+TEST_CASE("a balanced arc leaves in the direction of its section, and arrives in it", "[extrude][curved]")
+{
+    for (const double leg : {1.0, 4.0, 20.0, 60.0}) {
+        const cubic there{{0, 0}, {leg, 0}, {796, 8}, {796, 8}};
+        for (const curve& c : {curve::from(there), curve::from(cubic{there.p3, there.p2, there.p1, there.p0})}) {
+            const curve_section s = section_of(c, 0.0, 1.0);
+            const grid_point start = on_grid(c.at(0.0));
+            const auto conic = fit_conic(s, start);
+            if (!(conic.weight > 0.0f)) continue;
+            const point control = curve_section::exact(conic.control) - curve_section::exact(start), end = s.p[3];
+            CHECK(dot(control, s.at(1e-3)) > 0.0);
+            CHECK(dot(end - control, end - s.at(0.999)) > 0.0);
+        }
+    }
+    const auto found = curve::from(cubic{{0, 0}, {4, 0}, {796, 8}, {796, 8}});
+    CHECK(fit_conic(section_of(found, 0.0, 1.0), {0, 0}).weight > 0.0f);
+}
+
 TEST_CASE("a cubic that is nearly a circle has a circle's weight", "[extrude][curved]")
 {
     const double k = 0.5522847498307936 * 100.0;

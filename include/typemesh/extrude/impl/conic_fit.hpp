@@ -154,7 +154,8 @@ struct fitted_conic {
 inline constexpr double conic_error = 2.0;
 
 /// Moves the control point along the chord, so that one weight suits both halves of an arc: the greatest error becomes
-/// about a third. At its ends, the arc then only nearly touches the section.
+/// about a third. At its ends, the arc then only nearly touches the section. The control point moves by less than half
+/// of each leg: near an end it could get behind it, and the arc would run backwards from there.
 [[nodiscard]] inline point balanced(const curve_section& s, point control) noexcept
 {
     constexpr double place = 0.19;  // where both halves should agree, so that the error is least between
@@ -166,7 +167,9 @@ inline constexpr double conic_error = 2.0;
     };
     constexpr double step = 0x1p-10;
     const double before = difference(0.0), slope = (difference(step) - before) / step, shift = -before / slope;
-    return shift > -0.0625 && shift < 0.0625 ? control + shift * end : control;
+    if (!(shift > -0.0625 && shift < 0.0625)) return control;
+    const point by = shift * end, leg = end - control;
+    return 4.0 * dot(by, by) < dot(control, control) && 4.0 * dot(by, by) < dot(leg, leg) ? control + by : control;
 }
 
 /// The conic through the ends of a section that touches it there, or nearly. A quadratic's is the quadratic itself. A
