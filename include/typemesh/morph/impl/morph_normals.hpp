@@ -22,8 +22,8 @@ namespace typemesh::inline TYPEMESH_ABI {
 /// basis of the two units turns fastest with log q at q = 1, so the largest turn by a factor r lies between 1/sqrt(r)
 /// and sqrt(r).
 ///
-/// At each key, normals point out of their walls, as those of curve_normals do: a tangent that points against its edge
-/// (the polygon omits a whole hook of the curve there) is replaced by the edge's direction, and a soft normal that would
+/// At each key, normals point out of their walls, by the rules of curve_normals. A tangent that points against its edge
+/// (the polygon omits a whole hook of the curve there) is replaced by the edge's direction. A soft normal that would
 /// point into a wall is replaced by the normalised sum of the walls' own normals. Whether a point is hard depends on
 /// the curves alone.
 class morph_normals {
