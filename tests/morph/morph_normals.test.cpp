@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <typemesh/extrude/impl/wall_normal.hpp>
 #include <typemesh/morph/impl/morph_normals.hpp>
 
 #include <algorithm>
@@ -46,4 +47,36 @@ TEST_CASE("normals at keys are the curves', and between keys they are wrong by a
         CHECK(most >= 0.9 * glyph.normal_error - 1e-4);
         CHECK(glyph.hard == (id == 'o' ? 0u : points.count()));
     }
+}
+
+TEST_CASE("normals at keys point out of their walls, even where chords omit a hook of the curve", "[morph]")
+{
+    test::toy_axis axis;
+    for (const glyph_id id : {glyph_id{'h'}, glyph_id{'o'}, glyph_id{'q'}, glyph_id{'8'}})
+        for (const double crease : {0.0, 15.0, 180.0}) {
+            keyed_outlines outlines;
+            REQUIRE_FALSE(outlines.record(axis, id, std::vector<axis_coordinate>{-16384, 16384}));
+            morph_points points;
+            REQUIRE_FALSE(points.divide(outlines, 150.0, *grid::fitting(1000.0, outlines.bounds())));
+            points.reverse();
+            morph_store store;
+            morph_glyph glyph;
+            REQUIRE_FALSE((morph_normals{outlines, points, crease}.append(store, glyph)));
+            INFO("glyph " << id << ", crease angle " << crease);
+            const std::uint32_t n = points.count();
+            for (std::uint32_t k = 0; k < 2; ++k)
+                for (std::uint32_t i = 0; i < n; ++i) {
+                    const std::uint32_t next = store.corners[i].next;
+                    const point wall = outward(delta(points.places[k * n + i], points.places[k * n + next]));
+                    for (const vec2 normal : {store.normals[2 * (k * n + i) + 1], store.normals[2 * (k * n + next)]}) {
+                        const point at{as_double(normal.x), as_double(normal.y)};
+                        CHECK(std::fabs(length(at) - 1.0) < 1e-6);
+                        CHECK((wall == point{} || dot(at, wall) > -1e-6 * length(wall)));
+                    }
+                }
+            if (id == 'h') {
+                CHECK(n == 4);
+                CHECK(glyph.hard == (crease < 90.0 ? 3u : 0u));  // the first curve begins softly
+            }
+        }
 }

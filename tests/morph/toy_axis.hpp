@@ -26,6 +26,7 @@ namespace test {
 ///
 /// Only drawn:   'l'  a box, which is enormous at 0        '#'  144 boxes with holes, and an 'x'
 ///               '*'  a star of 901 points, whose edges cross nearly all others
+///               'h'  curves that begin with hooks, which coarse chords omit: smoothly after a line, and at -1 only
 ///
 /// 1000 units per em. An advance is 500 + 100 v; below 0 it is 500 + 40 v.
 class toy_axis {
@@ -115,6 +116,13 @@ public:
                 polygon(pen, {{700, 100}, {700 + 0.0, 100 + h}, {700 + h, 100}});
                 break;
             }
+            case 'h':
+                pen.move({0, 0});
+                pen.line({0, 500});
+                pen.quadratic({0, 520}, {400, 300});
+                pen.quadratic({430, 290.0 - 20.0 * v}, {400, 0});
+                pen.close();
+                break;
             case 'q':  // like HarfBuzz, which draws the closing line only if it has a length
                 pen.move({0, 0});
                 pen.line({0, 500});

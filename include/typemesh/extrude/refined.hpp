@@ -99,7 +99,9 @@ private:
 /// meet, a cap can be a few cells narrow, which leaves no room for points. If a refiner of your own adds a point that
 /// would turn a triangle of a slope, the bevel becomes narrower.
 ///
-/// It has the other extruder's parts. All triangles of merged glyphs belong to shared_glyph. A ring of `outlined` and
+/// It has the other extruder's parts. All triangles of merged glyphs belong to shared_glyph. Glyphs are merged if they
+/// meet before they are refined: where the refined outlines alone meet, beyond the chords of a coarse tolerance, the
+/// solids intersect. A ring of `outlined` and
 /// the letter within it are refined one by one, so their common edges get different points.
 ///
 /// solid_plan::kept_triangles counts the triangles that miss the refiner's aim.

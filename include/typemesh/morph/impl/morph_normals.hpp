@@ -3,6 +3,7 @@
 
 #include <typemesh/core/impl/tangent.hpp>
 #include <typemesh/core/point.hpp>
+#include <typemesh/extrude/impl/wall_normal.hpp>
 #include <typemesh/morph/impl/keyed_outlines.hpp>
 #include <typemesh/morph/impl/morph_points.hpp>
 #include <typemesh/morph/impl/morph_store.hpp>
@@ -20,6 +21,11 @@ namespace typemesh::inline TYPEMESH_ABI {
 /// ratio r, the directions differ by at most 2 atan2(sqrt(r) sin a, 1 + sqrt(r) cos a) - a: a vector (1, q) in the
 /// basis of the two units turns fastest with log q at q = 1, so the largest turn by a factor r lies between 1/sqrt(r)
 /// and sqrt(r).
+///
+/// At each key, normals point out of their walls, by the rules of curve_normals. A tangent that points against its edge
+/// (the polygon omits a whole hook of the curve there) is replaced by the edge's direction. A soft normal that would
+/// point into a wall is replaced by the normalised sum of the walls' own normals. Whether a point is hard depends on
+/// the curves alone.
 class morph_normals {
 public:
     morph_normals(const keyed_outlines& outlines, const morph_points& points, double crease_degrees) noexcept
@@ -46,8 +52,8 @@ public:
                 corners[i].hard = is_hard(before, i);
                 glyph.hard += corners[i].hard ? 1u : 0u;
                 for (std::size_t k = 0; k < keys; ++k) {
-                    point a = unit(normal_of(before, true, k)), b = unit(normal_of(i, false, k));
-                    if (!corners[i].hard) a = b = unit(a + b);
+                    point a = normal_of(before, true, k), b = normal_of(i, false, k);
+                    if (!corners[i].hard) a = b = soft({place(before, k), place(i, k), place(next_[i].next, k)}, a, b);
                     normals[2 * (k * n + i)] = {static_cast<float>(a.x), static_cast<float>(a.y)};
                     normals[2 * (k * n + i) + 1] = {static_cast<float>(b.x), static_cast<float>(b.y)};
                 }
@@ -59,10 +65,20 @@ public:
     }
 
 private:
-    static point unit(point p) noexcept
+    /// Three consecutive points of a contour.
+    struct corner {
+        grid_point a, b, c;
+    };
+
+    [[nodiscard]] grid_point place(std::uint32_t at, std::size_t key) const noexcept
     {
-        const double size = length(p);
-        return size > 0.0 ? (1.0 / size) * p : p;
+        return points_.places[key * points_.count() + at];
+    }
+
+    /// The way along an edge at a key, in cells; 0 if its ends meet there.
+    [[nodiscard]] point direction_of(std::uint32_t edge, std::size_t key) const noexcept
+    {
+        return delta(place(edge, key), place(next_[edge].next, key));
     }
 
     /// The direction in which an edge arrives at its end or leaves its start at a key, not of unit length. If its curve
@@ -82,20 +98,29 @@ private:
     [[nodiscard]] point tangent_at(std::uint32_t edge, bool arrives, std::size_t key) const noexcept
     {
         const contour_edge& e = points_.edges[edge];
-        if (points_.is_chord(edge)) {
-            const grid_point* const at = points_.places.data() + key * points_.count();
-            const grid_point p = at[edge], q = at[next_[edge].next];
-            return {static_cast<double>(q.x) - p.x, static_cast<double>(q.y) - p.y};
-        }
+        if (points_.is_chord(edge)) return direction_of(edge, key);
         const bool forth = e.t0 <= e.t1;
         const hodograph h{outlines_.curves(key)[e.curve], forth ? 1.0 : -1.0};
         const tangents t = h.at(as_double(arrives ? e.t1 : e.t0));
         return arrives == forth ? t.before : t.after;
     }
+    /// The unit normal of the wall over an edge, at its end or start.
     [[nodiscard]] point normal_of(std::uint32_t edge, bool arrives, std::size_t key) const noexcept
     {
-        const point t = tangent_of(edge, arrives, key);
-        return {t.y, -t.x};
+        const point along = direction_of(edge, key), t = tangent_of(edge, arrives, key);
+        return unit(outward(along == point{} || dot(t, along) > 0.0 ? t : along));
+    }
+
+    /// The single normal of a soft point. A wall whose ends meet does not count.
+    [[nodiscard]] static point soft(const corner& at, point before, point after) noexcept
+    {
+        const point sum = before + after;
+        const point in = outward(delta(at.a, at.b)), out = outward(delta(at.b, at.c));
+        const bool has_in = !(at.a == at.b), has_out = !(at.b == at.c);
+        const bool out_of_both = (!has_in || dot(sum, in) > 0.0) && (!has_out || dot(sum, out) > 0.0);
+        if (out_of_both && dot(sum, sum) > 0.0) return unit(sum);
+        if (has_in && has_out) return joint_normal(at.a, at.b, at.c, unit(in), unit(out));
+        return has_in ? unit(in) : has_out ? unit(out) : after;
     }
 
     /// Whether the curves meet at an angle above the crease angle, at any key.
