@@ -100,8 +100,8 @@ public:
         for (std::size_t i = 0; i < strips.size(); ++i)
             if ((i != 0 && strips[i].from < low) || strips[i].to < low) return true;
         const std::uint32_t band = is_outward() ? bands - 1 : 0;
-        const auto is_low = [&](std::uint32_t node) noexcept {
-            return height_of({{}, {}, 0.0f, share_of(node, band), 0}, strips) < low;
+        const auto is_low = [&](std::uint32_t at) noexcept {
+            return height_of({{}, {}, 0.0f, share_of(at, band), 0}, strips) < low;
         };
         for (std::size_t c = 0; c + 1 < swept_.cells.size(); ++c) {
             if (swept_.cells[c].band != band || is_frame(swept_.cells[c].edge)) continue;
