@@ -11,10 +11,13 @@
 #include "support/toy_runs.hpp"
 
 #include <typemesh/extrude/bevelled.hpp>
+#include <typemesh/extrude/carved.hpp>
 #include <typemesh/extrude/embolden.hpp>
 #include <typemesh/extrude/outlined.hpp>
+#include <typemesh/extrude/tapered.hpp>
 #include <typemesh/inspect/manifoldness.hpp>
 #include <typemesh/inspect/normal_check.hpp>
+#include <typemesh/outline/svg_path.hpp>
 #include <typemesh/text/flipped_triangles.hpp>
 #include <typemesh/triangulate/constrained_delaunay.hpp>
 #include <typemesh/typemesh.hpp>
@@ -188,6 +191,70 @@ TEST_CASE("steps of a bevel lean, so that those of a ring have two faces an edge
         for (const touching way : {touching::part, touching::join}) check_manifold(mesher.plan(run, {.corners = way}));
     }
     CHECK(crowded > 0);
+}
+
+TEST_CASE("front and back of solids without walls do not meet inside the outline", "[text]")
+{
+    // Contours that cross and touch. Rounding leaves edges of slopes between two points of the outline.
+    const std::vector<const char*> drawings{
+        "M300 400L600 400L600 100L300 100ZM500 400C500 510.45695 455.228475 600 400 600C344.771525 600 300 510.45695 "
+        "300 400C300 289.54305 344.771525 200 400 200C455.228475 200 500 289.54305 500 400Z",
+        "M0 420L120 0L360 300L300 240L60 180L120 420ZM360 240L420 240L420 420L360 420Z",
+        "M600 375C600 499.264 566.421 600 525 600C483.579 600 450 499.264 450 375C450 250.736 483.579 150 525 150C"
+        "566.421 150 600 250.736 600 375ZM450 150L525 300L600 150L525 0ZM450 450L600 450L600 150L450 150Z"};
+    std::size_t walls = 0;
+    const auto check = [&](const auto& how) {
+        for (const char* drawing : drawings) {
+            svg_path outline{drawing, 1000.0};
+            const glyph_run run = test::row_of(0, {0.0});
+            auto mesher = text_mesher{outline}.with(how);
+            const auto kept = test::required(mesher.plan(run, {.merge = true}));
+            CHECK(kept->range(part::side).index_count == 0);
+            for (const touching way : {touching::part, touching::join}) {
+                const auto plan = mesher.plan(run, {.merge = true, .corners = way});
+                check_manifold(plan);
+                walls += plan->range(part::side).index_count;
+            }
+        }
+    };
+    for (const std::uint32_t segments : {1u, 16u})
+        check(bevelled{.width = 0.05f, .bevel_depth = 0.1f, .segments = segments});
+    check(bevelled{.width = 0.05f, .bevel_depth = 0.2f, .sides = bevel_sides::back});
+    check(tapered{});
+    check(tapered{.degrees = 80.0f, .centred = true});
+    check(carved{});
+    check(carved{.max_depth = 0.01f, .as = carving::cutter});
+    CHECK(walls > 0);
+}
+
+TEST_CASE("solids without walls that are not given any report that front and back meet", "[text]")
+{
+    svg_path outline{"M0 420L120 0L360 300L300 240L60 180L120 420ZM360 240L420 240L420 420L360 420Z", 1000.0};
+    const glyph_run run = test::row_of(0, {0.0});
+    const text_options options{.merge = true, .corners = touching::part};
+    const bevelled open{.width = 0.05f, .bevel_depth = 0.1f, .side = false};
+    auto mesher = text_mesher{outline}.with(open);
+    const auto plan = test::required(mesher.plan(run, options));
+    CHECK(plan->report().touching == 1);
+    CHECK(faces_of(*plan).crowded_edges > 0);
+    // A groove has no lid that could meet its slopes, and an ordinary letter needs no wall.
+    auto groove = text_mesher{outline}.with(carved{.as = carving::groove});
+    const auto carved_in = test::required(groove.plan(run, options));
+    CHECK(carved_in->report().touching == 0);
+    CHECK(carved_in->range(part::side).index_count == 0);
+    recorded_outlines plain{1000.0};
+    REQUIRE(plain.add([](auto& pen) { circle(pen, {400, 400}, 400, 1), circle(pen, {430, 400}, 300, -1); }));
+    auto leaning = text_mesher{plain}.with(tapered{});
+    const auto without = leaning.plan(run, options);
+    check_manifold(without);
+    CHECK(without->range(part::side).index_count == 0);
+}
+
+TEST_CASE("corners are parted and joined in tapered and carved letters, and in bevels without walls", "[text]")
+{
+    check_extruder(bevelled{.width = 0.05f, .bevel_depth = 0.1f});
+    check_extruder(tapered{});
+    check_extruder(carved{});
 }
 
 TEST_CASE("corners are parted and joined in letters with outward bevels", "[text]")

@@ -137,14 +137,11 @@ struct bevelled {
             made.narrowed = made.narrowed || reached < 0.5f * (std::max)(width, wanted);
             made.lost_caps = data.swept.lost;
         }
-        // Specks stay at height 0, where bevels that take the whole depth leave no thickness.
-        const bool takes_all = own_heights().rim(true, 0.0f) <= own_heights().rim(false, 0.0f);
-        if (mode != bevel_mode::clip && takes_all && data.swept.lost != 0 && filled.corners() != touching::keep)
-            made.touching = true;
         const auto within = data.of<grid_point>().size();
         const std::uint64_t vertices = data.of<bevel_vertex>().size();
         if (vertices > 0x3FFF'FFFFu || within > 0x3FFF'FFFFu) return error::too_large;
         const bevel_rims& rims = data.of<bevel_rims>()[0];
+        made.touching = made.touching || rims.touches;
         const std::uint64_t of_walls = !side ? 0 : rims.outward ? vertices - rims.vertices : n;
         if (of_walls * segments > 0x3FFF'FFFFu) return error::too_large;
         return made;

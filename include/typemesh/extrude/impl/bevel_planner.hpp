@@ -180,6 +180,8 @@ private:
             rims.outward = true;
         }
         if (error e = vertices.make(levels, scratch)) return e;
+        if (filled.corners() != touching::keep)
+            if (error e = keep_apart(filled, levels, vertices, data, rims, scratch)) return e;
         rims.top =
             data.of<grid_point>().empty() && !rims.has_own_cap(true) ? rims.wall : (std::max)(rims.wall, rims.cap);
         for (const bevel_vertex& v : data.of<bevel_vertex>())
@@ -189,6 +191,35 @@ private:
         if (rims.outward && how_.side && heights_.has_walls(rims.wall))
             if (error e = vertices.add_walls(scratch)) return e;
         return data.of<bevel_rims>().push_back(rims) ? error{} : error{error::out_of_memory};
+    }
+
+    /// Where front and back of a solid without walls would meet inside the outline, gives it low walls instead: all
+    /// that is lower than they are is raised to their end.
+    ///
+    ///     share 0 ____________ both sides        share 0 .____________.      at least four cells for each segment
+    ///              \ ________/                            |\ ________/|
+    error keep_apart(const region& filled, const profile_levels& levels, const bevel_vertices& vertices,
+                     plan_data& data, bevel_rims& rims, workspace::scope& scratch) const noexcept
+    {
+        // Slopes that begin with a riser do not meet, nor does a slope meet a cap that is not drawn.
+        if (levels.view().size() < 2 || levels.view().front().has_riser() || heights_.has_walls(rims.wall)) return {};
+        if ((!heights_.is_bevelled(true) && !how_.front) || (!heights_.is_bevelled(false) && !how_.back)) return {};
+        constexpr double least = 0x1p-20;  // of the depth, which 32-bit floats distinguish from 0
+        const double depth = as_double(how_.bevel_depth) * filled.grid().cells * filled.grid().units_per_em;
+        const double low = (std::max)(least, finest_band / depth);
+        const auto meets = vertices.is_low_inside(static_cast<float>(low), scratch);
+        if (!meets) return meets.error();
+        if (!*meets) return {};
+        const auto wall = static_cast<float>(how_.segments * low);
+        rims.touches = !how_.side || !(wall < 1.0f);
+        if (rims.touches) return {};
+        for (bevel_strip& s : data.of<bevel_strip>()) {
+            s.from = (std::max)(s.from, wall);
+            s.to = (std::max)(s.to, wall);
+        }
+        rims.wall = wall;
+        rims.cap = (std::max)(rims.cap, wall);
+        return {};
     }
 
     [[nodiscard]] part_sizes sizes(const region& filled, std::uint32_t doubled, plan_data& data) const noexcept

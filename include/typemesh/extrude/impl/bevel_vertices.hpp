@@ -3,12 +3,15 @@
 
 #include <typemesh/core/assert.hpp>
 #include <typemesh/core/error.hpp>
+#include <typemesh/core/result.hpp>
 #include <typemesh/core/workspace.hpp>
 #include <typemesh/extrude/impl/bevel_data.hpp>
 #include <typemesh/extrude/impl/bevel_facing.hpp>
 #include <typemesh/extrude/impl/bevel_light.hpp>
+#include <typemesh/extrude/impl/bevel_strips.hpp>
 #include <typemesh/extrude/impl/profile_levels.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -71,6 +74,52 @@ public:
             if (!add_band(k, here, cell)) return error::out_of_memory;
         }
         return finish(0, scratch) ? error{} : error{error::out_of_memory};
+    }
+
+    /// After make(): whether a slope lies at the height of the walls' end somewhere inside the outline, so that a solid
+    /// without walls has an edge with four faces, or a point with two fans, there.
+    ///
+    ///        outline ________________       a node that is no point of the outline lies lower than `low`, or an edge
+    ///               |\ ________/ __/        inside joins two points of the outline, or all three edges of a triangle
+    ///               |_\______/___/          are the outline's
+    ///
+    ///     low     a share of the bevel's depth
+    ///
+    /// Fails  error::out_of_memory
+    /// Cost   O(n)
+    [[nodiscard]] result<bool> is_low_inside(float low, workspace::scope& scratch) const noexcept
+    {
+        const std::size_t n = swept_.nodes.size();
+        auto* const after = scratch.take<std::uint32_t>(n);  // the next node along the outline
+        if (after == nullptr) return error::out_of_memory;
+        std::fill_n(after, n, none);
+        const auto bands = static_cast<std::uint32_t>(swept_.levels.size() - 1), level = is_outward() ? bands : 0;
+        for (std::uint32_t i = swept_.at_level[level]; i < swept_.at_level[level + 1]; ++i)
+            after[swept_.edges_at[i].a] = swept_.edges_at[i].b;
+        const auto strips = data_.of<bevel_strip>().view();
+        for (std::size_t i = 0; i < strips.size(); ++i)
+            if ((i != 0 && strips[i].from < low) || strips[i].to < low) return true;
+        const std::uint32_t band = is_outward() ? bands - 1 : 0;
+        const auto is_low = [&](std::uint32_t at) noexcept {
+            return height_of({{}, {}, 0.0f, share_of(at, band), 0}, strips) < low;
+        };
+        for (std::size_t c = 0; c + 1 < swept_.cells.size(); ++c) {
+            if (swept_.cells[c].band != band || is_frame(swept_.cells[c].edge)) continue;
+            for (std::uint32_t t = swept_.cells[c].first_triangle; t < swept_.cells[c + 1].first_triangle; ++t) {
+                const std::uint32_t at[] = {swept_.triangles[t].a, swept_.triangles[t].b, swept_.triangles[t].c};
+                int of_outline = 0;
+                for (int k = 0; k < 3; ++k) {
+                    const std::uint32_t p = at[k], q = at[(k + 1) % 3];
+                    if (after[p] == none && is_low(p)) return true;
+                    if (after[p] == q || after[q] == p)
+                        ++of_outline;
+                    else if (after[p] != none && after[q] != none)
+                        return true;
+                }
+                if (of_outline == 3) return true;
+            }
+        }
+        return false;
     }
 
     /// Makes walls on the edges at the last level: pairs of vertices, from the back to the front.
