@@ -46,7 +46,7 @@ page=$typemesh_root/docs/benchmarks/web.md
 
 Written by [`examples/web/measure.sh`](../../examples/web/measure.sh): [examples/web](../../examples/web/README.md) beside the native
 program of the same sources (g++, the preset `release`, HarfBuzz from Debian's package), in turns, the least of all times. The module's
-times run from the string to the finished arrays in JavaScript, and those of the native program from UTF-16 on. Every mesh was compared with
+times run from the string to the finished arrays in JavaScript, the native program's from UTF-16 on. Every mesh was compared with
 the native one: to the bit. node optimises the module before it runs, as browsers do after some calls.
 
 EOF
