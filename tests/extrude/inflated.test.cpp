@@ -51,6 +51,18 @@ result<inflated_mesh> inflate(const shapes::shape& s, const inflated& how, infla
 
 double volume_inside(const inflated_mesh& m) { return measure(inspect::mesh_view{m.vertices, indices_of(m)}).volume; }
 
+/// The number of triangles whose corners lie on a line.
+std::size_t without_area(const inflated_mesh& m)
+{
+    std::size_t found = 0;
+    for (const auto& t : m.triangles) {
+        const wide_vec a = wide(m.vertices[t[0]].position),
+                       n = cross(minus(wide(m.vertices[t[1]].position), a), minus(wide(m.vertices[t[2]].position), a));
+        found += !(dot(n, n) > 0.0);
+    }
+    return found;
+}
+
 const inflated forms[] = {{},
                           {.height = 0.4f},
                           {.limit = 0.03f},
@@ -108,6 +120,9 @@ TEST_CASE("front and back of a balloon share no edge, and every vertex belongs t
     // Triangles and a star with tips of a few degrees, and a bar that is a cell or two high, on the grid of 1/512 unit.
     for (const double high : {1.0 / 512, 5.0 / 512, 20.0}) {
         thin.push_back({"bar", {shapes::polygon({{0, 0}, {150, 0}, {150, high}, {0, high}})}, {}, 1});
+        // an arc of a cell or two, whose cap fans out from a point
+        thin.push_back(
+            {"fan", {shapes::polygon({{0, 0}, {150, 0}, {100, high}, {75, 1.1 * high}, {50, high}})}, {}, 1});
         thin.push_back({"needle", {shapes::polygon({{0, 0}, {150, 25}, {0, high}})}, {}, 1});
         thin.push_back(
             {"hourglass",
@@ -125,6 +140,12 @@ TEST_CASE("front and back of a balloon share no edge, and every vertex belongs t
         CHECK(found.open_edges == 0);
         CHECK(found.crowded_edges == 0);
         CHECK(found.bad_triangles == 0);
+        CHECK(without_area(*m) == 0);
+        const auto on_walls = inflate(s, {.edge = 0.08f, .form = inflated_form::dome}, data);
+        REQUIRE(on_walls);
+        const auto walled = indices_of(*on_walls);
+        CHECK(inspect::check_manifoldness(inspect::mesh_view{on_walls->vertices, walled}).is_manifold());
+        CHECK(without_area(*on_walls) == 0);
         std::vector<bool> is_used(m->vertices.size());
         for (const std::uint32_t i : indices) is_used[i] = true;
         CHECK(std::count(is_used.begin(), is_used.end(), false) == 0);

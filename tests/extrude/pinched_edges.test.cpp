@@ -9,7 +9,8 @@
 
 using namespace typemesh;
 
-TEST_CASE("each inner edge of an inflated outline gets a point over its first end", "[extrude]")
+TEST_CASE("inner edges of an inflated outline get points over their first ends, one for edges side by side",
+          "[extrude]")
 {
     // A zigzag without inner points: a strip of 2 n + 2 points, whose edges across and along are inner but for the rim.
     for (const std::uint32_t n : {1u, 2u, 7u}) {
@@ -29,21 +30,25 @@ TEST_CASE("each inner edge of an inflated outline gets a point over its first en
             REQUIRE(triangles.push_back({i, i + 1, rim - 1 - i}));
             REQUIRE(triangles.push_back({i + 1, rim - 2 - i, rim - 1 - i}));
         }
-        const std::size_t inner = 2 * n - 1, before = triangles.size();
+        // Edge by edge along the strip, two and two have the same first end.
+        const std::size_t added = n, before = triangles.size();
         detail::pinched_edges pinches;
         REQUIRE(pinches(loops, rim, triangles, membrane));
-        CHECK(loops.points.size() == rim + inner);
-        CHECK(membrane.size() == rim + inner);
-        CHECK(triangles.size() == before + 2 * inner);
+        CHECK(loops.points.size() == rim + added);
+        CHECK(membrane.size() == rim + added);
+        CHECK(triangles.size() == before + 2 * added);
         // No edge joins two points of the outline but the outline's own, and each of these once.
         std::map<std::pair<std::uint32_t, std::uint32_t>, int> edges;
         std::int64_t area = 0;
-        std::size_t turned = 0;
+        std::size_t turned = 0, upright = 0, without_area = 0;
         for (const triangle t : triangles) {
             for (const auto& e : {std::pair{t.a, t.b}, std::pair{t.b, t.c}, std::pair{t.c, t.a}}) ++edges[e];
             const std::int64_t own = orientation(loops.points[t.a], loops.points[t.b], loops.points[t.c]);
             area += own;
             turned += own < 0;
+            upright += own == 0;
+            const grid_point a = loops.points[t.a], b = loops.points[t.b], c = loops.points[t.c];
+            without_area += a == b && b == c;
         }
         std::size_t on_rim = 0;
         for (const auto& [e, count] : edges) {
@@ -58,6 +63,8 @@ TEST_CASE("each inner edge of an inflated outline gets a point over its first en
         CHECK(on_rim == rim);
         CHECK(area == 200 * std::int64_t{n});
         CHECK(turned == 0);
+        CHECK(upright == 2 * added);
+        CHECK(without_area == 0);
         // Their heights are tiny, and no two are equal.
         std::map<float, int> heights;
         for (std::size_t i = rim; i < membrane.size(); ++i) {
@@ -65,6 +72,6 @@ TEST_CASE("each inner edge of an inflated outline gets a point over its first en
             CHECK(membrane[i].height < 1e-5f);
             ++heights[membrane[i].height];
         }
-        CHECK(heights.size() == inner);
+        CHECK(heights.size() == added);
     }
 }

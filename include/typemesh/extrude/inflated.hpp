@@ -105,7 +105,7 @@ struct inflated {
         auto made = data.plan(surface(),
                               region::proven(data.loops, filled.holes(), filled.outers(), filled.is_touching()), caps);
         if (!made) return made;
-        if (!data.loops.points.append(data.inner.view()) || !collect(data, rim)) return error::out_of_memory;
+        if (!data.loops.points.append(data.inner.view()) || !collect(data, rim, form)) return error::out_of_memory;
         for (const part p : {part::front, part::back}) {
             if (!(p == part::front ? front : back)) continue;
             made->sizes.vertices[p] = static_cast<std::uint32_t>(data.loops.points.size());
@@ -166,15 +166,16 @@ private:
 
     /// The membrane's points in the order of the solid's, and those that the outline needs besides. False if out of
     /// memory.
-    [[nodiscard]] static bool collect(plan_data& data, std::size_t rim) noexcept
+    [[nodiscard]] static bool collect(plan_data& data, std::size_t rim, inflated_form form) noexcept
     {
         buffer<membrane_point>& all = data.data.of<membrane_point>();
         const auto sides = data.data.of<side_point>().view();
         for (const side_point& s : sides)
             if (!all.push_back({0.0f, {-s.before.x, -s.before.y}})) return false;
-        if (!all.append(data.working.points()) || !data.pinches(data.loops, rim, data.triangles, all) ||
-            !data.corners(data.loops, rim, sides, data.triangles, all))
-            return false;
+        if (!all.append(data.working.points())) return false;
+        // The front and the flat back of a dome share no edge.
+        if (form == inflated_form::balloon && !data.pinches(data.loops, rim, data.triangles, all)) return false;
+        if (!data.corners(data.loops, rim, sides, data.triangles, all)) return false;
         membrane_top top;
         for (const membrane_point& m : all) top.height = m.height > top.height ? m.height : top.height;
         return data.data.of<membrane_top>().push_back(top);

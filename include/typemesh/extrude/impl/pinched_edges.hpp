@@ -21,6 +21,9 @@ namespace typemesh::inline TYPEMESH_ABI::detail {
 ///       i ----- j    -->    i -- m --- j       m i l are upright; m j k and j m l replace i j k and j i l.
 ///         \   /                   \ | /
 ///           l                       l
+///
+/// Pinched edges that leave i side by side share one m, which takes the place of i in the triangles between them: with
+/// two, the triangle of i and both would have no area.
 class pinched_edges {
 public:
     explicit pinched_edges(memory source = heap()) noexcept : first_{source}, found_{source} {}
@@ -33,15 +36,22 @@ public:
                                   buffer<membrane_point>& membrane) noexcept
     {
         if (!find(loops.starts.view(), rim, triangles.view())) return false;
+        if (found_.empty()) return true;
+        for (triangle& t : triangles) join_two(t);
         std::uint32_t number = 0;
-        for (pinch& p : found_) {
-            p.middle = static_cast<std::uint32_t>(loops.points.size());
+        for (std::uint32_t p = 0; p < found_.size(); ++p) {
+            if (found_[p].shared != p) continue;
+            found_[p].middle = static_cast<std::uint32_t>(loops.points.size());
             const float height = static_cast<float>(++number) * 0x1p-22f;
-            if (!loops.points.push_back(loops.points[p.low]) || !membrane.push_back({height, {}})) return false;
+            if (!loops.points.push_back(loops.points[found_[p].low]) || !membrane.push_back({height, {}})) return false;
         }
-        for (std::size_t t = 0; !found_.empty() && t < triangles.size(); ++t)
-            while (const pinch* p = pinch_of(triangles[t]))
-                if (!divide(triangles, t, p->middle)) return false;
+        for (std::uint32_t p = 0; p < found_.size(); ++p) found_[p].middle = found_[root(p)].middle;
+        for (std::size_t t = 0; t < triangles.size(); ++t) {
+            const std::uint32_t two = join_two(triangles[t]);
+            if (two != none) triangles[t].a = found_[two].middle;
+            for (std::uint32_t p = pinch_of(triangles[t]); p != none; p = pinch_of(triangles[t]))
+                if (!divide(triangles, t, found_[p].middle)) return false;
+        }
         return true;
     }
 
@@ -53,6 +63,7 @@ private:
         std::uint32_t low, high;  ///< its points' numbers
         std::uint32_t next;       ///< the next pinch with the same first point
         std::uint32_t middle;     ///< the new point
+        std::uint32_t shared;     ///< a pinch with the same new point; itself: it is the one that makes the point
     };
 
     /// Lists the pinched edges. False if out of memory.
@@ -72,7 +83,7 @@ private:
             // Each inner edge occurs in both directions.
             if (i >= j || j >= rim || after[i] == j || after[j] == i) return true;
             const auto number = static_cast<std::uint32_t>(found_.size());
-            if (!found_.push_back({i, j, first_[rim + i], 0})) return false;
+            if (!found_.push_back({i, j, first_[rim + i], 0, number})) return false;
             first_[rim + i] = number;
             return true;
         };
@@ -81,17 +92,43 @@ private:
         return true;
     }
 
-    /// Turns a triangle until its first edge is pinched. Null if none is.
-    [[nodiscard]] const pinch* pinch_of(triangle& t) const noexcept
+    /// The pinch of an edge, or none.
+    [[nodiscard]] std::uint32_t pinch_between(std::uint32_t i, std::uint32_t j) const noexcept
     {
         const std::size_t rim = first_.size() / 2;
-        for (int turn = 0; turn < 3; ++turn, t = {t.b, t.c, t.a}) {
-            const std::uint32_t low = t.a < t.b ? t.a : t.b, high = t.a < t.b ? t.b : t.a;
-            if (high >= rim) continue;
-            for (std::uint32_t k = first_[rim + low]; k != none; k = found_[k].next)
-                if (found_[k].high == high) return &found_[k];
-        }
-        return nullptr;
+        const std::uint32_t low = i < j ? i : j, high = i < j ? j : i;
+        if (high >= rim) return none;
+        std::uint32_t p = first_[rim + low];
+        while (p != none && found_[p].high != high) p = found_[p].next;
+        return p;
+    }
+
+    /// Turns a triangle until its first edge is pinched, and returns the pinch. None if no edge is.
+    [[nodiscard]] std::uint32_t pinch_of(triangle& t) const noexcept
+    {
+        for (int turn = 0; turn < 3; ++turn, t = {t.b, t.c, t.a})
+            if (const std::uint32_t p = pinch_between(t.a, t.b); p != none) return p;
+        return none;
+    }
+
+    /// If two pinched edges leave the lowest point of a triangle, turns the triangle until that point is the first, has
+    /// both share their new point, and returns one of them. Else none.
+    std::uint32_t join_two(triangle& t) noexcept
+    {
+        triangle turned = t;
+        while (turned.a > turned.b || turned.a > turned.c) turned = {turned.b, turned.c, turned.a};
+        const std::uint32_t p = pinch_between(turned.a, turned.b), q = pinch_between(turned.a, turned.c);
+        if (p == none || q == none) return none;
+        t = turned;
+        const std::uint32_t one = root(p), other = root(q);
+        found_[one > other ? one : other].shared = one > other ? other : one;
+        return p;
+    }
+
+    [[nodiscard]] std::uint32_t root(std::uint32_t p) noexcept
+    {
+        for (; found_[p].shared != p; p = found_[p].shared) found_[p].shared = found_[found_[p].shared].shared;
+        return p;
     }
 
     /// Divides a triangle at the middle of its first edge. False if out of memory.
