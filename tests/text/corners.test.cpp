@@ -250,13 +250,6 @@ TEST_CASE("solids without walls that are not given any report that front and bac
     CHECK(without->range(part::side).index_count == 0);
 }
 
-TEST_CASE("corners are parted and joined in tapered and carved letters, and in bevels without walls", "[text]")
-{
-    check_extruder(bevelled{.width = 0.05f, .bevel_depth = 0.1f});
-    check_extruder(tapered{});
-    check_extruder(carved{});
-}
-
 TEST_CASE("corners are parted and joined in letters with outward bevels", "[text]")
 {
     check_extruder(bevelled{.width = 0.01f, .outward = true});

@@ -48,6 +48,9 @@ namespace typemesh::inline TYPEMESH_ABI {
 /// If a glyph's bevel is not proven simple at its full width, it becomes narrower. The plan reports this as
 /// solid_plan::narrowed. It also reports bevels that had to be less than half as wide to fit.
 ///
+/// With text_options::corners, a solid without walls gets walls of four cells a segment if front and back would meet
+/// inside its outline. If `side` is false, the plan reports this as solid_plan::touching instead.
+///
 /// The normals are the normals of the contour's curves (curve_normals), tilted by the profile's slope. They do not
 /// change along the path of an edge inwards. In em mapping, u is the u of the walls and does not change on this path
 /// either; v continues along the length of the profile.
