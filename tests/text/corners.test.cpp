@@ -153,13 +153,14 @@ constexpr const char* crossing_drawings[] = {
     "M600 375C600 499.264 566.421 600 525 600C483.579 600 450 499.264 450 375C450 250.736 483.579 150 525 150C"
     "566.421 150 600 250.736 600 375ZM450 150L525 300L600 150L525 0ZM450 450L600 450L600 150L450 150Z"};
 
-constexpr float root = 0.70710678f;
-constexpr frame slanted{.right = {root, root, 0}, .up = {-0.5f, 0.5f, root}, .toward = {0.5f, -0.5f, root}};
+constexpr float half_root = 0.70710678f;
+constexpr frame slanted_frame{
+    .right = {half_root, half_root, 0}, .up = {-0.5f, 0.5f, half_root}, .toward = {0.5f, -0.5f, half_root}};
 
 constexpr bevelled meeting_bevels{.width = 0.05f, .bevel_depth = 0.1f};
 
 template <class Font, class Extruder>
-double volume_of(Font& font, const Extruder& how, const text_options& options)
+double volume_with(Font& font, const Extruder& how, const text_options& options)
 {
     const glyph_run run = test::row_of(0, {0.0});
     auto mesher = text_mesher{font}.with(how);
@@ -171,7 +172,8 @@ double volume_of(Font& font, const Extruder& how, const text_options& options)
 template <class Font, class Extruder>
 std::size_t low_walls_of(Font& font, const Extruder& how, text_options options = {.merge = true})
 {
-    const glyph_run run = test::row_of(0, {0.0});
+    glyph_run run = test::row_of(0, {0.0});
+    run.units_per_em = font.units_per_em();
     auto mesher = text_mesher{font}.with(how);
     const auto kept = test::required(mesher.plan(run, options));
     CHECK(kept->range(part::side).index_count == 0);
@@ -193,11 +195,11 @@ void check_added_volume(Font& font, bevelled slopes, const Bend& bend, double st
     const double low = slopes.segments * (std::max)(cells, 0x1p-20 * as_double(slopes.bevel_depth));
     for (const touching way : {touching::part, touching::join}) {
         const text_options options{.merge = true, .corners = way};
-        const double area = volume_of(font, extruded<>{.depth = 1.0f}, options);
+        const double area = volume_with(font, extruded<>{.depth = 1.0f}, options);
         slopes.side = true;
-        const double volume = volume_of(font, bend(slopes), options);
+        const double volume = volume_with(font, bend(slopes), options);
         slopes.side = false;  // without walls it is closed as well, but not raised
-        const double added = volume - volume_of(font, bend(slopes), options);
+        const double added = volume - volume_with(font, bend(slopes), options);
         CHECK(added > 0.0);
         CHECK(added < stretch * ends * low * area);
     }
@@ -287,7 +289,7 @@ TEST_CASE("low walls stand in drawings that are turned and mirrored, and in ever
         for (const char* drawing : crossing_drawings) {
             svg_path outline{drawing, 1000.0};
             transformed_outlines<svg_path> font{outline, turned};
-            for (const frame& f : {right_handed_y_up, left_handed_y_up, slanted})
+            for (const frame& f : {right_handed_y_up, left_handed_y_up, slanted_frame})
                 walls += low_walls_of(font, meeting_bevels, {.frame = f, .merge = true});
             walls += low_walls_of(font, tapered{});
         }
@@ -306,6 +308,21 @@ TEST_CASE("low walls are bent with their solids", "[text][bent]")
     check(meeting_bevels, [](const bevelled& b) { return bent<on_cylinder, bevelled>{b, {.radius = 0.7}}; });
     check(meeting_bevels, [](const bevelled& b) { return bent<twist, bevelled>{b, {.degrees_per_em = 40.0}}; });
     check(tapered{}.walls(), [](const bevelled& b) { return bent<on_cylinder, bevelled>{b, {.radius = -0.7}}; });
+}
+
+TEST_CASE("slopes that end outside the letter have low walls where they are low inside", "[text]")
+{
+    // Slopes meet in the gaps between its parts.
+    svg_path drawing{
+        "M702 563Q479 563 393 512Q307 461 307 338Q307 240 371.5 182.5Q436 125 547 125Q700 125 792.5 233.5Q885 342 885 "
+        "522L885 563ZM1069 639L1069 0L885 0L885 170Q822 68 728 19.5Q634 -29 498 -29Q326 -29 224.5 67.5Q123 164 123 326"
+        "Q123 515 249.5 611Q376 707 627 707L885 707L885 725Q885 852 801.5 921.5Q718 991 567 991Q471 991 380 968"
+        "Q289 945 205 899L205 1069Q306 1108 401 1127.5Q496 1147 586 1147Q829 1147 949 1021Q1069 895 1069 639Z"
+        "M489 1516L693 1516L693 1311L489 1311ZM293 1780L891 1780L891 1632L293 1632Z",
+        2048.0};
+    transformed_outlines<svg_path> letter{drawing, affine{.yy = -1}};
+    CHECK(low_walls_of(letter, bevelled{.width = 0.04f, .bevel_depth = 0.1f, .outward = true}, {}) > 0);
+    CHECK(low_walls_of(letter, bevelled{.width = 0.03f, .bevel_depth = 0.1f, .outward = true}, {}) == 0);
 }
 
 TEST_CASE("solids without walls that are not given any report that front and back meet", "[text]")
@@ -376,7 +393,7 @@ TEST_CASE("edges have two faces wherever a letter stands, in every unit and fram
     for (const point from :
          {point{}, point{-3, 7}, point{100, -60}, point{1500, 0.3}, point{-1000, 2000}, point{15000, 0}}) {
         const glyph_run run = all_of(font, 1.37, from);
-        for (const auto& at : {right_handed_y_up, left_handed_y_up, right_handed_z_up, slanted})
+        for (const auto& at : {right_handed_y_up, left_handed_y_up, right_handed_z_up, slanted_frame})
             for (const output_unit unit :
                  {output_unit::em, output_unit::font_units, output_unit::pixels, output_unit::unit_box}) {
                 const bool far = std::fabs(from.x) > 500.0;
