@@ -89,6 +89,40 @@ std::vector<point> regular(std::uint32_t n, double radius)
 
 constexpr bevel_vertices::sharing everything_near{0.966, 512.0};
 
+const std::vector<triangle> pyramid{{0, 1, 4}, {1, 2, 4}, {2, 3, 4}, {3, 0, 4}};
+
+/// Slopes over a square of 2000 cells, 1024 wide, whose points from the fifth on lie inside at these distances. Whether
+/// they are low inside.
+bool is_low(const std::vector<swept_node>& inside, const std::vector<triangle>& triangles, float low,
+            const profile_points& profile = {{0, 0}, {1, 1}})
+{
+    roof square{{{-1000, -1000}, {1000, -1000}, {1000, 1000}, {-1000, 1000}}, 1024.0};
+    swept_region& swept = square.data.swept;
+    swept.nodes.truncate(4);
+    swept.cells.clear();
+    swept.triangles.clear();
+    for (const swept_node& n : inside) REQUIRE(swept.nodes.push_back(n));
+    for (std::uint32_t i = 0; i < 4; ++i)
+        REQUIRE((swept.edges_at.push_back({i, i, (i + 1) % 4}) && swept.cells.push_back({i, 0, i == 0 ? 0u : 4u})));
+    for (const triangle& t : triangles) REQUIRE(swept.triangles.push_back(t));
+    for (std::size_t c = 1; c < 4; ++c) swept.cells[c].first_triangle = static_cast<std::uint32_t>(triangles.size());
+    REQUIRE((swept.cells.push_back({0, 0, static_cast<std::uint32_t>(triangles.size())}) &&
+             swept.at_level.push_back(0) && swept.at_level.push_back(4) && swept.at_level.push_back(4)));
+    const region r = square.made();
+    REQUIRE(plan_sides(r, curve_normals{}, texture_mapping::em, square.data.of<side_point>()));
+    const profile_levels levels{profile, {1024.0, 1024.0, 0.0}};
+    REQUIRE(add_strips(levels, 30.0f, bevel_shading::by_slope, square.data.of<bevel_strip>()));
+    workspace space;
+    workspace::scope scratch{space};
+    bevel_light light{em_mapping::after_seam};
+    REQUIRE(light.prepare(r, square.data.of<side_point>().view(), swept, scratch));
+    bevel_vertices vertices{square.data, light, everything_near};
+    REQUIRE_FALSE(vertices.make(levels, scratch));
+    const auto found = vertices.is_low_inside(low, scratch);
+    REQUIRE(found);
+    return *found;
+}
+
 }  // namespace
 
 TEST_CASE("a bevel has one triangle for each of the sweep's, and two for each edge at a riser", "[bevel_vertices]")
@@ -184,4 +218,32 @@ TEST_CASE("a vertex's normal is less than 90 degrees off its faces at every crea
             if (degrees > 120.0 && n > 4) CHECK(vertices.size() < 3 * n);  // and yet they do share
         }
     }
+}
+
+TEST_CASE("slopes are low inside where a node is lower than asked, and not where it is as low", "[bevel_vertices]")
+{
+    constexpr float share = 0x1p-8f;  // of 1024 cells: a height of four
+    CHECK_FALSE(is_low({{{0, 0}, 4.0f}}, pyramid, share));
+    CHECK(is_low({{{0, 0}, std::nextafter(4.0f, 0.0f)}}, pyramid, share));
+    CHECK(is_low({{{0, 0}, 4.0f}}, pyramid, std::nextafter(share, 1.0f)));
+    CHECK_FALSE(is_low({{{0, 0}, 1024.0f}}, pyramid, 1.0f));
+    CHECK(is_low({{{0, 0}, 0.0f}}, pyramid, 0x1p-20f));
+}
+
+TEST_CASE("slopes are low inside where an edge of theirs joins two points of the outline", "[bevel_vertices]")
+{
+    const std::vector<swept_node> two{{{300, -300}, 700.0f}, {{-300, 300}, 700.0f}};
+    constexpr float share = 0x1p-8f;
+    // From 0 to 2 between the nodes, or none: from one node to the other.
+    CHECK(is_low(two, {{0, 1, 4}, {1, 2, 4}, {2, 0, 4}, {2, 3, 5}, {3, 0, 5}, {0, 2, 5}}, share));
+    CHECK_FALSE(is_low(two, {{0, 1, 4}, {1, 2, 4}, {2, 5, 4}, {2, 3, 5}, {3, 0, 5}, {0, 4, 5}}, share));
+    CHECK(is_low({}, {{0, 1, 2}, {0, 2, 3}}, share));
+}
+
+TEST_CASE("slopes are low inside if their profile returns to the outline's height", "[bevel_vertices]")
+{
+    const auto is_low_with = [&](float h) { return is_low({{{0, 0}, 1000.0f}}, pyramid, 0x1p-8f, {{0, 0}, {1, h}}); };
+    CHECK_FALSE(is_low_with(1.0f));
+    CHECK_FALSE(is_low_with(0x1p-7f));
+    CHECK(is_low_with(0x1p-9f));
 }

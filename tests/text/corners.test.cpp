@@ -10,21 +10,28 @@
 #include "support/required.hpp"
 #include "support/toy_runs.hpp"
 
+#include <typemesh/bend/on_cylinder.hpp>
+#include <typemesh/bend/twist.hpp>
+#include <typemesh/extrude/bent.hpp>
 #include <typemesh/extrude/bevelled.hpp>
 #include <typemesh/extrude/carved.hpp>
 #include <typemesh/extrude/embolden.hpp>
 #include <typemesh/extrude/outlined.hpp>
 #include <typemesh/extrude/tapered.hpp>
 #include <typemesh/inspect/manifoldness.hpp>
+#include <typemesh/inspect/mesh_measure.hpp>
 #include <typemesh/inspect/normal_check.hpp>
 #include <typemesh/outline/svg_path.hpp>
+#include <typemesh/outline/transformed_outlines.hpp>
 #include <typemesh/text/flipped_triangles.hpp>
 #include <typemesh/triangulate/constrained_delaunay.hpp>
 #include <typemesh/typemesh.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <random>
+#include <type_traits>
 #include <vector>
 
 using namespace typemesh;
@@ -53,7 +60,7 @@ void circle(auto& pen, point at, double r, double turn)
     pen.close();
 }
 
-constexpr glyph_id two_squares = 0, ring = 1, hole_at_wall = 2, circles = 3, checkerboard = 4, first_random = 5;
+constexpr glyph_id two_squares = 0, checkerboard = 4;
 constexpr glyph_id random_glyphs = 24;
 
 /// A font of drawings that touch themselves. Everything in it is 1 em wide.
@@ -138,6 +145,66 @@ void check_extruder(const Extruder& how)
     }
 }
 
+/// Contours that cross and touch. Rounding leaves edges of slopes between two points of their outline.
+constexpr const char* crossing_drawings[] = {
+    "M300 400L600 400L600 100L300 100ZM500 400C500 510.45695 455.228475 600 400 600C344.771525 600 300 510.45695 "
+    "300 400C300 289.54305 344.771525 200 400 200C455.228475 200 500 289.54305 500 400Z",
+    "M0 420L120 0L360 300L300 240L60 180L120 420ZM360 240L420 240L420 420L360 420Z",
+    "M600 375C600 499.264 566.421 600 525 600C483.579 600 450 499.264 450 375C450 250.736 483.579 150 525 150C"
+    "566.421 150 600 250.736 600 375ZM450 150L525 300L600 150L525 0ZM450 450L600 450L600 150L450 150Z"};
+
+constexpr float half_root = 0.70710678f;
+constexpr frame slanted_frame{
+    .right = {half_root, half_root, 0}, .up = {-0.5f, 0.5f, half_root}, .toward = {0.5f, -0.5f, half_root}};
+
+constexpr bevelled meeting_bevels{.width = 0.05f, .bevel_depth = 0.1f};
+
+template <class Font, class Extruder>
+double volume_with(Font& font, const Extruder& how, const text_options& options)
+{
+    const glyph_run run = test::row_of(0, {0.0});
+    auto mesher = text_mesher{font}.with(how);
+    const auto plan = test::required(mesher.plan(run, options));
+    return inspect::measure(test::written(*plan).view()).volume;
+}
+
+/// Checks a solid that has no walls while corners are kept. Returns the number of triangles of its low walls.
+template <class Font, class Extruder>
+std::size_t low_walls_of(Font& font, const Extruder& how, text_options options = {.merge = true})
+{
+    glyph_run run = test::row_of(0, {0.0});
+    run.units_per_em = font.units_per_em();
+    auto mesher = text_mesher{font}.with(how);
+    const auto kept = test::required(mesher.plan(run, options));
+    CHECK(kept->range(part::side).index_count == 0);
+    std::size_t walls = 0;
+    for (const touching way : {touching::part, touching::join}) {
+        options.corners = way;
+        const auto plan = mesher.plan(run, options);
+        check_manifold(plan);
+        walls += plan->range(part::side).index_count / 3;
+    }
+    return walls;
+}
+
+/// Low walls add to a solid what is lower than their end, and nothing else. `bend` makes the solid of its bevels.
+template <class Font, class Bend>
+void check_added_volume(Font& font, bevelled slopes, const Bend& bend, double stretch)
+{
+    const double ends = slopes.sides == bevel_sides::both ? 2.0 : 1.0, cells = 4.0 / 512000.0;
+    const double low = slopes.segments * (std::max)(cells, 0x1p-20 * as_double(slopes.bevel_depth));
+    for (const touching way : {touching::part, touching::join}) {
+        const text_options options{.merge = true, .corners = way};
+        const double area = volume_with(font, extruded<>{.depth = 1.0f}, options);
+        slopes.side = true;
+        const double volume = volume_with(font, bend(slopes), options);
+        slopes.side = false;  // without walls it is closed as well, but not raised
+        const double added = volume - volume_with(font, bend(slopes), options);
+        CHECK(added > 0.0);
+        CHECK(added < stretch * ends * low * area);
+    }
+}
+
 }  // namespace
 
 TEST_CASE("without the option letters that touch themselves have edges with four faces", "[text]")
@@ -195,36 +262,67 @@ TEST_CASE("steps of a bevel lean, so that those of a ring have two faces an edge
 
 TEST_CASE("front and back of solids without walls do not meet inside the outline", "[text]")
 {
-    // Contours that cross and touch. Rounding leaves edges of slopes between two points of the outline.
-    const std::vector<const char*> drawings{
-        "M300 400L600 400L600 100L300 100ZM500 400C500 510.45695 455.228475 600 400 600C344.771525 600 300 510.45695 "
-        "300 400C300 289.54305 344.771525 200 400 200C455.228475 200 500 289.54305 500 400Z",
-        "M0 420L120 0L360 300L300 240L60 180L120 420ZM360 240L420 240L420 420L360 420Z",
-        "M600 375C600 499.264 566.421 600 525 600C483.579 600 450 499.264 450 375C450 250.736 483.579 150 525 150C"
-        "566.421 150 600 250.736 600 375ZM450 150L525 300L600 150L525 0ZM450 450L600 450L600 150L450 150Z"};
-    std::size_t walls = 0;
     const auto check = [&](const auto& how) {
-        for (const char* drawing : drawings) {
+        for (const char* drawing : crossing_drawings) {
             svg_path outline{drawing, 1000.0};
-            const glyph_run run = test::row_of(0, {0.0});
-            auto mesher = text_mesher{outline}.with(how);
-            const auto kept = test::required(mesher.plan(run, {.merge = true}));
-            CHECK(kept->range(part::side).index_count == 0);
-            for (const touching way : {touching::part, touching::join}) {
-                const auto plan = mesher.plan(run, {.merge = true, .corners = way});
-                check_manifold(plan);
-                walls += plan->range(part::side).index_count;
-            }
+            CHECK(low_walls_of(outline, how) > 0);
+            if constexpr (std::is_same_v<decltype(how), const bevelled&>)
+                check_added_volume(outline, how, [](const bevelled& slopes) { return slopes; }, 1.0);
         }
     };
     for (const std::uint32_t segments : {1u, 16u})
         check(bevelled{.width = 0.05f, .bevel_depth = 0.1f, .segments = segments});
     check(bevelled{.width = 0.05f, .bevel_depth = 0.2f, .sides = bevel_sides::back});
+    check(bevelled{.depth = 4096.0f, .width = 0.05f, .bevel_depth = 2048.0f});  // where floats lose four cells
     check(tapered{});
     check(tapered{.degrees = 80.0f, .centred = true});
     check(carved{});
     check(carved{.max_depth = 0.01f, .as = carving::cutter});
+}
+
+TEST_CASE("low walls stand in drawings that are turned and mirrored, and in every frame", "[text]")
+{
+    std::size_t walls = 0;
+    for (const affine& turned :
+         {affine{.xx = 0, .xy = -1, .yx = 1, .yy = 0}, affine{.xx = -1, .yy = -1}, affine{.xx = -1},
+          affine{.xx = 0, .xy = 1, .yx = 1, .yy = 0}, affine{.xx = 0.8, .xy = -0.6, .yx = 0.6, .yy = 0.8}})
+        for (const char* drawing : crossing_drawings) {
+            svg_path outline{drawing, 1000.0};
+            transformed_outlines<svg_path> font{outline, turned};
+            for (const frame& f : {right_handed_y_up, left_handed_y_up, slanted_frame})
+                walls += low_walls_of(font, meeting_bevels, {.frame = f, .merge = true});
+            walls += low_walls_of(font, tapered{});
+        }
     CHECK(walls > 0);
+}
+
+TEST_CASE("low walls are bent with their solids", "[text][bent]")
+{
+    const auto check = [](const bevelled& slopes, const auto& bend) {
+        for (const char* drawing : crossing_drawings) {
+            svg_path outline{drawing, 1000.0};
+            CHECK(low_walls_of(outline, bend(slopes)) > 0);
+            check_added_volume(outline, slopes, bend, 2.0);
+        }
+    };
+    check(meeting_bevels, [](const bevelled& b) { return bent<on_cylinder, bevelled>{b, {.radius = 0.7}}; });
+    check(meeting_bevels, [](const bevelled& b) { return bent<twist, bevelled>{b, {.degrees_per_em = 40.0}}; });
+    check(tapered{}.walls(), [](const bevelled& b) { return bent<on_cylinder, bevelled>{b, {.radius = -0.7}}; });
+}
+
+TEST_CASE("slopes that end outside the letter have low walls where they are low inside", "[text]")
+{
+    // Slopes meet in the gaps between its parts.
+    svg_path drawing{
+        "M702 563Q479 563 393 512Q307 461 307 338Q307 240 371.5 182.5Q436 125 547 125Q700 125 792.5 233.5Q885 342 885 "
+        "522L885 563ZM1069 639L1069 0L885 0L885 170Q822 68 728 19.5Q634 -29 498 -29Q326 -29 224.5 67.5Q123 164 123 326"
+        "Q123 515 249.5 611Q376 707 627 707L885 707L885 725Q885 852 801.5 921.5Q718 991 567 991Q471 991 380 968"
+        "Q289 945 205 899L205 1069Q306 1108 401 1127.5Q496 1147 586 1147Q829 1147 949 1021Q1069 895 1069 639Z"
+        "M489 1516L693 1516L693 1311L489 1311ZM293 1780L891 1780L891 1632L293 1632Z",
+        2048.0};
+    transformed_outlines<svg_path> letter{drawing, affine{.yy = -1}};
+    CHECK(low_walls_of(letter, bevelled{.width = 0.04f, .bevel_depth = 0.1f, .outward = true}, {}) > 0);
+    CHECK(low_walls_of(letter, bevelled{.width = 0.03f, .bevel_depth = 0.1f, .outward = true}, {}) == 0);
 }
 
 TEST_CASE("solids without walls that are not given any report that front and back meet", "[text]")
@@ -292,12 +390,10 @@ TEST_CASE("edges have two faces wherever a letter stands, in every unit and fram
 {
     const recorded_outlines font = touching_font(2);
     auto mesher = text_mesher{font};
-    constexpr float s = 0.70710678f;
-    const frame slanted{.right = {s, s, 0}, .up = {-0.5f, 0.5f, s}, .toward = {0.5f, -0.5f, s}};
     for (const point from :
          {point{}, point{-3, 7}, point{100, -60}, point{1500, 0.3}, point{-1000, 2000}, point{15000, 0}}) {
         const glyph_run run = all_of(font, 1.37, from);
-        for (const auto& at : {right_handed_y_up, left_handed_y_up, right_handed_z_up, slanted})
+        for (const auto& at : {right_handed_y_up, left_handed_y_up, right_handed_z_up, slanted_frame})
             for (const output_unit unit :
                  {output_unit::em, output_unit::font_units, output_unit::pixels, output_unit::unit_box}) {
                 const bool far = std::fabs(from.x) > 500.0;

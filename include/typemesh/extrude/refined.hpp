@@ -101,8 +101,8 @@ private:
 ///
 /// It has the other extruder's parts. All triangles of merged glyphs belong to shared_glyph. Glyphs are merged if they
 /// meet before they are refined: where the refined outlines alone meet, beyond the chords of a coarse tolerance, the
-/// solids intersect. A ring of `outlined` and
-/// the letter within it are refined one by one, so their common edges get different points.
+/// solids intersect. A ring of `outlined` and the letter within it are refined one by one, so their common edges get
+/// different points.
 ///
 /// solid_plan::kept_triangles counts the triangles that miss the refiner's aim.
 ///

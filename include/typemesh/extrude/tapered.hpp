@@ -30,9 +30,8 @@ namespace typemesh::inline TYPEMESH_ABI {
 ///
 /// A stroke that is thinner than twice the distance closes in a ridge below the front. This is bevelled with one
 /// chamfer over the whole depth, so the solid has no part::side, except for low walls with text_options::corners (see
-/// bevelled). The normals of the walls are exact: they are
-/// the normals of the outline's curves, turned up by the draft angle. A few slivers, less than two cells of the grid
-/// wide, may face away from these normals.
+/// bevelled). The normals of the walls are exact: they are the normals of the outline's curves, turned up by the draft
+/// angle. A few slivers, less than two cells of the grid wide, may face away from these normals.
 ///
 /// If a glyph's walls are not proven simple up to the front, they lean less. The plan reports this as
 /// solid_plan::narrowed.

@@ -196,17 +196,13 @@ private:
     /// Where front and back of a solid without walls would meet inside the outline, gives it low walls instead: all
     /// that is lower than they are is raised to their end.
     ///
-    ///     share 0 ____________ both sides        share 0 .____________.      at least four cells for each segment
+    ///     share 0 ____________ both sides        share 0 .____________.      lowest() for each segment
     ///              \ ________/                            |\ ________/|
     error keep_apart(const region& filled, const profile_levels& levels, const bevel_vertices& vertices,
                      plan_data& data, bevel_rims& rims, workspace::scope& scratch) const noexcept
     {
-        // Slopes that begin with a riser do not meet, nor does a slope meet a cap that is not drawn.
-        if (levels.view().size() < 2 || levels.view().front().has_riser() || heights_.has_walls(rims.wall)) return {};
-        if ((!heights_.is_bevelled(true) && !how_.front) || (!heights_.is_bevelled(false) && !how_.back)) return {};
-        constexpr double least = 0x1p-20;  // of the depth, which 32-bit floats distinguish from 0
-        const double depth = as_double(how_.bevel_depth) * filled.grid().cells * filled.grid().units_per_em;
-        const double low = (std::max)(least, finest_band / depth);
+        if (!begins_at_other_side(levels, rims)) return {};
+        const double low = lowest(filled);
         const auto meets = vertices.is_low_inside(static_cast<float>(low), scratch);
         if (!meets) return meets.error();
         if (!*meets) return {};
@@ -220,6 +216,23 @@ private:
         rims.wall = wall;
         rims.cap = (std::max)(rims.cap, wall);
         return {};
+    }
+
+    /// Whether slopes begin, without a wall or a riser, where the slopes of the other side begin, or its cap lies.
+    [[nodiscard]] bool begins_at_other_side(const profile_levels& levels, const bevel_rims& rims) const noexcept
+    {
+        if (levels.view().size() < 2 || levels.view().front().has_riser() || heights_.has_walls(rims.wall))
+            return false;
+        return (heights_.is_bevelled(true) || how_.front) && (heights_.is_bevelled(false) || how_.back);
+    }
+
+    /// The height of a segment of low walls, as a share of the bevel's depth: four cells, as between all levels, or
+    /// 2^-20 of the depth if that is more. 32-bit floats keep this apart from 0: no height is more than two such depths
+    /// from the origin, and its two roundings move it by less than 2^-22 of the depth.
+    [[nodiscard]] double lowest(const region& filled) const noexcept
+    {
+        const double depth = as_double(how_.bevel_depth) * filled.grid().cells * filled.grid().units_per_em;
+        return (std::max)(0x1p-20, finest_band / depth);
     }
 
     [[nodiscard]] part_sizes sizes(const region& filled, std::uint32_t doubled, plan_data& data) const noexcept

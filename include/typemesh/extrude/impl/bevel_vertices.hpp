@@ -76,48 +76,29 @@ public:
         return finish(0, scratch) ? error{} : error{error::out_of_memory};
     }
 
-    /// After make(): whether a slope lies at the height of the walls' end somewhere inside the outline, so that a solid
-    /// without walls has an edge with four faces, or a point with two fans, there.
+    /// After make(): whether front and back of a solid without walls would meet inside the outline, in an edge, which
+    /// then has four faces, or in a point. The profile has no riser at the outline.
     ///
-    ///        outline ________________       a node that is no point of the outline lies lower than `low`, or an edge
-    ///               |\ ________/ __/        inside joins two points of the outline, or all three edges of a triangle
-    ///               |_\______/___/          are the outline's
+    ///      p ____________ s         p-q joins two points of the outline, but is no edge of it; so does a side of a
+    ///       |\__________/|          triangle with three corners on the outline. Or
+    ///       |  \   r   /  |         r is no point of the outline, but lies lower than `low`
+    ///       |____\__/_____|
+    ///             q
     ///
-    ///     low     a share of the bevel's depth
+    ///     low     as a share of the bevel's depth, like the heights of strips
     ///
     /// Fails  error::out_of_memory
     /// Cost   O(n)
     [[nodiscard]] result<bool> is_low_inside(float low, workspace::scope& scratch) const noexcept
     {
-        const std::size_t n = swept_.nodes.size();
-        auto* const after = scratch.take<std::uint32_t>(n);  // the next node along the outline
-        if (after == nullptr) return error::out_of_memory;
-        std::fill_n(after, n, none);
-        const auto bands = static_cast<std::uint32_t>(swept_.levels.size() - 1), level = is_outward() ? bands : 0;
-        for (std::uint32_t i = swept_.at_level[level]; i < swept_.at_level[level + 1]; ++i)
-            after[swept_.edges_at[i].a] = swept_.edges_at[i].b;
-        const auto strips = data_.of<bevel_strip>().view();
-        for (std::size_t i = 0; i < strips.size(); ++i)
-            if ((i != 0 && strips[i].from < low) || strips[i].to < low) return true;
-        const std::uint32_t band = is_outward() ? bands - 1 : 0;
-        const auto is_low = [&](std::uint32_t at) noexcept {
-            return height_of({{}, {}, 0.0f, share_of(at, band), 0}, strips) < low;
-        };
+        if (returns_below(low)) return true;
+        const std::uint32_t* const next = next_on_outline(scratch);
+        if (next == nullptr) return error::out_of_memory;
+        const std::uint32_t band = is_outward() ? last_level() - 1 : 0;
         for (std::size_t c = 0; c + 1 < swept_.cells.size(); ++c) {
             if (swept_.cells[c].band != band || is_frame(swept_.cells[c].edge)) continue;
-            for (std::uint32_t t = swept_.cells[c].first_triangle; t < swept_.cells[c + 1].first_triangle; ++t) {
-                const std::uint32_t at[] = {swept_.triangles[t].a, swept_.triangles[t].b, swept_.triangles[t].c};
-                int of_outline = 0;
-                for (int k = 0; k < 3; ++k) {
-                    const std::uint32_t p = at[k], q = at[(k + 1) % 3];
-                    if (after[p] == none && is_low(p)) return true;
-                    if (after[p] == q || after[q] == p)
-                        ++of_outline;
-                    else if (after[p] != none && after[q] != none)
-                        return true;
-                }
-                if (of_outline == 3) return true;
-            }
+            for (std::uint32_t t = swept_.cells[c].first_triangle; t < swept_.cells[c + 1].first_triangle; ++t)
+                if (is_low_inside(swept_.triangles[t], band, next, low)) return true;
         }
         return false;
     }
@@ -129,8 +110,7 @@ public:
     {
         ++age_;
         const std::size_t bevel = data_.of<bevel_triangle>().size();
-        const auto last = static_cast<std::uint32_t>(swept_.levels.size() - 1);
-        return add_riser(last, 0) && finish(bevel, scratch) ? error{} : error{error::out_of_memory};
+        return add_riser(last_level(), 0) && finish(bevel, scratch) ? error{} : error{error::out_of_memory};
     }
 
 private:
@@ -272,6 +252,42 @@ private:
         return static_cast<float>(share);
     }
 
+    /// Whether the profile comes back to the outline's height, or stays there.
+    [[nodiscard]] bool returns_below(float low) const noexcept
+    {
+        const auto strips = data_.of<bevel_strip>().view();
+        for (std::size_t i = 0; i < strips.size(); ++i)
+            if ((i != 0 && strips[i].from < low) || strips[i].to < low) return true;
+        return false;
+    }
+
+    /// For each node the next one along the outline; none if it is no point of the outline. Null if out of memory.
+    [[nodiscard]] const std::uint32_t* next_on_outline(workspace::scope& scratch) const noexcept
+    {
+        auto* const next = scratch.take<std::uint32_t>(swept_.nodes.size());
+        if (next == nullptr) return nullptr;
+        std::fill_n(next, swept_.nodes.size(), none);
+        const std::uint32_t level = is_outward() ? last_level() : 0;
+        for (std::uint32_t i = swept_.at_level[level]; i < swept_.at_level[level + 1]; ++i)
+            next[swept_.edges_at[i].a] = swept_.edges_at[i].b;
+        return next;
+    }
+
+    /// Whether a triangle beside the outline lies at its height anywhere but on one edge of the outline.
+    [[nodiscard]] bool is_low_inside(const triangle& t, std::uint32_t band, const std::uint32_t* next,
+                                     float low) const noexcept
+    {
+        int on_outline = 0;
+        for (const std::uint32_t at : {t.a, t.b, t.c})
+            if (next[at] != none)
+                ++on_outline;
+            else if (height_of({{}, {}, 0.0f, share_of(at, band), 0}, data_.of<bevel_strip>().view()) < low)
+                return true;
+        const auto is_edge = [&](std::uint32_t p, std::uint32_t q) noexcept { return next[p] == q || next[q] == p; };
+        const bool has_edge = is_edge(t.a, t.b) || is_edge(t.b, t.c) || is_edge(t.c, t.a);
+        return on_outline > (has_edge ? 2 : 1);
+    }
+
     [[nodiscard]] bool share(std::uint32_t vertex, const bevel_light::lit& lit) const noexcept
     {
         const bevel_data::corner_normals& normals = data_.normals[vertex];
@@ -282,6 +298,10 @@ private:
     }
 
     [[nodiscard]] bool is_outward() const noexcept { return frame_ != none; }
+    [[nodiscard]] std::uint32_t last_level() const noexcept
+    {
+        return static_cast<std::uint32_t>(swept_.levels.size() - 1);
+    }
     [[nodiscard]] bool is_frame(std::uint32_t edge) const noexcept
     {
         return is_outward() && edge >= frame_ && edge - frame_ < 4;
