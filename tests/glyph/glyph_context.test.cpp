@@ -40,6 +40,12 @@ std::vector<glyph_context> all_different()
     non_zero.fill = fill_rule::non_zero;
     fewer.max_pieces = usual.max_pieces - 1;
     shorter.max_points = usual.max_points - 1;
+    glyph_settings parted = usual;
+    parted.corners = touching::part;
+    glyph_settings joined = parted, coarser = parted, deeper = parted;
+    joined.corners = touching::join;
+    coarser.max_cells = 0x1p20;
+    deeper.em_per_depth = 0.5;
     const auto of = [&](const glyph_settings& settings, const auto& flatten, const auto& raise) {
         return context_of(1, font, settings, policies{flatten, monotone{}, raise, nobody});
     };
@@ -53,6 +59,10 @@ std::vector<glyph_context> all_different()
         of(non_zero, certified{}, flat{}),
         of(fewer, certified{}, flat{}),
         of(shorter, certified{}, flat{}),
+        of(parted, certified{}, flat{}),
+        of(joined, certified{}, flat{}),
+        of(coarser, certified{}, flat{}),
+        of(deeper, certified{}, flat{}),
         of(usual, two_lines{}, flat{}),
         of(usual, other_two_lines{}, flat{}),
         of(usual, with_option<1>{}, flat{}),
@@ -91,4 +101,9 @@ TEST_CASE("options that change only the time or the writing are not part of a ke
 {
     CHECK(key_of(extruded<>{.depth = 0.5f}) == key_of(extruded<>{.depth = 0.25f}));
     CHECK(key_of(constrained_delaunay{.max_flips = 0}) == key_of(constrained_delaunay{}));
+    no_observer nobody;
+    glyph_settings usual = tolerant(0.01), deeper = usual;
+    deeper.em_per_depth = 0.5;  // matters only if corners are treated
+    const policies with{certified{}, monotone{}, flat{}, nobody};
+    CHECK(context_of(1, 0, deeper, with) == context_of(1, 0, usual, with));
 }

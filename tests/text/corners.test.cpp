@@ -296,6 +296,50 @@ TEST_CASE("low walls stand in drawings that are turned and mirrored, and in ever
     CHECK(walls > 0);
 }
 
+TEST_CASE("low walls are the same whichever unit depths are in", "[text]")
+{
+    const auto written_with = [](svg_path& outline, const bevelled& how, const text_options& options) {
+        auto mesher = text_mesher{outline}.with(how);
+        const glyph_run run = test::row_of(0, {0.0, 100000.0});
+        const auto plan = mesher.plan(run, options);
+        check_manifold(plan);
+        return test::written(*plan);
+    };
+    const auto check = [&](svg_path& outline, float size, const frame& f, touching way) {
+        bevelled how = meeting_bevels;
+        text_options options{.size = as_double(size), .frame = f, .merge = true, .corners = way};
+        const auto in_em = written_with(outline, how, options);
+        how.depth *= size;
+        how.bevel_depth *= size;
+        options.depth_in = depth_unit::output;
+        CHECK(written_with(outline, how, options) == in_em);
+    };
+    for (const char* drawing : crossing_drawings) {
+        svg_path outline{drawing, 1000.0};
+        for (const float size : {0x1p-6f, 0x1p10f})  // powers of two: all products are exact
+            for (const frame& f : {right_handed_y_up, slanted_frame})
+                for (const touching way : {touching::part, touching::join}) check(outline, size, f, way);
+    }
+}
+
+TEST_CASE("walls that are lower than low walls are raised to them", "[text]")
+{
+    const auto check = [](const bevelled& how, const text_options& options, double x) {
+        svg_path outline{crossing_drawings[0], 1000.0};
+        auto mesher = text_mesher{outline}.with(how);
+        const glyph_run run = test::row_of(0, {x});
+        check_manifold(mesher.plan(run, options));
+    };
+    bevelled thin{.depth = 1.0f, .width = 0.02f, .bevel_depth = std::nextafter(1.0f, 0.0f), .segments = 3};
+    for (const bevel_sides sides : {bevel_sides::front, bevel_sides::back}) {
+        thin.sides = sides;
+        check(thin, {.size = 0.01, .merge = true, .corners = touching::part}, 0.0);
+    }
+    const bevelled both{.width = 0.05f, .bevel_depth = 0.0999999f};
+    for (const double x : {0.0, 5000.0, 20000.0})
+        check(both, {.frame = slanted_frame, .merge = true, .corners = touching::part}, x);
+}
+
 TEST_CASE("low walls are bent with their solids", "[text][bent]")
 {
     const auto check = [](const bevelled& slopes, const auto& bend) {

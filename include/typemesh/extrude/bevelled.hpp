@@ -49,7 +49,10 @@ namespace typemesh::inline TYPEMESH_ABI {
 /// solid_plan::narrowed. It also reports bevels that had to be less than half as wide to fit.
 ///
 /// With text_options::corners, a solid without walls gets walls of four cells a segment if front and back would meet
-/// inside its outline. If `side` is false, the plan reports this as solid_plan::touching instead.
+/// inside its outline, or if its own are lower. If `side` is false, the plan reports solid_plan::touching instead.
+///
+/// Levels of a profile that are less than four cells of the grid apart become one. Cells are counted as if depths were
+/// in em, whatever their unit is: of letters tiny in output units, bevels are left out.
 ///
 /// The normals are the normals of the contour's curves (curve_normals), tilted by the profile's slope. They do not
 /// change along the path of an edge inwards. In em mapping, u is the u of the walls and does not change on this path

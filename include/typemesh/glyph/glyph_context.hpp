@@ -22,6 +22,7 @@ struct glyph_context {
     std::uint64_t max_pieces = 0;
     std::uint64_t max_points = 0;
     std::uint64_t corners = 0;  ///< 0: as drawn; otherwise the treatment, and the bits of glyph_settings::max_cells
+    std::uint64_t depths = 0;   ///< the bits of glyph_settings::em_per_depth; 0 if corners are as drawn
     policy_key discretiser, triangulator, extruder, step;  ///< one for each kind of policy
 
     /// Whether all policies can be distinguished from others of their types: see cacheable_policy.
@@ -45,6 +46,7 @@ struct glyph_context {
         mix(max_pieces);
         mix(max_points);
         mix(corners);
+        mix(depths);
         for (const policy_key* p : {&discretiser, &triangulator, &extruder, &step}) {
             mix(reinterpret_cast<std::uintptr_t>(p->type));
             for (const std::uint64_t word : p->options.words) mix(word);
@@ -66,8 +68,10 @@ struct glyph_context {
     c.fill = how.fill ? 1 + static_cast<std::uint64_t>(*how.fill) : 0;
     c.max_pieces = how.max_pieces;
     c.max_points = how.max_points;
-    if (how.corners != touching::keep)
+    if (how.corners != touching::keep) {
+        c.depths = option_bits{how.em_per_depth}.words[0];
         c.corners = option_bits{how.max_cells}.words[0] | static_cast<std::uint64_t>(how.corners);
+    }
     c.discretiser = with.flatten.key();
     c.triangulator = with.cut.key();
     c.extruder = with.raise.key();

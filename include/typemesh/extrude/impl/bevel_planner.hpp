@@ -54,7 +54,7 @@ public:
         const auto profile_at = [this](const profile_scale& at) noexcept { return how_.profile.at(at); };
         if (error e = carve({filled, caps.triangles()}, profile_at, scale, caps.space(), data.swept, make)) return e;
         made.narrowed = made.narrowed || carve.narrowed;
-        if (error e = make_bevel({how_.profile.at(scale), scale}, filled, none, data, caps.space())) return e;
+        if (error e = make_bevel({how_.profile.at(scale), scale}, filled, none, data, caps)) return e;
         made.sizes = sizes(filled, *doubled, data);
         return {};
     }
@@ -105,7 +105,7 @@ public:
             data.clear();
             return plan_inward(filled, scale, data, caps, made);
         }
-        if (error e = make_bevel({how_.profile.at(scale), scale}, *around, frame, data, caps.space())) return e;
+        if (error e = make_bevel({how_.profile.at(scale), scale}, *around, frame, data, caps)) return e;
         for (std::uint32_t i = 0; i < 4; ++i) data.of<side_point>()[frame + i].doubled = false;
         made.sizes = sizes(filled, 0, data);
         for (const bevel_vertex& b : data.of<bevel_vertex>()) made.around.add(placement::exact(b.at));
@@ -159,12 +159,13 @@ private:
     static constexpr std::uint32_t none = ~std::uint32_t{0};
 
     /// `frame` is the index of the first of the four points around an outward bevel's surroundings, or none.
+    template <cap_maker Caps>
     error make_bevel(const profile_levels& levels, const region& filled, std::uint32_t frame, plan_data& data,
-                     workspace& space) const noexcept
+                     Caps& caps) const noexcept
     {
         if (!add_strips(levels, how_.profile_crease_degrees, how_.shading, data.of<bevel_strip>()))
             return error::out_of_memory;
-        workspace::scope scratch{space};
+        workspace::scope scratch{caps.space()};
         bevel_light light{with_mapping(how_.texture, []<class Mapping>() noexcept { return &Mapping::after_seam; })};
         const auto sides_of = data.of<side_point>().view();
         if (!light.prepare(filled, sides_of, data.swept, scratch)) return error::out_of_memory;
@@ -181,7 +182,8 @@ private:
         }
         if (error e = vertices.make(levels, scratch)) return e;
         if (filled.corners() != touching::keep)
-            if (error e = keep_apart(filled, levels, vertices, data, rims, scratch)) return e;
+            if (error e = keep_apart(lowest(filled, solid_place_of(caps)), levels, vertices, data, rims, scratch))
+                return e;
         rims.top =
             data.of<grid_point>().empty() && !rims.has_own_cap(true) ? rims.wall : (std::max)(rims.wall, rims.cap);
         for (const bevel_vertex& v : data.of<bevel_vertex>())
@@ -194,19 +196,24 @@ private:
     }
 
     /// Where front and back of a solid without walls would meet inside the outline, gives it low walls instead: all
-    /// that is lower than they are is raised to their end.
+    /// that is lower than they are is raised to their end. Walls that are lower than this already are raised, too.
     ///
-    ///     share 0 ____________ both sides        share 0 .____________.      lowest() for each segment
+    ///     share 0 ____________ both sides        share 0 .____________.      `low` for each segment
     ///              \ ________/                            |\ ________/|
-    error keep_apart(const region& filled, const profile_levels& levels, const bevel_vertices& vertices,
-                     plan_data& data, bevel_rims& rims, workspace::scope& scratch) const noexcept
+    error keep_apart(double low, const profile_levels& levels, const bevel_vertices& vertices, plan_data& data,
+                     bevel_rims& rims, workspace::scope& scratch) const noexcept
     {
-        if (!begins_at_other_side(levels, rims)) return {};
-        const double low = lowest(filled);
-        const auto meets = vertices.is_low_inside(static_cast<float>(low), scratch);
-        if (!meets) return meets.error();
-        if (!*meets) return {};
-        const auto wall = static_cast<float>(how_.segments * low);
+        if (levels.view().size() < 2) return {};
+        const double lowest_walls = how_.segments * low;
+        const double walls = heights_.rim(true, rims.wall) - heights_.rim(false, rims.wall);
+        if (walls >= lowest_walls * as_double(how_.bevel_depth)) return {};
+        if (!(walls > 0.0) || !how_.side) {
+            if (!begins_at_other_side(levels)) return {};
+            const auto meets = vertices.is_low_inside(static_cast<float>(low), scratch);
+            if (!meets) return meets.error();
+            if (!*meets) return {};
+        }
+        const auto wall = static_cast<float>(as_double(rims.wall) + lowest_walls);
         rims.touches = !how_.side || !(wall < 1.0f);
         if (rims.touches) return {};
         for (bevel_strip& s : data.of<bevel_strip>()) {
@@ -218,21 +225,20 @@ private:
         return {};
     }
 
-    /// Whether slopes begin, without a wall or a riser, where the slopes of the other side begin, or its cap lies.
-    [[nodiscard]] bool begins_at_other_side(const profile_levels& levels, const bevel_rims& rims) const noexcept
+    /// Whether slopes begin without a riser, where the slopes of the other side begin, or its cap lies.
+    [[nodiscard]] bool begins_at_other_side(const profile_levels& levels) const noexcept
     {
-        if (levels.view().size() < 2 || levels.view().front().has_riser() || heights_.has_walls(rims.wall))
-            return false;
+        if (levels.view().front().has_riser()) return false;
         return (heights_.is_bevelled(true) || how_.front) && (heights_.is_bevelled(false) || how_.back);
     }
 
     /// The height of a segment of low walls, as a share of the bevel's depth: four cells, as between all levels, or
     /// 2^-20 of the depth if that is more. 32-bit floats keep this apart from 0: no height is more than two such depths
     /// from the origin, and its two roundings move it by less than 2^-22 of the depth.
-    [[nodiscard]] double lowest(const region& filled) const noexcept
+    [[nodiscard]] double lowest(const region& filled, const solid_place& place) const noexcept
     {
-        const double depth = as_double(how_.bevel_depth) * filled.grid().cells * filled.grid().units_per_em;
-        return (std::max)(0x1p-20, finest_band / depth);
+        const double depth = as_double(how_.bevel_depth) * place.em_per_depth;  // in em
+        return (std::max)(0x1p-20, finest_band / (depth * filled.grid().cells * filled.grid().units_per_em));
     }
 
     [[nodiscard]] part_sizes sizes(const region& filled, std::uint32_t doubled, plan_data& data) const noexcept

@@ -97,7 +97,8 @@ private:
     /// Whether an outline step that places warps any glyph.
     [[nodiscard]] bool has_warped() const noexcept;
 
-    /// Prepares the places of glyphs that differ from place to place.
+    /// Prepares the places of glyphs that differ from place to place, and the unit of depths, which matters for these
+    /// and for low walls (corners). In a unit_box low walls are as if depths were in em.
     ///
     /// Fails  error::bad_option "depth_in": in a unit_box, a depth in output units depends on the box of all solids
     error find_places(const call& now) noexcept;
@@ -153,10 +154,10 @@ error text_planner::each_glyph(const call& now, const glyph_settings& how, const
         const built_glyph* built = at != nullptr ? nullptr : find(keys[k]);
         if (built == nullptr) {
             drawn_face face = glyphs_.glyph_styles.face_of(from, keys[k].glyph_style);
-            const solid_place place = at != nullptr ? at->place : solid_place{};
             policies own_policies = with;
             if (at == nullptr) own_policies.warp = {};
             glyph_settings own = how;
+            const solid_place place = at != nullptr ? at->place : solid_place{{}, own.em_per_depth};
             if (at != nullptr && !glyphs_.stands.empty()) own.stand = &glyphs_.stands[at->glyph];
             const auto draft = maker.make == nullptr
                                    ? builder.build(face, keys[k].id, own, own_policies, place)
@@ -217,6 +218,7 @@ inline error text_planner::plan_once(const call& asked, double reach) noexcept
     if (!e) e = glyphs_.glyph_styles.read(run, font);
     if (!e) e = collect(run, options);
     glyph_settings how = settings_of(options, reach);
+    how.em_per_depth = glyphs_.em_per_depth;
     if (!e && !with.warp.is_none()) e = with.warp.refused(how.text = pens_of(run));
     if (!e) e = build_glyphs(now, how);
     if (!e && options.merge) e = merger_(glyphs_, run, builder_, font, how, with);
@@ -292,10 +294,9 @@ inline error text_planner::find_places(const call& now) noexcept
     const double units_per_em = font.units_per_em();
     glyphs_.em_per_font_unit = 1.0 / units_per_em;
     glyphs_.in_place = solids_differ || (!now.with.warp.is_none() && !glyphs_.turned);
-    if (!glyphs_.in_place) return {};
     glyphs_.em_per_depth = 1.0;
-    if (!solids_differ || options.depth_in == depth_unit::em) return {};
-    if (options.unit == output_unit::unit_box) return error::bad("depth_in");
+    if (options.depth_in == depth_unit::em || (!solids_differ && options.corners == touching::keep)) return {};
+    if (options.unit == output_unit::unit_box) return solids_differ ? error::bad("depth_in") : error{};
     glyphs_.em_per_depth = 1.0 / (unit_per_font_unit(options, units_per_em, {}) * units_per_em);
     return {};
 }
