@@ -170,7 +170,12 @@ private:
     }
 
     /// The height of a membrane of 1 em by the limit; 0 without a limit.
-    [[nodiscard]] float flatness() const noexcept { return limit > 0.0f ? height / limit : 0.0f; }
+    [[nodiscard]] float flatness() const noexcept
+    {
+        constexpr float largest = 1e30f;  // so that its square is finite
+        if (!(limit > 0.0f)) return 0.0f;
+        return height / limit < largest ? height / limit : largest;
+    }
 
     /// The membrane's points in the order of the solid's, and those that the outline needs besides. False if out of
     /// memory.

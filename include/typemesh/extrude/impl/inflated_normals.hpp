@@ -56,7 +56,7 @@ public:
         membrane_lean* const out = leans.append(n);
         if (out == nullptr) return n == 0;
         for (std::size_t i = 0; i < n; ++i)
-            out[i].least = i < nodes_.size() ? static_cast<float>(to_grid(cells_per_em * nodes_[i].lean)) : 0.0f;
+            out[i].least = i < nodes_.size() ? static_cast<float>(cells_per_em * nodes_[i].lean) : 0.0f;
         return true;
     }
 
@@ -82,8 +82,6 @@ private:
         point first = {}, last = {};
     };
 
-    [[nodiscard]] static double to_grid(double em) noexcept { return std::floor(em * 0x1p22 + 0.5) * 0x1p-22; }
-
     [[nodiscard]] bool prepare(array_view<const grid_point> points, array_view<const membrane_point> membrane,
                                double flatness) noexcept
     {
@@ -94,22 +92,25 @@ private:
         for (std::size_t i = 0; i < points.size(); ++i) {
             const membrane_point& m = membrane[i];
             double z = as_double(m.height);
-            if (flatness > 0.0 && z > 0.0) {
-                const double share = flatness * z, low = to_grid(z / std::sqrt(1.0 + share * share));
-                z = low > 0.0 ? low : 0x1p-22;
+            if (flatness > 0.0) {
+                const double share = flatness * z;
+                z /= std::sqrt(1.0 + share * share);
             }
             out[i] = {placement::exact(points[i]), {as_double(m.slope.x), as_double(m.slope.y)}, z, 0.0, none};
         }
         return true;
     }
 
-    /// The slope of a triangle by twice its area: exact for letters of about an em.
+    /// The slope of a triangle by twice its area, from two edges and the rises along them: exact for letters of about an
+    /// em.
+    [[nodiscard]] static point rise(point u, point v, double along_u, double along_v) noexcept
+    {
+        return {along_u * v.y - along_v * u.y, along_v * u.x - along_u * v.x};
+    }
     [[nodiscard]] point rise(const triangle& t) const noexcept
     {
         const node &a = nodes_[t.a], &b = nodes_[t.b], &c = nodes_[t.c];
-        const point u = b.place - a.place, v = c.place - a.place;
-        const double up = b.height - a.height, vp = c.height - a.height;
-        return {up * v.y - vp * u.y, vp * u.x - up * v.x};
+        return rise(b.place - a.place, c.place - a.place, b.height - a.height, c.height - a.height);
     }
     [[nodiscard]] double twice_area(const triangle& t) const noexcept
     {
@@ -128,20 +129,27 @@ private:
     /// Compares the corners' slopes with a triangle's. False if out of memory.
     [[nodiscard]] bool measure(const triangle& t) noexcept
     {
-        const point up = rise(t);
-        const double area = twice_area(t);
-        for (const std::uint32_t i : {t.a, t.b, t.c}) {
-            node& n = nodes_[i];
+        node *const all = nodes_.data(), &a = all[t.a], &b = all[t.b], &c = all[t.c];
+        const point u = b.place - a.place, v = c.place - a.place, up = rise(u, v, b.height - a.height, c.height - a.height);
+        const double area = cross(u, v);
+        const auto compare = [&](node& n, std::uint32_t i) noexcept {
             const double product = dot(n.slope, up);
-            const bool is_inside = n.height > 0.0;
-            if (is_inside && area > 0.0) {
+            if (product > 0.0) return true;
+            if (n.height > 0.0 && area > 0.0) {
                 if (product < n.lean * area) n.lean = product / area;
-            } else if (!(product > 0.0) && n.turn == none) {
-                n.turn = static_cast<std::uint32_t>(turns_.size());
-                if (!turns_.push_back({.number = i, .fails = is_inside})) return false;
+                return true;
             }
-        }
-        return true;
+            return n.turn != none || will_turn(n, i);
+        };
+        return compare(a, t.a) && compare(b, t.b) && compare(c, t.c);
+    }
+
+    /// Lists a point whose slope does not suit a triangle. Inside, these are points of pinched edges, whose slope is 0:
+    /// their upright triangles get another point. False if out of memory.
+    [[nodiscard]] bool will_turn(node& n, std::uint32_t i) noexcept
+    {
+        n.turn = static_cast<std::uint32_t>(turns_.size());
+        return turns_.push_back({.number = i, .fails = n.height > 0.0});
     }
 
     /// Whether a point keeps its slope on a triangle.
