@@ -127,7 +127,7 @@ TEST_CASE("no corner's normal of an inflated letter points to the back of its tr
         for (const inflated& how :
              {inflated{}, inflated{.height = 3.0f}, inflated{.limit = 0.03f, .form = inflated_form::dome}}) {
             CAPTURE(file, how.height, how.limit);
-            const text_mesher mesher{font, how};
+            text_mesher mesher{font, how};
             const auto plan = mesher.plan(letter);
             REQUIRE(plan);
             CHECK(inspect::check_normals(test::written(*plan).view(), &test::lit_vertex::normal).is_right());
