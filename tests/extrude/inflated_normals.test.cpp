@@ -76,13 +76,10 @@ TEST_CASE("a slope at the outline that points down a triangle turns to point up 
 
 TEST_CASE("a triangle of three outline points is level: its corners get points without a slope", "[extrude]")
 {
-    const leaning_mesh m{{{0, 0}, {100, 0}, {100, 100}, {0, 100}, {20, 80}},
-                         {{0.0f, {0.6f, 0.8f}},
-                          {0.0f, {-0.6f, 0.8f}},
-                          {0.0f, {-0.8f, -0.6f}},
-                          {0.0f, {0.8f, -0.6f}},
-                          {0.02f, {}}},
-                         {{0, 1, 2}, {0, 2, 4}, {2, 3, 4}, {3, 0, 4}}};
+    const leaning_mesh m{
+        {{0, 0}, {100, 0}, {100, 100}, {0, 100}, {20, 80}},
+        {{0.0f, {0.6f, 0.8f}}, {0.0f, {-0.6f, 0.8f}}, {0.0f, {-0.8f, -0.6f}}, {0.0f, {0.8f, -0.6f}}, {0.02f, {}}},
+        {{0, 1, 2}, {0, 2, 4}, {2, 3, 4}, {3, 0, 4}}};
     REQUIRE(m.loops.points.size() == 7);
     CHECK(m.triangles[0] == triangle{5, 1, 6});  // no other triangle keeps the second point
     for (const std::uint32_t i : {1u, 5u, 6u}) CHECK(m.membrane[i].slope == vec2{});

@@ -26,7 +26,12 @@ struct inflated_data : inner_solid<inflated_surface> {
     buffer<grid_point> inner;          ///< the points inside, before they follow the outline's
 
     explicit inflated_data(memory source = heap()) noexcept
-        : inner_solid<inflated_surface>{source}, working{source}, pinches{source}, corners{source}, normals{source}, inner{source}
+        : inner_solid<inflated_surface>{source},
+          working{source},
+          pinches{source},
+          corners{source},
+          normals{source},
+          inner{source}
     {
     }
     void clear() noexcept
@@ -60,8 +65,8 @@ enum class inflated_form : std::uint8_t {
 /// this height, so a round section needs the text's size.
 ///
 /// At the outline the normals are its curve_normals, doubled at hard corners; inside they come from a quadratic fit to
-/// the solution. Texture coordinates are planar, as on other caps, with tangents along the text; a dome's walls have
-/// the coordinates of other walls.
+/// the solution. What would point to the back of a triangle turns to its front. Texture coordinates are planar, as on
+/// other caps, with tangents along the text; a dome's walls have the coordinates of other walls.
 ///
 /// It has the parts front, back and side; a balloon's side is empty. All triangles of merged glyphs belong to
 /// shared_glyph.
@@ -110,7 +115,8 @@ struct inflated {
         auto made = data.plan(surface(),
                               region::proven(data.loops, filled.holes(), filled.outers(), filled.is_touching()), caps);
         if (!made) return made;
-        if (!data.loops.points.append(data.inner.view()) || !collect(data, rim, cells_per_em)) return error::out_of_memory;
+        if (!data.loops.points.append(data.inner.view()) || !collect(data, rim, cells_per_em))
+            return error::out_of_memory;
         for (const part p : {part::front, part::back}) {
             if (!(p == part::front ? front : back)) continue;
             made->sizes.vertices[p] = static_cast<std::uint32_t>(data.loops.points.size());

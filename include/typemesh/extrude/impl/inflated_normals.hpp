@@ -27,8 +27,8 @@ namespace typemesh::inline TYPEMESH_ABI::detail {
 ///                  ^  ^   .>                     get points of their own, in the same place.
 ///     -------------- o --------------  outline
 ///
-/// Inside, (0, 0, 1) suits all triangles, and the height decides how far a normal may lean. So this only finds the least
-/// product of a point's slope and the slopes of its triangles; inflated_surface raises the normal when it writes.
+/// Inside, (0, 0, 1) suits all triangles, and the height decides how far a normal may lean. So this only finds the
+/// least product of a point's slope and the slopes of its triangles; inflated_surface raises the normal when it writes.
 class inflated_normals {
 public:
     explicit inflated_normals(memory source = heap()) noexcept : nodes_{source}, turns_{source} {}
@@ -74,11 +74,11 @@ private:
     /// A point on the outline whose slope changes, or a new point in the same place. The directions in which its
     /// triangles rise lie between two, counter-clockwise from the first to the last.
     struct turned {
-        std::uint32_t number;      // of the point
+        std::uint32_t number;       // of the point
         std::uint32_t next = none;  // the turn of another point in its place
-        bool has_right = false;  // whether the old slope suits a triangle
-        bool fails = false;      // whether no slope suits all triangles
-        bool is_flat = false;    // whether its triangles do not rise
+        bool has_right = false;     // whether the old slope suits a triangle
+        bool fails = false;         // whether no slope suits all triangles
+        bool is_flat = false;       // whether its triangles do not rise
         point first = {}, last = {};
     };
 
@@ -101,8 +101,8 @@ private:
         return true;
     }
 
-    /// The slope of a triangle by twice its area, from two edges and the rises along them: exact for letters of about an
-    /// em.
+    /// The slope of a triangle times twice its area, from two edges and the rises along them: exact for letters of about
+    /// an em without a limit.
     [[nodiscard]] static point rise(point u, point v, double along_u, double along_v) noexcept
     {
         return {along_u * v.y - along_v * u.y, along_v * u.x - along_u * v.x};
@@ -130,7 +130,8 @@ private:
     [[nodiscard]] bool measure(const triangle& t) noexcept
     {
         node *const all = nodes_.data(), &a = all[t.a], &b = all[t.b], &c = all[t.c];
-        const point u = b.place - a.place, v = c.place - a.place, up = rise(u, v, b.height - a.height, c.height - a.height);
+        const point u = b.place - a.place, v = c.place - a.place,
+                    up = rise(u, v, b.height - a.height, c.height - a.height);
         const double area = cross(u, v);
         const auto compare = [&](node& n, std::uint32_t i) noexcept {
             const double product = dot(n.slope, up);

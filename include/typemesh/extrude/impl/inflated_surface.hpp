@@ -28,8 +28,8 @@ struct membrane_lean {
 };
 
 /// Writes an inflated letter, when its mesh and its membrane are known. Its points are the outline's, then the inner
-/// ones, then some of the outline's once more. Each has a membrane_point and a membrane_lean; on the outline the height is 0 and the
-/// slope is the unit vector into the letter.
+/// ones, then some of both once more. Each has a membrane_point and a membrane_lean; on the outline the height is 0 and
+/// the slope is a unit vector into the letter, or 0 where triangles do not rise.
 struct inflated_surface {
     float height, limit, depth;  // no defaults: inflated has them
     bool is_dome = false;
@@ -142,9 +142,10 @@ private:
         }
     }
 
-    /// The unit normal: (-dz/dx, -dz/dy, 1), all times the membrane's height, so that it is finite at the outline. If it
-    /// is not on the front of a triangle, it leans half as far as it may.
-    [[nodiscard]] vec3 normal(const membrane_point& m, membrane_lean lean, double steepness, float facing) const noexcept
+    /// The unit normal: (-dz/dx, -dz/dy, 1), all times the membrane's height, so that it is finite at the outline. If
+    /// it would be behind a triangle, it leans half as far as it may.
+    [[nodiscard]] vec3 normal(const membrane_point& m, membrane_lean lean, double steepness,
+                              float facing) const noexcept
     {
         double along = steepness;
         if (limit > 0.0f) {
