@@ -101,8 +101,8 @@ private:
         return true;
     }
 
-    /// The slope of a triangle times twice its area, from two edges and the rises along them: exact for letters of about
-    /// an em without a limit.
+    /// The slope of a triangle times twice its area, from two edges and the rises along them: exact for letters of
+    /// about an em, without a limit.
     [[nodiscard]] static point rise(point u, point v, double along_u, double along_v) noexcept
     {
         return {along_u * v.y - along_v * u.y, along_v * u.x - along_u * v.x};
