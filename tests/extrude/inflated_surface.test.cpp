@@ -61,8 +61,8 @@ TEST_CASE("an inflated surface has the normals that its heights ask for", "[extr
 TEST_CASE("a normal that would lie behind a triangle leans half as far as it may, and others are not changed",
           "[extrude]")
 {
-    // A point at the height 0.05, whose slope points along x, and a triangle that falls there by 0.2 or 2.
-    for (const float fall : {0.2f, 2.0f}) {
+    // A point at the height 0.05, whose slope points along x, and a triangle that falls there by 0.2, 2 or 4.
+    for (const float fall : {0.2f, 2.0f, 4.0f}) {
         for (const float limit : {0.0f, 0.05f}) {
             CAPTURE(fall, limit);
             const inflated_surface how{.height = 1.0f, .limit = limit, .depth = 0.1f};
