@@ -126,6 +126,13 @@ private:
         return {std::floor(rise.x * (one / length) + 0.5), std::floor(rise.y * (one / length) + 0.5)};
     }
 
+    /// Whether a unit slope points up a triangle, and not along it: normals are rounded to floats.
+    [[nodiscard]] static bool points_up(point slope, point up) noexcept { return dot(slope, up) > least_product(up); }
+    [[nodiscard]] static double least_product(point up) noexcept
+    {
+        return 0x1p-20 * (std::fabs(up.x) + std::fabs(up.y));
+    }
+
     /// Compares the corners' slopes with a triangle's. False if out of memory.
     [[nodiscard]] bool measure(const triangle& t) noexcept
     {
@@ -133,9 +140,10 @@ private:
         const point u = b.place - a.place, v = c.place - a.place,
                     up = rise(u, v, b.height - a.height, c.height - a.height);
         const double area = cross(u, v);
+        const double least = least_product(up);
         const auto compare = [&](node& n, std::uint32_t i) noexcept {
             const double product = dot(n.slope, up);
-            if (product > 0.0) return true;
+            if (product > least) return true;
             if (n.height > 0.0 && area > 0.0) {
                 if (product < n.lean * area) n.lean = product / area;
                 return true;
@@ -156,7 +164,7 @@ private:
     /// Whether a point keeps its slope on a triangle.
     [[nodiscard]] bool keeps(const node& n, const triangle& t) const noexcept
     {
-        return (n.height > 0.0 && twice_area(t) > 0.0) || dot(n.slope, rise(t)) > 0.0;
+        return (n.height > 0.0 && twice_area(t) > 0.0) || points_up(n.slope, rise(t));
     }
 
     /// Narrows the turns of a triangle's corners to those that suit it.
@@ -239,7 +247,7 @@ private:
         const point old = {as_double(slope.x), as_double(slope.y)}, middle = k.first + k.last;
         if (k.is_flat) {
             slope = {};
-        } else if (!(dot(old, k.first) > 0.0) || !(dot(old, k.last) > 0.0)) {
+        } else if (!points_up(old, k.first) || !points_up(old, k.last)) {
             const point nearest = cross(old, middle) > 0.0 ? outward(k.last) : -1.0 * outward(k.first);
             slope = rounded(unit(old == point{} ? middle : nearest + 0.25 * one * unit(middle)));
         }
