@@ -22,7 +22,7 @@ namespace relief_laws {
 using namespace typemesh;
 using namespace solid_laws;
 
-/// Closed, every vertex belongs to a triangle, and everything inside the outline has a height.
+/// Closed, every vertex belongs to a triangle and is lit from its front, and everything inside has a height.
 inline broken_law of_inflated(const inflated& how, drawn_shape& from)
 {
     inflated_data data;
