@@ -37,6 +37,7 @@ TEST_CASE("an inflated surface has the normals that its heights ask for", "[extr
             inflated_surface::plan_data data;
             const grid_point place{0, 0};
             REQUIRE(data.of<membrane_point>().push_back({membrane(x), {static_cast<float>(0.5 * w - x), 0.0f}}));
+            REQUIRE(data.of<membrane_lean>().push_back({}));
             solid_with<inflated_surface::plan_data> s{{{&place, 1}, {}, {}}, data.read()};
             placement at;
             at.unit_per_cell = at.em_per_cell = 1.0 / 1024.0;
@@ -52,6 +53,37 @@ TEST_CASE("an inflated surface has the normals that its heights ask for", "[extr
                     CHECK(double{v.position.z} == Catch::Approx(facing * how.raised(membrane(x))));
                 });
                 CHECK(calls == 1);
+            }
+        }
+    }
+}
+
+TEST_CASE("a normal that would lie behind a triangle leans half as far as it may, and others are not changed",
+          "[extrude]")
+{
+    // A point at the height 0.05, whose slope points along x, and a triangle that falls there by 0.2, 2 or 4.
+    for (const float fall : {0.2f, 2.0f, 4.0f}) {
+        for (const float limit : {0.0f, 0.05f}) {
+            CAPTURE(fall, limit);
+            const inflated_surface how{.height = 1.0f, .limit = limit, .depth = 0.1f};
+            inflated_surface::plan_data data;
+            const grid_point place{0, 0};
+            REQUIRE(data.of<membrane_point>().push_back({0.05f, {0.05f, 0.0f}}));
+            REQUIRE(data.of<membrane_lean>().push_back({-0.05f * fall}));
+            solid_with<inflated_surface::plan_data> s{{{&place, 1}, {}, {}}, data.read()};
+            placement at;
+            at.unit_per_cell = at.em_per_cell = 1.0 / 1024.0;
+            for (const part p : {part::front, part::back}) {
+                how.vertices<attribute::normal>(p, s, at, [&](const auto& v) noexcept {
+                    const double facing = p == part::front ? 1.0 : -1.0, shown = as_double(v.normal.z) * facing,
+                                 steepness = limit > 0.0f ? std::sqrt(0.125) : 1.0,
+                                 front = as_double(v.normal.x) * as_double(fall) + shown;
+                    if (steepness * as_double(fall) < 1.0)
+                        CHECK(as_double(v.normal.x) / shown == Catch::Approx(-steepness));
+                    else
+                        CHECK(front == Catch::Approx(0.5 * shown));
+                    CHECK(front > 0.0);
+                });
             }
         }
     }

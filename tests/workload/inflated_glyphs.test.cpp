@@ -15,6 +15,7 @@
 #include <typemesh/inspect/closedness.hpp>
 #include <typemesh/inspect/manifoldness.hpp>
 #include <typemesh/inspect/mesh_view.hpp>
+#include <typemesh/inspect/normal_check.hpp>
 #include <typemesh/typemesh.hpp>
 
 #include <cstdint>
@@ -89,6 +90,7 @@ TEST_CASE("inflated texts are closed within their bounds, merged or not, and the
                     outside += v.place.z < bounds.low.z || v.place.z > bounds.high.z || v.place.x < bounds.low.x ||
                                v.place.x > bounds.high.x || v.place.y < bounds.low.y || v.place.y > bounds.high.y;
                 CHECK(outside == 0);
+                CHECK(inspect::check_normals(m.view(), &test::lit_vertex::normal).is_right());
                 // Merged letters that touch: no edge has four faces.
                 if (form == inflated_form::balloon) {
                     std::size_t crowded = 0;
@@ -109,5 +111,26 @@ TEST_CASE("inflated texts are closed within their bounds, merged or not, and the
         }
         test::check_same_meshes(
             path, text, [](const auto& plan) { return test::written(plan); }, inflated{.edge = 0.06f});
+    }
+}
+
+TEST_CASE("no corner's normal of an inflated letter points to the back of its triangle", "[workload]")
+{
+    // At these letters' outlines some triangles rise the other way, and high membranes are steep beside their tops.
+    const std::string fonts = font_folder().string() + "/truetype/";
+    const std::pair<std::string, std::string> letters[] = {{"liberation/LiberationSerif-Regular.ttf", "rN"},
+                                                           {"dejavu/DejaVuSans-Bold.ttf", "W"},
+                                                           {"GreatVibes-Regular.ttf", "E"},
+                                                           {"IMFePIrm29P.ttf", "\xC2\xBD"}};  // 1/2
+    for (const auto& [file, letter] : letters) {
+        auto font = test::opened(fonts + file);
+        for (const inflated& how :
+             {inflated{}, inflated{.height = 3.0f}, inflated{.limit = 0.03f, .form = inflated_form::dome}}) {
+            CAPTURE(file, how.height, how.limit);
+            text_mesher mesher{font, how};
+            const auto plan = mesher.plan(letter);
+            REQUIRE(plan);
+            CHECK(inspect::check_normals(test::written(*plan).view(), &test::lit_vertex::normal).is_right());
+        }
     }
 }

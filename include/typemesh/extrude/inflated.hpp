@@ -6,6 +6,7 @@
 #include <typemesh/core/memory.hpp>
 #include <typemesh/extrude/extruder.hpp>
 #include <typemesh/extrude/impl/inflated_corners.hpp>
+#include <typemesh/extrude/impl/inflated_normals.hpp>
 #include <typemesh/extrude/impl/inflated_surface.hpp>
 #include <typemesh/extrude/impl/inner_solid.hpp>
 #include <typemesh/extrude/impl/pinched_edges.hpp>
@@ -21,10 +22,16 @@ struct inflated_data : inner_solid<inflated_surface> {
     membrane working;                  ///< the solver's memory, which is not stored with the glyph
     detail::pinched_edges pinches;     ///< likewise
     detail::inflated_corners corners;  ///< likewise
+    detail::inflated_normals normals;  ///< likewise
     buffer<grid_point> inner;          ///< the points inside, before they follow the outline's
 
     explicit inflated_data(memory source = heap()) noexcept
-        : inner_solid<inflated_surface>{source}, working{source}, pinches{source}, corners{source}, inner{source}
+        : inner_solid<inflated_surface>{source},
+          working{source},
+          pinches{source},
+          corners{source},
+          normals{source},
+          inner{source}
     {
     }
     void clear() noexcept
@@ -58,8 +65,8 @@ enum class inflated_form : std::uint8_t {
 /// this height, so a round section needs the text's size.
 ///
 /// At the outline the normals are its curve_normals, doubled at hard corners; inside they come from a quadratic fit to
-/// the solution. Texture coordinates are planar, as on other caps, with tangents along the text; a dome's walls have
-/// the coordinates of other walls.
+/// the solution. What would point to the back of a triangle turns to its front. Texture coordinates are planar, as on
+/// other caps, with tangents along the text; a dome's walls have the coordinates of other walls.
 ///
 /// It has the parts front, back and side; a balloon's side is empty. All triangles of merged glyphs belong to
 /// shared_glyph.
@@ -83,13 +90,15 @@ struct inflated {
 
     using plan_data = inflated_data;
 
-    /// See option_bits. Heights matter only for writing, but those that are refused need a key of their own.
+    /// See option_bits. Heights matter only for writing, unless there is a limit, but those that are refused need a key
+    /// of their own.
     [[nodiscard]] option_bits cache_key() const noexcept
     {
         option_bits bits{edge, crease_degrees, max_points};
         const bool flags[] = {front, back, side, form == inflated_form::dome, !refused()};
         for (int i = 0; i < 5; ++i) bits.words[3] |= std::uint64_t{flags[i]} << i;
         bits.words[3] |= static_cast<std::uint64_t>(texture) << 5;
+        bits.words[2] |= option_bits{flatness()}.words[0] << 32;
         return bits;
     }
 
@@ -102,10 +111,12 @@ struct inflated {
         const refined_cap cap{data.loops, data.inner, data.triangles, kept};
         if (error e = data.working.inflate(filled, caps.triangles(), {edge, max_points}, cap)) return e;
         const std::size_t rim = data.loops.points.size();
+        const double cells_per_em = filled.grid().cells * filled.grid().units_per_em;
         auto made = data.plan(surface(),
                               region::proven(data.loops, filled.holes(), filled.outers(), filled.is_touching()), caps);
         if (!made) return made;
-        if (!data.loops.points.append(data.inner.view()) || !collect(data, rim, form)) return error::out_of_memory;
+        if (!data.loops.points.append(data.inner.view()) || !collect(data, rim, cells_per_em))
+            return error::out_of_memory;
         for (const part p : {part::front, part::back}) {
             if (!(p == part::front ? front : back)) continue;
             made->sizes.vertices[p] = static_cast<std::uint32_t>(data.loops.points.size());
@@ -164,9 +175,17 @@ private:
         return {};
     }
 
+    /// The height of a membrane of 1 em by the limit; 0 without a limit.
+    [[nodiscard]] float flatness() const noexcept
+    {
+        constexpr float largest = 1e30f;  // so that its square is finite
+        if (!(limit > 0.0f)) return 0.0f;
+        return height / limit < largest ? height / limit : largest;
+    }
+
     /// The membrane's points in the order of the solid's, and those that the outline needs besides. False if out of
     /// memory.
-    [[nodiscard]] static bool collect(plan_data& data, std::size_t rim, inflated_form form) noexcept
+    [[nodiscard]] bool collect(plan_data& data, std::size_t rim, double cells_per_em) const noexcept
     {
         buffer<membrane_point>& all = data.data.of<membrane_point>();
         const auto sides = data.data.of<side_point>().view();
@@ -176,6 +195,8 @@ private:
         // The front and the flat back of a dome share no edge.
         if (form == inflated_form::balloon && !data.pinches(data.loops, rim, data.triangles, all)) return false;
         if (!data.corners(data.loops, rim, sides, data.triangles, all)) return false;
+        buffer<membrane_lean>& leans = data.data.of<membrane_lean>();
+        if (!data.normals(data.loops, data.triangles, all, leans, cells_per_em, flatness())) return false;
         membrane_top top;
         for (const membrane_point& m : all) top.height = m.height > top.height ? m.height : top.height;
         return data.data.of<membrane_top>().push_back(top);

@@ -61,6 +61,7 @@ public:
             }
         }
         for (triangle& t : triangles) {
+            if (!is_doubled(t.a) && !is_doubled(t.b) && !is_doubled(t.c)) continue;
             const triangle old = t;
             t = {moved(loops, old.a, old.b, old.c), moved(loops, old.b, old.c, old.a),
                  moved(loops, old.c, old.a, old.b)};
@@ -75,12 +76,17 @@ private:
         std::uint32_t point = 0, before = 0, after = 0, triangles = 0;
     };
 
+    [[nodiscard]] bool is_doubled(std::uint32_t i) const noexcept
+    {
+        return i < seconds_.size() && seconds_[i].point != 0;
+    }
+
     /// The point that a triangle uses at its corner i. The first and the last triangle at a corner have an edge of the
     /// outline, so both points are used.
     [[nodiscard]] std::uint32_t moved(const contours& loops, std::uint32_t i, std::uint32_t j,
                                       std::uint32_t k) const noexcept
     {
-        if (i >= seconds_.size() || seconds_[i].point == 0) return i;
+        if (!is_doubled(i)) return i;
         const second& s = seconds_[i];
         if (j == s.after) return s.point;
         if (k == s.before) return i;

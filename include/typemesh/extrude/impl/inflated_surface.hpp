@@ -21,9 +21,15 @@ struct membrane_top {
     float height = 0.0f;
 };
 
+/// How far the triangles of a point inside lean away from its slope: the least product of its slope and the slope of a
+/// triangle, in em; 0 if none is negative.
+struct membrane_lean {
+    float least = 0.0f;
+};
+
 /// Writes an inflated letter, when its mesh and its membrane are known. Its points are the outline's, then the inner
-/// ones, then the outline's hard corners once more. Each has a membrane_point; on the outline the height is 0 and the
-/// slope is the unit vector into the letter.
+/// ones, then some of both once more. Each has a membrane_point and a membrane_lean; on the outline the height is 0 and
+/// the slope is a unit vector into the letter, or 0 where triangles do not rise.
 struct inflated_surface {
     float height, limit, depth;  // no defaults: inflated has them
     bool is_dome = false;
@@ -33,7 +39,7 @@ struct inflated_surface {
     texture_mapping texture = texture_mapping::em;
     curve_normals normals = {};
 
-    using plan_data = plan_arrays<side_point, membrane_point, membrane_top>;
+    using plan_data = plan_arrays<side_point, membrane_point, membrane_lean, membrane_top>;
 
     [[nodiscard]] bool has_walls() const noexcept { return side && is_dome; }
 
@@ -100,6 +106,8 @@ struct inflated_surface {
     }
 
 private:
+    static constexpr double max_lean = 0.96875;  // above 1 a normal is behind a triangle; positions are rounded
+
     [[nodiscard]] height_range between(double top) const noexcept
     {
         const double bottom = is_dome ? -as_double(depth) : -top;
@@ -117,6 +125,7 @@ private:
         // dz / dx in output units, by that in em
         const double steepness = as_double(height) * (at.unit_per_depth / at.unit_per_cell) * at.em_per_cell;
         const auto membrane = s.data.of<membrane_point>();
+        const auto leans = s.data.of<membrane_lean>();
         for (std::size_t i = 0; i < s.points.size(); ++i) {
             const grid_point g = s.points[i];
             const membrane_point& m = membrane[i];
@@ -124,7 +133,7 @@ private:
             if constexpr (has(Wants, attribute::position))
                 v.position = axes.position(axes.foot(g), at.height(as_double(facing) * raised(m.height)));
             if constexpr (has(Wants, attribute::normal | attribute::tangent)) {
-                const vec3 n = normal(m, steepness, facing);
+                const vec3 n = normal(m, leans[i], steepness, facing);
                 if constexpr (has(Wants, attribute::normal)) v.normal = axes.direction(n.x, n.y, n.z);
                 if constexpr (has(Wants, attribute::tangent)) v.tangent = tangents.on_rim(axes, n, facing);
             }
@@ -133,16 +142,21 @@ private:
         }
     }
 
-    /// The unit normal: (-dz/dx, -dz/dy, 1), all times the membrane's height, so that it is finite at the outline.
-    [[nodiscard]] vec3 normal(const membrane_point& m, double steepness, float facing) const noexcept
+    /// The unit normal: (-dz/dx, -dz/dy, 1), all times the membrane's height, so that it is finite at the outline. If
+    /// it would be behind a triangle, it leans half as far as it may.
+    [[nodiscard]] vec3 normal(const membrane_point& m, membrane_lean lean, double steepness,
+                              float facing) const noexcept
     {
+        double along = steepness;
         if (limit > 0.0f) {
             const double share = as_double(height) * as_double(m.height) / as_double(limit),
                          flatter = 1.0 + share * share;
-            steepness /= flatter * std::sqrt(flatter);
+            along /= flatter * std::sqrt(flatter);
         }
-        const double x = -steepness * as_double(m.slope.x), y = -steepness * as_double(m.slope.y),
-                     z = as_double(m.height), square = x * x + y * y + z * z;
+        const double z = as_double(m.height), away = -steepness * along * as_double(lean.least);
+        if (away > max_lean * z) along *= 0.5 * z / away;
+        const double x = -along * as_double(m.slope.x), y = -along * as_double(m.slope.y),
+                     square = x * x + y * y + z * z;
         if (!(square > 0.0)) return {0.0f, 0.0f, facing};
         const double scale = 1.0 / std::sqrt(square);
         return {static_cast<float>(scale * x), static_cast<float>(scale * y), facing * static_cast<float>(scale * z)};
