@@ -33,7 +33,7 @@ TEST_CASE("inner edges of an inflated outline get points over their first ends, 
         // Edge by edge along the strip, two and two have the same first end.
         const std::size_t added = n, before = triangles.size();
         detail::pinched_edges pinches;
-        REQUIRE(pinches(loops, rim, triangles, membrane));
+        REQUIRE(pinches(loops, rim, triangles, membrane, 0x1p-22f));
         CHECK(loops.points.size() == rim + added);
         CHECK(membrane.size() == rim + added);
         CHECK(triangles.size() == before + 2 * added);

@@ -16,6 +16,7 @@
 #include <typemesh/extrude/bevelled.hpp>
 #include <typemesh/extrude/carved.hpp>
 #include <typemesh/extrude/embolden.hpp>
+#include <typemesh/extrude/inflated.hpp>
 #include <typemesh/extrude/outlined.hpp>
 #include <typemesh/extrude/tapered.hpp>
 #include <typemesh/inspect/manifoldness.hpp>
@@ -338,6 +339,19 @@ TEST_CASE("walls that are lower than low walls are raised to them", "[text]")
     const bevelled both{.width = 0.05f, .bevel_depth = 0.0999999f};
     for (const double x : {0.0, 5000.0, 20000.0})
         check(both, {.frame = slanted_frame, .merge = true, .corners = touching::part}, x);
+}
+
+TEST_CASE("front and back of a balloon share no edge wherever it stands, in a slanted frame, too", "[text]")
+{
+    svg_path outline{crossing_drawings[2], 1000.0};
+    for (const float height : {1.0f, 0.1f}) {
+        auto mesher = text_mesher{outline}.with(inflated{.height = height, .edge = 0.1f});
+        for (const double x : {0.0, 20000.0, 100000.0}) {
+            const glyph_run run = test::row_of(0, {x});
+            for (const touching way : {touching::part, touching::join})
+                check_manifold(mesher.plan(run, {.frame = slanted_frame, .merge = true, .corners = way}));
+        }
+    }
 }
 
 TEST_CASE("low walls are bent with their solids", "[text][bent]")

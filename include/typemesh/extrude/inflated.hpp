@@ -12,6 +12,7 @@
 #include <typemesh/extrude/impl/pinched_edges.hpp>
 #include <typemesh/inflate/membrane.hpp>
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 
@@ -111,12 +112,10 @@ struct inflated {
         const refined_cap cap{data.loops, data.inner, data.triangles, kept};
         if (error e = data.working.inflate(filled, caps.triangles(), {edge, max_points}, cap)) return e;
         const std::size_t rim = data.loops.points.size();
-        const double cells_per_em = filled.grid().cells * filled.grid().units_per_em;
         auto made = data.plan(surface(),
                               region::proven(data.loops, filled.holes(), filled.outers(), filled.is_touching()), caps);
         if (!made) return made;
-        if (!data.loops.points.append(data.inner.view()) || !collect(data, rim, cells_per_em))
-            return error::out_of_memory;
+        if (!data.loops.points.append(data.inner.view()) || !collect(data, rim, filled)) return error::out_of_memory;
         for (const part p : {part::front, part::back}) {
             if (!(p == part::front ? front : back)) continue;
             made->sizes.vertices[p] = static_cast<std::uint32_t>(data.loops.points.size());
@@ -185,15 +184,19 @@ private:
 
     /// The membrane's points in the order of the solid's, and those that the outline needs besides. False if out of
     /// memory.
-    [[nodiscard]] bool collect(plan_data& data, std::size_t rim, double cells_per_em) const noexcept
+    [[nodiscard]] bool collect(plan_data& data, std::size_t rim, const region& filled) const noexcept
     {
+        const double cells_per_em = filled.grid().cells * filled.grid().units_per_em;
+        // With `corners` floats distinguish cells; heights are written times `height`.
+        const double cells = filled.corners() == touching::keep ? 0.0 : 8.0;
+        const auto step = static_cast<float>((std::max)(0x1p-22, cells / cells_per_em));
         buffer<membrane_point>& all = data.data.of<membrane_point>();
         const auto sides = data.data.of<side_point>().view();
         for (const side_point& s : sides)
             if (!all.push_back({0.0f, {-s.before.x, -s.before.y}})) return false;
         if (!all.append(data.working.points())) return false;
         // The front and the flat back of a dome share no edge.
-        if (form == inflated_form::balloon && !data.pinches(data.loops, rim, data.triangles, all)) return false;
+        if (form == inflated_form::balloon && !data.pinches(data.loops, rim, data.triangles, all, step)) return false;
         if (!data.corners(data.loops, rim, sides, data.triangles, all)) return false;
         buffer<membrane_lean>& leans = data.data.of<membrane_lean>();
         if (!data.normals(data.loops, data.triangles, all, leans, cells_per_em, flatness())) return false;

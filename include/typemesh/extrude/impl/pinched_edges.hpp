@@ -31,9 +31,11 @@ public:
     /// `rim` is the number of the outline's points, which come first in loops.points; all points have a
     /// membrane_point. The new points follow. False if out of memory
     ///
+    ///     step    the height of a new point; others in its place are higher by as much
+    ///
     /// Cost   O(n), if few pinched edges leave each point
     [[nodiscard]] bool operator()(contours& loops, std::size_t rim, triangle_list& triangles,
-                                  buffer<membrane_point>& membrane) noexcept
+                                  buffer<membrane_point>& membrane, float step) noexcept
     {
         if (!find(loops.starts.view(), rim, triangles.view())) return false;
         if (found_.empty()) return true;
@@ -42,7 +44,7 @@ public:
         for (std::uint32_t p = 0; p < found_.size(); ++p) {
             if (found_[p].shared != p) continue;
             found_[p].middle = static_cast<std::uint32_t>(loops.points.size());
-            const float height = static_cast<float>(++number) * 0x1p-22f;
+            const float height = static_cast<float>(++number) * step;
             if (!loops.points.push_back(loops.points[found_[p].low]) || !membrane.push_back({height, {}})) return false;
         }
         for (std::uint32_t p = 0; p < found_.size(); ++p) found_[p].middle = found_[root(p)].middle;
