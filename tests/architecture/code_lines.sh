@@ -8,7 +8,7 @@
 set -eu
 here=$(cd "$(dirname "$0")" && pwd)
 cd "${1:-$here/../../include/typemesh}"
-find . -name '*.hpp' ! -name '*_table.hpp' | sed 's,^\./,,' | LC_ALL=C sort | tr '\n' '\0' | xargs -0 awk -v limit=56800 '
+find . -name '*.hpp' ! -name '*_table.hpp' | sed 's,^\./,,' | LC_ALL=C sort | tr '\n' '\0' | xargs -0 awk -v limit=57200 '
     FNR == 1 { room = FILENAME; if (!sub(/\/.*/, "", room)) room = "typemesh.hpp"; comment = 0 }
     {
         line = $0
