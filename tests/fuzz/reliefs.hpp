@@ -33,7 +33,7 @@ inline broken_law of_inflated(const inflated& how, drawn_shape& from)
     if (how.form == inflated_form::balloon && from.fits_floats() &&
         inspect::check_manifoldness(m.view()).crowded_edges != 0)
         return "front and back share an edge";
-    const auto lit = inspect::check_normals(m.view(), [](const auto& v) { return v.normal; }, 1, 2e-5);
+    const auto lit = inspect::check_normals(m.view(), [](const auto& v) { return v.normal; });
     if (from.fits_floats() && lit.inward_corners != 0) return "a normal points to the back of a triangle";
     std::vector<bool> is_used(m.vertices.size());
     for (const std::uint32_t i : m.indices) is_used[i] = true;

@@ -339,6 +339,13 @@ TEST_CASE("walls that are lower than low walls are raised to them", "[text]")
     const bevelled both{.width = 0.05f, .bevel_depth = 0.0999999f};
     for (const double x : {0.0, 5000.0, 20000.0})
         check(both, {.frame = slanted_frame, .merge = true, .corners = touching::part}, x);
+    // A riser within the height of the walls keeps a height of its own.
+    bevelled steep{.depth = 0.2001f, .width = 0.05f, .bevel_depth = 0.1f, .segments = 16};
+    for (const auto& profile : {bevel_profile{{0, 0}, {0, 0.001f}, {1, 1}},
+                                bevel_profile{{0, 0}, {0.5f, 0.0001f}, {0.5f, 0.0002f}, {1, 1}}}) {
+        steep.profile = profile;
+        check(steep, {.merge = true, .corners = touching::part}, 0.0);
+    }
 }
 
 TEST_CASE("front and back of a balloon share no edge wherever it stands, in a slanted frame, too", "[text]")
@@ -351,6 +358,16 @@ TEST_CASE("front and back of a balloon share no edge wherever it stands, in a sl
             for (const touching way : {touching::part, touching::join})
                 check_manifold(mesher.plan(run, {.frame = slanted_frame, .merge = true, .corners = way}));
         }
+    }
+}
+
+TEST_CASE("a bevel without a depth is no slope that could touch the other side", "[text]")
+{
+    svg_path outline{crossing_drawings[0], 1000.0};
+    for (const float depth : {0.2f, 1e-9f}) {
+        auto mesher = text_mesher{outline}.with(bevelled{.depth = depth, .width = 0.05f, .bevel_depth = 0.0f});
+        const glyph_run run = test::row_of(0, {0.0});
+        CHECK(test::required(mesher.plan(run, {.corners = touching::part}))->report().touching == 0);
     }
 }
 

@@ -49,10 +49,11 @@ namespace typemesh::inline TYPEMESH_ABI {
 /// solid_plan::narrowed. It also reports bevels that had to be less than half as wide to fit.
 ///
 /// With text_options::corners, a solid without walls gets walls of four cells a segment if front and back would meet
-/// inside its outline, or if its own are lower. If `side` is false, the plan reports solid_plan::touching instead.
+/// inside its outline. Walls lower than that are raised to it. If `side` is false, or there is no room for such walls,
+/// the plan reports solid_plan::touching instead.
 ///
-/// Levels of a profile that are less than four cells of the grid apart become one. Cells are counted as if depths were
-/// in em, whatever their unit is: of letters tiny in output units, bevels are left out.
+/// Levels of a profile that are less than four cells of the grid apart become one. Here the depth is read as em: with
+/// depth_unit::output, a bevel_depth that is less than four cells, read as em, is left out.
 ///
 /// The normals are the normals of the contour's curves (curve_normals), tilted by the profile's slope. They do not
 /// change along the path of an edge inwards. In em mapping, u is the u of the walls and does not change on this path
@@ -92,7 +93,7 @@ struct bevelled {
     static constexpr std::size_t part_count = 5;
     using plan_data = bevel_data;
 
-    /// See option_bits. All options except depth, width and the switches are hashed to 128 bits.
+    /// See option_bits. All options except width, bevel_depth and the switches are hashed to 128 bits.
     [[nodiscard]] option_bits cache_key() const noexcept
     {
         option_bits bits{width, std::uint64_t{0}};
@@ -103,12 +104,13 @@ struct bevelled {
         };
         note({front, back, side, own_heights().is_bevelled(true), own_heights().is_bevelled(false), outward});
         note({mode != bevel_mode::clip, joins == bevel_joins::round});
-        note({shading == bevel_shading::rounded, !refused(), own_heights().has_walls(0.0f)});
+        note({shading == bevel_shading::rounded, !refused()});
         bits.words[1] |= static_cast<std::uint64_t>(texture) << bit;
         bits.words[1] |= option_bits{mitre_limit}.words[0] << 32;
         option_hash rest;
         rest.add(option_bits{crease_degrees, profile_crease_degrees});
         rest.add(option_bits{wanted > width ? wanted : 0.0f}.words[0]);  // joins are computed for the wanted width
+        rest.add(option_bits{own_heights().thin_walls()}.words[0]);
         rest.add(std::uint64_t{segments});
         rest.add_key_of(profile);
         bits.words[2] = rest.first;

@@ -66,8 +66,8 @@ enum class inflated_form : std::uint8_t {
 /// this height, so a round section needs the text's size.
 ///
 /// At the outline the normals are its curve_normals, doubled at hard corners; inside they come from a quadratic fit to
-/// the solution. What would point to the back of a triangle turns to its front. Texture coordinates are planar, as on
-/// other caps, with tangents along the text; a dome's walls have the coordinates of other walls.
+/// the solution. A normal that would point to the back of a triangle is turned to its front. Texture coordinates are
+/// planar, as on other caps, with tangents along the text; a dome's walls have the coordinates of other walls.
 ///
 /// It has the parts front, back and side; a balloon's side is empty. All triangles of merged glyphs belong to
 /// shared_glyph.
@@ -115,7 +115,9 @@ struct inflated {
         auto made = data.plan(surface(),
                               region::proven(data.loops, filled.holes(), filled.outers(), filled.is_touching()), caps);
         if (!made) return made;
-        if (!data.loops.points.append(data.inner.view()) || !collect(data, rim, filled)) return error::out_of_memory;
+        if (!data.loops.points.append(data.inner.view()) ||
+            !collect(data, rim, filled, solid_place_of(caps).em_per_depth))
+            return error::out_of_memory;
         for (const part p : {part::front, part::back}) {
             if (!(p == part::front ? front : back)) continue;
             made->sizes.vertices[p] = static_cast<std::uint32_t>(data.loops.points.size());
@@ -184,19 +186,23 @@ private:
 
     /// The membrane's points in the order of the solid's, and those that the outline needs besides. False if out of
     /// memory.
-    [[nodiscard]] bool collect(plan_data& data, std::size_t rim, const region& filled) const noexcept
+    [[nodiscard]] bool collect(plan_data& data, std::size_t rim, const region& filled,
+                               double em_per_depth) const noexcept
     {
         const double cells_per_em = filled.grid().cells * filled.grid().units_per_em;
-        // With `corners` floats distinguish cells; heights are written times `height`.
-        const double cells = filled.corners() == touching::keep ? 0.0 : 8.0;
-        const auto step = static_cast<float>((std::max)(0x1p-22, cells / cells_per_em));
+        // With `corners` floats distinguish cells, and no two points of the outline have one place. Heights are written
+        // times `height`.
+        const bool apart = filled.corners() != touching::keep;
+        const double cells = apart ? 8.0 : 0.0;
+        const auto step = static_cast<float>((std::max)(0x1p-22, cells / (cells_per_em * em_per_depth)));
         buffer<membrane_point>& all = data.data.of<membrane_point>();
         const auto sides = data.data.of<side_point>().view();
         for (const side_point& s : sides)
             if (!all.push_back({0.0f, {-s.before.x, -s.before.y}})) return false;
         if (!all.append(data.working.points())) return false;
         // The front and the flat back of a dome share no edge.
-        if (form == inflated_form::balloon && !data.pinches(data.loops, rim, data.triangles, all, step)) return false;
+        if (form == inflated_form::balloon && !data.pinches(data.loops, rim, data.triangles, all, step, apart))
+            return false;
         if (!data.corners(data.loops, rim, sides, data.triangles, all)) return false;
         buffer<membrane_lean>& leans = data.data.of<membrane_lean>();
         if (!data.normals(data.loops, data.triangles, all, leans, cells_per_em, flatness())) return false;

@@ -37,7 +37,8 @@ struct solid_plan {
     box textured = {};                 ///< the box that textures span, in cells, if it is not that box
     bool narrowed = false;             ///< whether its edges moved less than wanted, because at the full distance they
                                        ///< were not proven simple, or less than half as far in order to fit
-    bool touching = false;             ///< whether corners touch that should have been separated or joined
+    bool touching = false;             ///< whether corners touch that should have been separated or joined, or front
+                                       ///< and back meet inside the outline
     std::uint32_t corners_moved = 0;   ///< the number of corners that were separated or joined; see contours::corners
     std::uint32_t lost_caps = 0;       ///< the number of components smaller than a tolerance that have no cap in spite
                                        ///< of bevel_mode::fit

@@ -42,8 +42,6 @@ struct glyph_settings {
     /// distance from the origin at which glyphs are written, so that floats distinguish neighbouring cells.
     double max_cells = 0x1p40;
 
-    double em_per_depth = 1.0;  ///< solid_place::em_per_depth of the place; matters only if corners are treated
-
     box text = {};                       ///< drawn_place::text; matters only for outline steps
     const glyph_stand* stand = nullptr;  ///< drawn_place::stand, likewise
 };

@@ -22,7 +22,7 @@ struct glyph_context {
     std::uint64_t max_pieces = 0;
     std::uint64_t max_points = 0;
     std::uint64_t corners = 0;  ///< 0: as drawn; otherwise the treatment, and the bits of glyph_settings::max_cells
-    std::uint64_t depths = 0;   ///< the bits of glyph_settings::em_per_depth; 0 if corners are as drawn
+    std::uint64_t depths = 0;   ///< the bits of solid_place::em_per_depth; 0 if corners are as drawn
     policy_key discretiser, triangulator, extruder, step;  ///< one for each kind of policy
 
     /// Whether all policies can be distinguished from others of their types: see cacheable_policy.
@@ -57,9 +57,11 @@ struct glyph_context {
 
 /// The context of glyphs that glyph_builder builds with these policies.
 ///
-///     variation    the key of the font's variation: see variation_of()
+///     variation       the key of the font's variation: see variation_of()
+///     em_per_depth    of the place for which they are built; matters only if corners are treated
 [[nodiscard]] inline glyph_context context_of(std::uint64_t font_number, std::uint64_t variation,
-                                              const glyph_settings& how, const policies& with) noexcept
+                                              const glyph_settings& how, const policies& with,
+                                              double em_per_depth = 1.0) noexcept
 {
     glyph_context c;
     c.font = font_number;
@@ -69,7 +71,7 @@ struct glyph_context {
     c.max_pieces = how.max_pieces;
     c.max_points = how.max_points;
     if (how.corners != touching::keep) {
-        c.depths = option_bits{how.em_per_depth}.words[0];
+        c.depths = option_bits{em_per_depth}.words[0];
         c.corners = option_bits{how.max_cells}.words[0] | static_cast<std::uint64_t>(how.corners);
     }
     c.discretiser = with.flatten.key();

@@ -44,7 +44,7 @@ struct bevel_rims {
     float width = 0.0f;           ///< of the bevel, in em
     bool own_cap = false;         ///< the cap is the region's own: the bevel has no width, or lies outside of it
     bool outward = false;         ///< the walls do not stand on the region's own edges
-    bool touches = false;         ///< front and back meet inside the outline; only without walls
+    bool touches = false;         ///< front and back meet inside the outline, and low walls are not possible
     std::uint32_t vertices = 0;   ///< the bevel's own; an outward bevel's walls follow, whose
     std::uint32_t triangles = 0;  ///< vertices come in pairs, at the back and at the front
 

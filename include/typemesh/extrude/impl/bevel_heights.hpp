@@ -54,6 +54,15 @@ struct bevel_heights {
         return is_bevelled(in_front) ? at_share(in_front, wall) : in_front ? high() : low();
     }
     [[nodiscard]] bool has_walls(float wall) const noexcept { return rim(true, wall) > rim(false, wall); }
+
+    /// Walls lower than this share of a bevel's depth may be raised, so plans depend on their height.
+    static constexpr double thin = 0.125;
+    /// The height of walls from share 0, if it is less; otherwise the height of such walls.
+    [[nodiscard]] double thin_walls() const noexcept
+    {
+        const double walls = rim(true, 0.0f) - rim(false, 0.0f), thick = thin * as_double(bevel_depth);
+        return walls < thick ? walls : thick;
+    }
 };
 
 }  // namespace typemesh::inline TYPEMESH_ABI

@@ -203,26 +203,34 @@ private:
     error keep_apart(double low, const profile_levels& levels, const bevel_vertices& vertices, plan_data& data,
                      bevel_rims& rims, workspace::scope& scratch) const noexcept
     {
-        if (levels.view().size() < 2) return {};
+        if (levels.view().size() < 2 || !(how_.bevel_depth > 0.0f)) return {};
         const double lowest_walls = how_.segments * low;
         const double walls = heights_.rim(true, rims.wall) - heights_.rim(false, rims.wall);
-        if (walls >= lowest_walls * as_double(how_.bevel_depth)) return {};
+        if (walls >= (std::min)(lowest_walls, heights_.thin) * as_double(how_.bevel_depth)) return {};
         if (!(walls > 0.0) || !how_.side) {
             if (!begins_at_other_side(levels)) return {};
             const auto meets = vertices.is_low_inside(static_cast<float>(low), scratch);
             if (!meets) return meets.error();
             if (!*meets) return {};
         }
-        const auto wall = static_cast<float>(as_double(rims.wall) + lowest_walls);
-        rims.touches = !how_.side || !(wall < 1.0f);
+        const auto strips = static_cast<double>(data.of<bevel_strip>().size());
+        rims.touches = !how_.side || !(as_double(rims.wall) + lowest_walls + strips * low < 1.0);
         if (rims.touches) return {};
-        for (bevel_strip& s : data.of<bevel_strip>()) {
-            s.from = (std::max)(s.from, wall);
-            s.to = (std::max)(s.to, wall);
-        }
-        rims.wall = wall;
-        rims.cap = (std::max)(rims.cap, wall);
+        rims.wall = static_cast<float>(as_double(rims.wall) + lowest_walls);
+        rims.cap = (std::max)(rims.cap, raise_strips(data.of<bevel_strip>(), rims.wall, static_cast<float>(low)));
         return {};
+    }
+
+    /// Raises what is lower than `wall`; risers there become `low` high. Returns the height that all then have.
+    [[nodiscard]] static float raise_strips(buffer<bevel_strip>& strips, float wall, float low) noexcept
+    {
+        float floor = wall;
+        for (bevel_strip& s : strips) {
+            s.from = (std::max)(s.from, floor);
+            if (is_zero(s.run) && same(s.from, floor) && s.to <= floor) floor += low;
+            s.to = (std::max)(s.to, floor);
+        }
+        return floor;
     }
 
     /// Whether slopes begin without a riser, where the slopes of the other side begin, or its cap lies.
@@ -237,7 +245,7 @@ private:
     /// from the origin, and its two roundings move it by less than 2^-22 of the depth.
     [[nodiscard]] double lowest(const region& filled, const solid_place& place) const noexcept
     {
-        const double depth = as_double(how_.bevel_depth) * place.em_per_depth;  // in em
+        const double depth = as_double(how_.bevel_depth) * place.em_per_depth;  // in em; 0: not asked for
         return (std::max)(0x1p-20, finest_band / (depth * filled.grid().cells * filled.grid().units_per_em));
     }
 

@@ -174,13 +174,13 @@ private:
             if (nodes_[i].turn == none) continue;
             turned& k = turns_[nodes_[i].turn];
             k.has_right = k.has_right || keeps(nodes_[i], t);
-            k.fails = !suits(k, direction(rise(t))) || k.fails;
+            k.fails = !widen(k, direction(rise(t))) || k.fails;
         }
     }
 
     /// Adds a triangle's direction to a turn. False if no slope suits all: they span more than 165 degrees, or some
     /// triangles rise and others do not.
-    [[nodiscard]] static bool suits(turned& k, point up) noexcept
+    [[nodiscard]] static bool widen(turned& k, point up) noexcept
     {
         const bool is_flat = up == point{}, has_first = !(k.first == point{});
         if (is_flat || k.is_flat) {
@@ -212,11 +212,11 @@ private:
                 if (n.turn == none || !turns_[n.turn].fails || keeps(n, old)) continue;
                 const point up = direction(rise(old));
                 std::uint32_t k = turns_[n.turn].next;
-                while (k != none && !suits(turns_[k], up)) k = turns_[k].next;
+                while (k != none && !widen(turns_[k], up)) k = turns_[k].next;
                 if (k == none) {
                     k = static_cast<std::uint32_t>(turns_.size());
                     if (!divide(n.turn, loops, membrane)) return false;
-                    (void)suits(turns_[k], up);
+                    (void)widen(turns_[k], up);
                 }
                 *corner = turns_[k].number;
             }

@@ -22,7 +22,7 @@ struct membrane_top {
 };
 
 /// How far the triangles of a point inside lean away from its slope: the least product of its slope and the slope of a
-/// triangle, in em; 0 if none is negative.
+/// triangle, which a limit has flattened, in em; 0 if none is negative.
 struct membrane_lean {
     float least = 0.0f;
 };

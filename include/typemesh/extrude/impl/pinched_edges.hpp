@@ -17,7 +17,7 @@ namespace typemesh::inline TYPEMESH_ABI::detail {
 /// the letter is about as thin as a cell. It lies at height 0, so the front and the back would meet in it.
 ///
 ///           k                       k
-///         /   \                   / | \        m lies over i, at a tiny height of its own. The triangles i m k and
+///         /   \                   / | \        m lies over i, at a small height of its own. The triangles i m k and
 ///       i ----- j    -->    i -- m --- j       m i l are upright; m j k and j m l replace i j k and j i l.
 ///         \   /                   \ | /
 ///           l                       l
@@ -31,11 +31,12 @@ public:
     /// `rim` is the number of the outline's points, which come first in loops.points; all points have a
     /// membrane_point. The new points follow. False if out of memory
     ///
-    ///     step    the height of a new point; others in its place are higher by as much
+    ///     step     the height of a new point; others in its place are higher by as much or more
+    ///     apart    whether no two points of the outline have one place
     ///
     /// Cost   O(n), if few pinched edges leave each point
     [[nodiscard]] bool operator()(contours& loops, std::size_t rim, triangle_list& triangles,
-                                  buffer<membrane_point>& membrane, float step) noexcept
+                                  buffer<membrane_point>& membrane, float step, bool apart) noexcept
     {
         if (!find(loops.starts.view(), rim, triangles.view())) return false;
         if (found_.empty()) return true;
@@ -44,7 +45,8 @@ public:
         for (std::uint32_t p = 0; p < found_.size(); ++p) {
             if (found_[p].shared != p) continue;
             found_[p].middle = static_cast<std::uint32_t>(loops.points.size());
-            const float height = static_cast<float>(++number) * step;
+            number = apart ? rank(p) : number + 1;
+            const float height = static_cast<float>(number) * step;
             if (!loops.points.push_back(loops.points[found_[p].low]) || !membrane.push_back({height, {}})) return false;
         }
         for (std::uint32_t p = 0; p < found_.size(); ++p) found_[p].middle = found_[root(p)].middle;
@@ -59,6 +61,15 @@ public:
 
 private:
     static constexpr std::uint32_t none = ~std::uint32_t{0};
+
+    /// The number of new points over the first end of a pinch, up to its own.
+    [[nodiscard]] std::uint32_t rank(std::uint32_t p) const noexcept
+    {
+        std::uint32_t number = 0;
+        for (std::uint32_t q = p; q != none; q = found_[q].next)  // found before it
+            if (found_[q].shared == q) ++number;
+        return number;
+    }
 
     /// An inner edge between two points of the outline.
     struct pinch {

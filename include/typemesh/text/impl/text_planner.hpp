@@ -157,7 +157,7 @@ error text_planner::each_glyph(const call& now, const glyph_settings& how, const
             policies own_policies = with;
             if (at == nullptr) own_policies.warp = {};
             glyph_settings own = how;
-            const solid_place place = at != nullptr ? at->place : solid_place{{}, own.em_per_depth};
+            const solid_place place = at != nullptr ? at->place : solid_place{{}, glyphs_.em_per_depth};
             if (at != nullptr && !glyphs_.stands.empty()) own.stand = &glyphs_.stands[at->glyph];
             const auto draft = maker.make == nullptr
                                    ? builder.build(face, keys[k].id, own, own_policies, place)
@@ -218,7 +218,6 @@ inline error text_planner::plan_once(const call& asked, double reach) noexcept
     if (!e) e = glyphs_.glyph_styles.read(run, font);
     if (!e) e = collect(run, options);
     glyph_settings how = settings_of(options, reach);
-    how.em_per_depth = glyphs_.em_per_depth;
     if (!e && !with.warp.is_none()) e = with.warp.refused(how.text = pens_of(run));
     if (!e) e = build_glyphs(now, how);
     if (!e && options.merge) e = merger_(glyphs_, run, builder_, font, how, with);
@@ -382,7 +381,7 @@ inline error text_planner::build_glyphs(const call& now, const glyph_settings& h
         if (!glyphs_.pinned.reserve(count, kept, cached)) return error::out_of_memory;
         policies without_warp = now.with;
         without_warp.warp = {};
-        const glyph_context plain = context_of(cache.font, font.variation(), how, without_warp);
+        const glyph_context plain = context_of(cache.font, font.variation(), how, without_warp, glyphs_.em_per_depth);
         if (!plain.is_complete()) return error::no_cache_key;
         if (error e = glyphs_.glyph_styles.find_contexts(plain, font)) return e;
         const array_view<const hashed_context> of_style = glyphs_.glyph_styles.contexts();
