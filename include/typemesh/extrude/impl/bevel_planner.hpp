@@ -245,7 +245,7 @@ private:
     /// from the origin, and its two roundings move it by less than 2^-22 of the depth.
     [[nodiscard]] double lowest(const region& filled, const solid_place& place) const noexcept
     {
-        const double depth = as_double(how_.bevel_depth) * place.em_per_depth;  // in em; 0: not asked for
+        const double depth = as_double(how_.bevel_depth) * place.em_per_depth;  // in em
         return (std::max)(0x1p-20, finest_band / (depth * filled.grid().cells * filled.grid().units_per_em));
     }
 
