@@ -336,6 +336,12 @@ TEST_CASE("walls that are lower than low walls are raised to them", "[text]")
         thin.sides = sides;
         check(thin, {.size = 0.01, .merge = true, .corners = touching::part}, 0.0);
     }
+    thin.sides = bevel_sides::both;
+    thin.depth = std::nextafter(2.0f, 3.0f);
+    for (const float width : {0.02f, 1e-6f}) {  // the second is narrower than four cells
+        thin.width = width;
+        check(thin, {.merge = true, .corners = touching::part}, 0.0);
+    }
     const bevelled both{.width = 0.05f, .bevel_depth = 0.0999999f};
     for (const double x : {0.0, 5000.0, 20000.0})
         check(both, {.frame = slanted_frame, .merge = true, .corners = touching::part}, x);

@@ -56,7 +56,7 @@ struct bevel_heights {
     [[nodiscard]] bool has_walls(float wall) const noexcept { return rim(true, wall) > rim(false, wall); }
 
     /// Walls lower than this share of a bevel's depth may be raised, so plans depend on their height.
-    static constexpr double thin = 0.125;
+    static constexpr double thin = 1.0;
     /// The height of walls from share 0, if it is less; otherwise the height of such walls.
     [[nodiscard]] double thin_walls() const noexcept
     {

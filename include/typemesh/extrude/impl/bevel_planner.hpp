@@ -203,7 +203,7 @@ private:
     error keep_apart(double low, const profile_levels& levels, const bevel_vertices& vertices, plan_data& data,
                      bevel_rims& rims, workspace::scope& scratch) const noexcept
     {
-        if (levels.view().size() < 2 || !(how_.bevel_depth > 0.0f)) return {};
+        if (!(how_.bevel_depth > 0.0f)) return {};
         const double lowest_walls = how_.segments * low;
         const double walls = heights_.rim(true, rims.wall) - heights_.rim(false, rims.wall);
         if (walls >= (std::min)(lowest_walls, heights_.thin) * as_double(how_.bevel_depth)) return {};
@@ -236,7 +236,7 @@ private:
     /// Whether slopes begin without a riser, where the slopes of the other side begin, or its cap lies.
     [[nodiscard]] bool begins_at_other_side(const profile_levels& levels) const noexcept
     {
-        if (levels.view().front().has_riser()) return false;
+        if (levels.view().size() < 2 || levels.view().front().has_riser()) return false;
         return (heights_.is_bevelled(true) || how_.front) && (heights_.is_bevelled(false) || how_.back);
     }
 
