@@ -260,7 +260,7 @@ tier_web() {
 tier_packages() {
     (install_missing debootstrap dpkg-shlibdeps pyflakes) || say "The run continues without them: the tests that need them are skipped."
     mkdir -p "$typemesh_root/build/packages"
-    build release text_to_mesh
+    build release text_to_mesh typemesh_man_page
     if ! logged "$typemesh_root/build/packages/cpack.log" make_packages; then
         tail -n 20 "$typemesh_root/build/packages/cpack.log"
         count 0 1
