@@ -15,7 +15,8 @@ set(CPACK_VERBATIM_VARIABLES ON)
 set(CPACK_GENERATOR TGZ)
 set(CPACK_SOURCE_GENERATOR TGZ)
 set(CPACK_SOURCE_PACKAGE_FILE_NAME typemesh-${PROJECT_VERSION})
-set(CPACK_SOURCE_IGNORE_FILES "/build/" "/[.]git/" "/node_modules/")
+set(CPACK_SOURCE_IGNORE_FILES "/build/" "/[.]git/" "/node_modules/" "/examples/web/package/(typemesh[.]wasm|LICENSE|.*[.]tgz)$"
+    "^${CMAKE_CURRENT_SOURCE_DIR}/(CMakeUserPresets[.]json|compile_commands[.]json|hello[.](glb|png))$")
 
 set(CPACK_ARCHIVE_COMPONENT_INSTALL ON)
 set(CPACK_DEB_COMPONENT_INSTALL ON)
