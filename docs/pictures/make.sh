@@ -81,10 +81,15 @@ inter=$(font_file truetype/inter-vf/Inter.var.ttf)
 "$program" "A&f4" --font "$inter" --depth 0 --quality normal --triangulator delaunay --show triangles --picture "$scratch/after.png"
 convert "$scratch/before.png" "$scratch/after.png" -resize 900x -append overlaps.png
 
+# Of fonts-cegui, which Debian 12 and 13 have and 14 will not.
 vibes=/usr/share/fonts/truetype/GreatVibes-Regular.ttf
-"$program" "eat" --font $vibes --depth 0 --quality normal --show triangles --picture "$scratch/apart.png"
-"$program" "eat" --font $vibes --depth 0 --quality normal --show triangles --merge --picture "$scratch/merged.png"
-convert "$scratch/apart.png" "$scratch/merged.png" -resize 600x +append merged.png
+if [ -e $vibes ]; then
+    "$program" "eat" --font $vibes --depth 0 --quality normal --show triangles --picture "$scratch/apart.png"
+    "$program" "eat" --font $vibes --depth 0 --quality normal --show triangles --merge --picture "$scratch/merged.png"
+    convert "$scratch/apart.png" "$scratch/merged.png" -resize 600x +append merged.png
+else
+    say "merged.png stays as it is, because the font $vibes is not installed."
+fi
 
 for triangulator in monotone delaunay; do
     "$program" "Rag" --font $sans --depth 0 --quality normal --triangulator $triangulator --show triangles --picture "$scratch/$triangulator.png"
