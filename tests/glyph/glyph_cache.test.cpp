@@ -415,7 +415,7 @@ TEST_CASE("a cache can be used without a mesher", "[text]")
     const monotone cut;
     const flat raise;
     const policies with{flatten, cut, raise, nobody};
-    const glyph_context context = context_of(1, 0, how, with);
+    const glyph_context context = context_of(1, 0, how, with, 1.0);
     const auto parts = builder.build(font, 2, how, with);
     REQUIRE(parts);
     const built_glyph* e = cache.keep(context, 2, *parts);

@@ -46,13 +46,13 @@ std::vector<glyph_context> all_different()
     joined.corners = touching::join;
     coarser.max_cells = 0x1p20;
     const auto of = [&](const glyph_settings& settings, const auto& flatten, const auto& raise) {
-        return context_of(1, font, settings, policies{flatten, monotone{}, raise, nobody});
+        return context_of(1, font, settings, policies{flatten, monotone{}, raise, nobody}, 1.0);
     };
     return {
         of(usual, certified{}, flat{}),
-        context_of(2, font, usual, policies{certified{}, monotone{}, flat{}, nobody}),
-        context_of(1, 7, usual, policies{certified{}, monotone{}, flat{}, nobody}),
-        context_of(1, font, usual, policies{certified{}, constrained_delaunay{}, flat{}, nobody}),
+        context_of(2, font, usual, policies{certified{}, monotone{}, flat{}, nobody}, 1.0),
+        context_of(1, 7, usual, policies{certified{}, monotone{}, flat{}, nobody}, 1.0),
+        context_of(1, font, usual, policies{certified{}, constrained_delaunay{}, flat{}, nobody}, 1.0),
         of(tolerant(std::nextafter(0.01, 1.0)), certified{}, flat{}),
         of(even_odd, certified{}, flat{}),
         of(non_zero, certified{}, flat{}),
@@ -103,5 +103,5 @@ TEST_CASE("options that change only the time or the writing are not part of a ke
     no_observer nobody;
     const policies with{certified{}, monotone{}, flat{}, nobody};
     const glyph_settings as_drawn = tolerant(0.01);
-    CHECK(context_of(1, 0, as_drawn, with, 0.5) == context_of(1, 0, as_drawn, with));
+    CHECK(context_of(1, 0, as_drawn, with, 0.5) == context_of(1, 0, as_drawn, with, 1.0));
 }

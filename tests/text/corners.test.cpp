@@ -367,6 +367,32 @@ TEST_CASE("front and back of a balloon share no edge wherever it stands, in a sl
     }
 }
 
+TEST_CASE("a balloon is the same whether its height is in em or in output units", "[text]")
+{
+    svg_path outline{crossing_drawings[2], 1000.0};
+    const glyph_run run = test::row_of(0, {100000.0});
+    const auto points = [&](double size, depth_unit unit) {
+        const auto height = static_cast<float>(unit == depth_unit::em ? 1.0 : size);
+        auto mesher = text_mesher{outline}.with(inflated{.height = height, .edge = 0.1f});
+        text_options options{.size = size, .depth_in = unit, .frame = slanted_frame};
+        options.merge = true;
+        options.corners = touching::part;
+        std::vector<vec3> vertices;
+        std::vector<std::uint32_t> indices;
+        CHECK(test::required(mesher.plan(run, options))->write(into(vertices, indices)));
+        return vertices;
+    };
+    for (const double size : {0.01, 1000.0}) {
+        const auto in_em = points(size, depth_unit::em), in_output = points(size, depth_unit::output);
+        REQUIRE(in_em.size() == in_output.size());
+        double farthest = 0.0;
+        for (std::size_t i = 0; i < in_em.size(); ++i)
+            for (float vec3::* const axis : {&vec3::x, &vec3::y, &vec3::z})
+                farthest = (std::max)(farthest, std::abs(static_cast<double>(in_em[i].*axis - in_output[i].*axis)));
+        CHECK(farthest < 1e-4 * size);
+    }
+}
+
 TEST_CASE("a bevel without a depth is no slope that could touch the other side", "[text]")
 {
     svg_path outline{crossing_drawings[0], 1000.0};

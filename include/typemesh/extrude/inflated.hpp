@@ -115,9 +115,7 @@ struct inflated {
         auto made = data.plan(surface(),
                               region::proven(data.loops, filled.holes(), filled.outers(), filled.is_touching()), caps);
         if (!made) return made;
-        if (!data.loops.points.append(data.inner.view()) ||
-            !collect(data, rim, filled, solid_place_of(caps).em_per_depth))
-            return error::out_of_memory;
+        if (!data.loops.points.append(data.inner.view()) || !collect(data, rim, filled)) return error::out_of_memory;
         for (const part p : {part::front, part::back}) {
             if (!(p == part::front ? front : back)) continue;
             made->sizes.vertices[p] = static_cast<std::uint32_t>(data.loops.points.size());
@@ -179,22 +177,21 @@ private:
     /// The height of a membrane of 1 em by the limit; 0 without a limit.
     [[nodiscard]] float flatness() const noexcept
     {
-        constexpr float largest = 1e30f;  // so that its square is finite
+        constexpr float largest = 1e30f;  // the quotient may overflow
         if (!(limit > 0.0f)) return 0.0f;
         return height / limit < largest ? height / limit : largest;
     }
 
     /// The membrane's points in the order of the solid's, and those that the outline needs besides. False if out of
     /// memory.
-    [[nodiscard]] bool collect(plan_data& data, std::size_t rim, const region& filled,
-                               double em_per_depth) const noexcept
+    [[nodiscard]] bool collect(plan_data& data, std::size_t rim, const region& filled) const noexcept
     {
         const double cells_per_em = filled.grid().cells * filled.grid().units_per_em;
         // With `corners` floats distinguish cells, and no two points of the outline have one place. Heights are written
-        // times `height`.
+        // times `height`: eight cells of a letter a tenth as high are apart in slanted frames, too.
         const bool apart = filled.corners() != touching::keep;
         const double cells = apart ? 8.0 : 0.0;
-        const auto step = static_cast<float>((std::max)(0x1p-22, cells / (cells_per_em * em_per_depth)));
+        const auto step = static_cast<float>((std::max)(0x1p-22, cells / cells_per_em));
         buffer<membrane_point>& all = data.data.of<membrane_point>();
         const auto sides = data.data.of<side_point>().view();
         for (const side_point& s : sides)

@@ -61,7 +61,7 @@ struct glyph_context {
 ///     em_per_depth    of the place for which they are built; matters only if corners are treated
 [[nodiscard]] inline glyph_context context_of(std::uint64_t font_number, std::uint64_t variation,
                                               const glyph_settings& how, const policies& with,
-                                              double em_per_depth = 1.0) noexcept
+                                              double em_per_depth) noexcept
 {
     glyph_context c;
     c.font = font_number;

@@ -53,8 +53,8 @@ struct membrane_options {
 ///
 /// The cap is refined: no edge is longer than `edge`, except in slivers whose middle has no place for a point, and
 /// edges of thin strokes are shorter. Rings of points along the outline, where the surface is steep, follow the section
-/// at steps of 22.5 degrees, or 11.25 on thick
-/// strokes. The inner edges are Delaunay, so u is positive inside: see impl/membrane_system.hpp.
+/// at steps of 22.5 degrees, or 11.25 on thick strokes. The inner edges are Delaunay, so u is positive inside: see
+/// impl/membrane_system.hpp.
 ///
 /// The sums of the solution have one order, and heights and slopes are rounded to 2^-22 em, so that compilers that
 /// contract products and sums agree but in rare cases.

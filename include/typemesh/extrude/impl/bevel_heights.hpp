@@ -55,12 +55,11 @@ struct bevel_heights {
     }
     [[nodiscard]] bool has_walls(float wall) const noexcept { return rim(true, wall) > rim(false, wall); }
 
-    /// Walls lower than this share of a bevel's depth may be raised, so plans depend on their height.
-    static constexpr double thin = 1.0;
-    /// The height of walls from share 0, if it is less; otherwise the height of such walls.
+    /// The height of walls from share 0, at most a bevel's depth. With `corners`, walls lower than the bevel may be
+    /// raised, so plans depend on their height.
     [[nodiscard]] double thin_walls() const noexcept
     {
-        const double walls = rim(true, 0.0f) - rim(false, 0.0f), thick = thin * as_double(bevel_depth);
+        const double walls = rim(true, 0.0f) - rim(false, 0.0f), thick = as_double(bevel_depth);
         return walls < thick ? walls : thick;
     }
 };

@@ -206,7 +206,7 @@ private:
         if (!(how_.bevel_depth > 0.0f)) return {};
         const double lowest_walls = how_.segments * low;
         const double walls = heights_.rim(true, rims.wall) - heights_.rim(false, rims.wall);
-        if (walls >= (std::min)(lowest_walls, heights_.thin) * as_double(how_.bevel_depth)) return {};
+        if (walls >= (std::min)(lowest_walls, 1.0) * as_double(how_.bevel_depth)) return {};
         if (!(walls > 0.0) || !how_.side) {
             if (!begins_at_other_side(levels)) return {};
             const auto meets = vertices.is_low_inside(static_cast<float>(low), scratch);

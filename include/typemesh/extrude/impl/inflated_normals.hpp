@@ -49,7 +49,7 @@ public:
             if (!measure(t)) return false;
         if (!turns_.empty()) {
             for (const triangle& t : triangles) narrow(t);
-            if (!part(loops, triangles, membrane)) return false;
+            if (!split(loops, triangles, membrane)) return false;
             for (const turned& k : turns_) turn(k, membrane[k.number].slope);
         }
         const std::size_t n = loops.points.size();
@@ -67,12 +67,12 @@ private:
     struct node {
         point place, slope;
         double height;
-        double lean;         // inside: the least product of slopes, in em by cells; at most 0
-        std::uint32_t turn;  // on the outline: its turn, or none
+        double lean;         // inside: the least product of slopes, in em per cell; at most 0
+        std::uint32_t turn;  // its turn, or none
     };
 
-    /// A point on the outline whose slope changes, or a new point in the same place. The directions in which its
-    /// triangles rise lie between two, counter-clockwise from the first to the last.
+    /// A point on the outline or of a pinched edge whose slope changes, or a new point in the same place. The
+    /// directions in which its triangles rise lie between two, counter-clockwise from the first to the last.
     struct turned {
         std::uint32_t number;       // of the point
         std::uint32_t next = none;  // the turn of another point in its place
@@ -127,11 +127,8 @@ private:
     }
 
     /// Whether a unit slope points up a triangle, and not along it: normals are rounded to floats.
-    [[nodiscard]] static bool points_up(point slope, point up) noexcept { return dot(slope, up) > least_product(up); }
-    [[nodiscard]] static double least_product(point up) noexcept
-    {
-        return 0x1p-20 * (std::fabs(up.x) + std::fabs(up.y));
-    }
+    [[nodiscard]] static bool points_up(point slope, point up) noexcept { return dot(slope, up) > margin(up); }
+    [[nodiscard]] static double margin(point up) noexcept { return 0x1p-20 * (std::fabs(up.x) + std::fabs(up.y)); }
 
     /// Compares the corners' slopes with a triangle's. False if out of memory.
     [[nodiscard]] bool measure(const triangle& t) noexcept
@@ -140,10 +137,10 @@ private:
         const point u = b.place - a.place, v = c.place - a.place,
                     up = rise(u, v, b.height - a.height, c.height - a.height);
         const double area = cross(u, v);
-        const double least = least_product(up);
+        const double enough = margin(up);
         const auto compare = [&](node& n, std::uint32_t i) noexcept {
             const double product = dot(n.slope, up);
-            if (product > least) return true;
+            if (product > enough) return true;
             if (n.height > 0.0 && area > 0.0) {
                 if (product < n.lean * area) n.lean = product / area;
                 return true;
@@ -203,7 +200,7 @@ private:
     }
 
     /// Where a turn fails, gives the triangles that the old slope does not suit another point. False if out of memory.
-    [[nodiscard]] bool part(contours& loops, triangle_list& triangles, buffer<membrane_point>& membrane) noexcept
+    [[nodiscard]] bool split(contours& loops, triangle_list& triangles, buffer<membrane_point>& membrane) noexcept
     {
         for (triangle& t : triangles) {
             const triangle old = t;

@@ -31,7 +31,7 @@ public:
     /// `rim` is the number of the outline's points, which come first in loops.points; all points have a
     /// membrane_point. The new points follow. False if out of memory
     ///
-    ///     step     the height of a new point; others in its place are higher by as much or more
+    ///     step     the height of the first new point in a place, and the least difference to the next
     ///     apart    whether no two points of the outline have one place
     ///
     /// Cost   O(n), if few pinched edges leave each point

@@ -90,7 +90,7 @@ struct text_glyphs {
     };
 
     buffer<glyph_place> places;  ///< of the different glyphs that differ from place to place: the last ones
-    double em_per_depth = 1.0;   ///< for these places
+    double em_per_depth = 1.0;   ///< of all glyphs' places
     double em_per_font_unit = 0.0;
     bool in_place = false;            ///< whether all do; then no glyph is drawn twice
     buffer<glyph_stand> stands;       ///< of the run's glyphs, if an outline step places them
