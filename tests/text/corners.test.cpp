@@ -354,6 +354,57 @@ TEST_CASE("walls that are lower than low walls are raised to them", "[text]")
     }
 }
 
+TEST_CASE("low walls grow to four cells for each segment, and no higher", "[text]")
+{
+    svg_path outline{crossing_drawings[0], 1000.0};
+    const auto walls_at = [&](double x, std::uint32_t segments) {
+        auto mesher = text_mesher{outline}.with(
+            bevelled{.depth = 0.25f, .width = 0.05f, .bevel_depth = 0.125f - 0x1p-14f, .segments = segments});
+        const glyph_run run = test::row_of(0, {x});
+        const test::lit_mesh mesh =
+            test::written(*test::required(mesher.plan(run, {.merge = true, .corners = touching::part})));
+        float low = 0.0f, high = -1.0f;
+        for (const test::lit_vertex& v : mesh.vertices)
+            if (v.of == part::side) low = (std::min)(low, v.place.z), high = (std::max)(high, v.place.z);
+        return as_double(high) - as_double(low);
+    };
+    CHECK(walls_at(0.0, 1) == 0x1p-13);  // higher than four cells
+    for (const std::uint32_t segments : {1u, 16u})
+        CHECK(walls_at(1000000.0, segments) == Catch::Approx(4.0 * segments / 8000.0).epsilon(1e-4));
+}
+
+TEST_CASE("a profile that comes back to the other side's height has low walls, with a riser at the outline, too",
+          "[text]")
+{
+    for (const auto& profile :
+         {bevel_profile{{0, 0}, {0, 0.5f}, {0.5f, 1e-6f}, {1, 1}}, bevel_profile{{0, 0}, {0, 0.5f}, {1, 1e-6f}}}) {
+        bevelled how = meeting_bevels;
+        how.profile = profile;
+        for (const char* drawing : crossing_drawings) {
+            svg_path outline{drawing, 1000.0};
+            CHECK(low_walls_of(outline, how, {.frame = slanted_frame, .merge = true}) > 0);
+        }
+    }
+    bevelled step{.width = 1e-6f, .bevel_depth = 0.1f, .profile = {{0, 0}, {1, 1e-6f}}};  // narrower than four cells
+    svg_path outline{crossing_drawings[0], 1000.0};
+    CHECK(low_walls_of(outline, step, {.frame = slanted_frame, .merge = true}) > 0);
+}
+
+TEST_CASE("risers that end little above low walls have a height", "[text]")
+{
+    bevelled thin{.depth = std::nextafter(0.125f, 1.0f), .width = 0.05f, .bevel_depth = 0.0625f, .segments = 7};
+    for (const double cells : {0.0, 0.001, 0.02, 4.0}) {
+        thin.profile = {{0, 0}, {0, static_cast<float>((7 * 4.0 + cells) / (0.0625 * 512000.0))}, {1, 1}};
+        for (const char* drawing : crossing_drawings) {
+            svg_path outline{drawing, 1000.0};
+            auto mesher = text_mesher{outline}.with(thin);
+            const glyph_run run = test::row_of(0, {0.0});
+            for (const touching way : {touching::part, touching::join})
+                check_manifold(mesher.plan(run, {.merge = true, .corners = way}));
+        }
+    }
+}
+
 TEST_CASE("front and back of a balloon share no edge wherever it stands, in a slanted frame, too", "[text]")
 {
     svg_path outline{crossing_drawings[2], 1000.0};
@@ -374,9 +425,8 @@ TEST_CASE("a balloon is the same whether its height is in em or in output units"
     const auto points = [&](double size, depth_unit unit) {
         const auto height = static_cast<float>(unit == depth_unit::em ? 1.0 : size);
         auto mesher = text_mesher{outline}.with(inflated{.height = height, .edge = 0.1f});
-        text_options options{.size = size, .depth_in = unit, .frame = slanted_frame};
-        options.merge = true;
-        options.corners = touching::part;
+        const text_options options{
+            .size = size, .depth_in = unit, .frame = slanted_frame, .merge = true, .corners = touching::part};
         std::vector<vec3> vertices;
         std::vector<std::uint32_t> indices;
         CHECK(test::required(mesher.plan(run, options))->write(into(vertices, indices)));

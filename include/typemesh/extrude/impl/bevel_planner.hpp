@@ -182,8 +182,7 @@ private:
         }
         if (error e = vertices.make(levels, scratch)) return e;
         if (filled.corners() != touching::keep)
-            if (error e = keep_apart(lowest(filled, solid_place_of(caps)), levels, vertices, data, rims, scratch))
-                return e;
+            if (error e = keep_apart(lowest(filled, solid_place_of(caps)), vertices, data, rims, scratch)) return e;
         rims.top =
             data.of<grid_point>().empty() && !rims.has_own_cap(true) ? rims.wall : (std::max)(rims.wall, rims.cap);
         for (const bevel_vertex& v : data.of<bevel_vertex>())
@@ -196,27 +195,29 @@ private:
     }
 
     /// Where front and back of a solid without walls would meet inside the outline, gives it low walls instead: all
-    /// that is lower than they are is raised to their end. Walls that are lower than this already are raised, too.
+    /// that is lower than they are is raised to their end. Walls that have less than `low` for each segment grow to it.
     ///
-    ///     share 0 ____________ both sides        share 0 .____________.      `low` for each segment
+    ///     share 0 ____________ both sides        share 0 .____________.      each side raised by `low` for each segment
     ///              \ ________/                            |\ ________/|
-    error keep_apart(double low, const profile_levels& levels, const bevel_vertices& vertices, plan_data& data,
-                     bevel_rims& rims, workspace::scope& scratch) const noexcept
+    error keep_apart(double low, const bevel_vertices& vertices, plan_data& data, bevel_rims& rims,
+                     workspace::scope& scratch) const noexcept
     {
         if (!(how_.bevel_depth > 0.0f)) return {};
         const double lowest_walls = how_.segments * low;
-        const double walls = heights_.rim(true, rims.wall) - heights_.rim(false, rims.wall);
-        if (walls >= (std::min)(lowest_walls, 1.0) * as_double(how_.bevel_depth)) return {};
+        const double walls =
+            (heights_.rim(true, rims.wall) - heights_.rim(false, rims.wall)) / as_double(how_.bevel_depth);
+        if (walls >= (std::min)(lowest_walls, 1.0)) return {};
         if (!(walls > 0.0) || !how_.side) {
-            if (!begins_at_other_side(levels)) return {};
+            if (!has_two_sides()) return {};
             const auto meets = vertices.is_low_inside(static_cast<float>(low), scratch);
             if (!meets) return meets.error();
             if (!*meets) return {};
         }
-        const auto strips = static_cast<double>(data.of<bevel_strip>().size());
-        rims.touches = !how_.side || !(as_double(rims.wall) + lowest_walls + strips * low < 1.0);
+        const double sides = heights_.sides == bevel_sides::both ? 2.0 : 1.0;
+        const double wall = as_double(rims.wall) + (walls > 0.0 ? (lowest_walls - walls) / sides : lowest_walls);
+        rims.touches = !how_.side || !(wall + static_cast<double>(data.of<bevel_strip>().size()) * low < 1.0);
         if (rims.touches) return {};
-        rims.wall = static_cast<float>(as_double(rims.wall) + lowest_walls);
+        rims.wall = static_cast<float>(wall);
         rims.cap = (std::max)(rims.cap, raise_strips(data.of<bevel_strip>(), rims.wall, static_cast<float>(low)));
         return {};
     }
@@ -227,16 +228,15 @@ private:
         float floor = wall;
         for (bevel_strip& s : strips) {
             s.from = (std::max)(s.from, floor);
-            if (is_zero(s.run) && same(s.from, floor) && s.to <= floor) floor += low;
+            if (is_zero(s.run) && same(s.from, floor) && s.to < floor + low) floor += low;
             s.to = (std::max)(s.to, floor);
         }
         return floor;
     }
 
-    /// Whether slopes begin without a riser, where the slopes of the other side begin, or its cap lies.
-    [[nodiscard]] bool begins_at_other_side(const profile_levels& levels) const noexcept
+    /// Whether both sides have slopes or a cap.
+    [[nodiscard]] bool has_two_sides() const noexcept
     {
-        if (levels.view().size() < 2 || levels.view().front().has_riser()) return false;
         return (heights_.is_bevelled(true) || how_.front) && (heights_.is_bevelled(false) || how_.back);
     }
 

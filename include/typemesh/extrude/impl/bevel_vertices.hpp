@@ -77,7 +77,7 @@ public:
     }
 
     /// After make(): whether front and back of a solid without walls would meet inside the outline, in an edge, which
-    /// then has four faces, or in a point. The profile has no riser at the outline.
+    /// then has four faces, or in a point.
     ///
     ///      p ____________ s         p-q joins two points of the outline, but is no edge of it; so does a side of a
     ///       |\__________/|          triangle with three corners on the outline. Or
@@ -92,6 +92,7 @@ public:
     [[nodiscard]] result<bool> is_low_inside(float low, workspace::scope& scratch) const noexcept
     {
         if (returns_below(low)) return true;
+        if (!begins_with_slope()) return false;
         const std::uint32_t* const next = next_on_outline(scratch);
         if (next == nullptr) return error::out_of_memory;
         const std::uint32_t band = is_outward() ? last_level() - 1 : 0;
@@ -259,6 +260,12 @@ private:
         for (std::size_t i = 0; i < strips.size(); ++i)
             if ((i != 0 && strips[i].from < low) || strips[i].to < low) return true;
         return false;
+    }
+
+    [[nodiscard]] bool begins_with_slope() const noexcept
+    {
+        const auto strips = data_.of<bevel_strip>().view();
+        return !strips.empty() && !is_zero(strips[0].run);
     }
 
     /// For each node the next one along the outline; none if it is no point of the outline. Null if out of memory.
