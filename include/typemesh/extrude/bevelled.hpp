@@ -49,8 +49,9 @@ namespace typemesh::inline TYPEMESH_ABI {
 /// solid_plan::narrowed. It also reports bevels that had to be less than half as wide to fit.
 ///
 /// With text_options::corners, a solid without walls gets low walls if front and back would meet inside its outline:
-/// four cells for each segment and each bevelled side. Walls that are lower than four cells a segment, and lower than the
-/// bevel is deep, grow to this. If `side` is false, or there is no room for such walls, the plan reports solid_plan::touching instead.
+/// four cells for each segment and each bevelled side. Walls that are lower than four cells a segment, and lower than
+/// the bevel is deep, grow to this. If `side` is false, or there is no room for such walls, the plan reports
+/// solid_plan::touching instead.
 ///
 /// Levels of a profile that are less than four cells of the grid apart become one. Here the depth is read as em: with
 /// depth_unit::output, a bevel_depth that is less than four cells, read as em, is left out.

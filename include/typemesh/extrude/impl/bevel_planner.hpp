@@ -197,8 +197,8 @@ private:
     /// Where front and back of a solid without walls would meet inside the outline, gives it low walls instead: all
     /// that is lower than they are is raised to their end. Walls that have less than `low` for each segment grow to it.
     ///
-    ///     share 0 ____________ both sides        share 0 .____________.      each side raised by `low` for each segment
-    ///              \ ________/                            |\ ________/|
+    ///     share 0 ____________ both sides     share 0 .____________.     each raised by `low` for each segment
+    ///              \ ________/                         |\ ________/|
     error keep_apart(double low, const bevel_vertices& vertices, plan_data& data, bevel_rims& rims,
                      workspace::scope& scratch) const noexcept
     {
