@@ -9,6 +9,10 @@
 #include "support/counting_memory.hpp"
 #include "support/ridge_laws.hpp"
 
+#include <typemesh/discretise/certified.hpp>
+#include <typemesh/outline/outline_recorder.hpp>
+#include <typemesh/outline/svg_path.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -238,6 +242,42 @@ TEST_CASE(
     CHECK(count(15.0f) == 8);
     CHECK(count(89.0f) == 8);
     CHECK(count(91.0f) == 1);
+}
+
+TEST_CASE("low walls of carved slopes that end sooner are as high as those of others", "[extrude][carved]")
+{
+    svg_path drawing{
+        "M300 400L600 400L600 100L300 100ZM500 400C500 510.45695 455.228475 600 400 600C344.771525 600 300 510.45695 "
+        "300 400C300 289.54305 344.771525 200 400 200C455.228475 200 500 289.54305 500 400Z",
+        1000.0};
+    outline drawn;
+    outline_recorder pen{drawn};
+    REQUIRE_FALSE(drawing.outline(0, pen));
+    REQUIRE_FALSE(pen.finish());
+    const auto cells = grid::fitting(1000.0, drawn.bounds);
+    REQUIRE(cells);
+    no_observer nobody;
+    const cap_settings settings{.corners = touching::part};
+    const cap_policies policies{certified{}, monotone{}, nobody};
+    const double em = 1000.0 * cells->cells;
+    for (const int refusals : {0, 1, 3}) {
+        cap_builder caps, further;
+        corner_parting parting;
+        const auto built = caps.build(drawn, 1.25, *cells, settings, policies);
+        REQUIRE(built);
+        const auto filled = caps.part(*built, drawn.curves, settings, policies, parting);
+        REQUIRE(filled);
+        region_caps maker{caps, further, monotone{}};
+        refusing_caps<decltype(maker)> refusing{maker, refusals};
+        const carved how{.max_depth = 0.05f};
+        carved_data data;
+        const auto plan = plan_solid(how, *filled, data, refusing);
+        REQUIRE(plan);
+        CHECK(plan->narrowed == (refusals != 0));
+        const carved_depth& reached = data.own.of<carved_depth>()[0];
+        CHECK(as_double(reached.depth) == Approx(std::ldexp(0.05, -refusals)));
+        CHECK(as_double(data.bevel.of<bevel_rims>()[0].wall) * as_double(reached.depth) * em == Approx(4.0));
+    }
 }
 
 TEST_CASE("carved options are refused by name, and have keys", "[extrude][carved]")

@@ -467,6 +467,25 @@ TEST_CASE("low walls are bent with their solids", "[text][bent]")
     check(tapered{}.walls(), [](const bevelled& b) { return bent<on_cylinder, bevelled>{b, {.radius = -0.7}}; });
 }
 
+TEST_CASE("bent letters are planned at the rounded pens where they are written", "[text][bent]")
+{
+    recorded_outlines font{1000.0};
+    REQUIRE(font.add([](auto& pen) { circle(pen, {400, 400}, 400, 1), circle(pen, {430, 400}, 300, -1); }));
+    auto mesher = text_mesher{font}.with(bent<on_cylinder, extruded<>>{{}, {.radius = 12.0f}});
+    for (const frame& f : {right_handed_y_up, slanted_frame})
+        for (double x = 100.0; x < 140.0; x += 1.43456789) {
+            glyph_run run;
+            run.units_per_em = 1000.0;
+            REQUIRE(run.glyphs.push_back({0, 0, {1000.0 * x, 303.71}}));
+            const auto plan = test::required(mesher.plan(run, {.frame = f, .merge = true, .corners = touching::part}));
+            const bounds3 planned = plan->bounds();
+            bounds3 all = planned;
+            for (const test::lit_vertex& v : test::written(*plan).vertices) all.add(v.place);
+            CHECK(all.low == planned.low);
+            CHECK(all.high == planned.high);
+        }
+}
+
 TEST_CASE("slopes that end outside the letter have low walls where they are low inside", "[text]")
 {
     // Slopes meet in the gaps between its parts.

@@ -94,4 +94,10 @@ private:
     }
 };
 
+/// A pen in font units, rounded to a grid with this many cells per font unit.
+[[nodiscard]] inline point rounded_pen(point pen, double cells) noexcept
+{
+    return {std::nearbyint(pen.x * cells) / cells, std::nearbyint(pen.y * cells) / cells};
+}
+
 }  // namespace typemesh::inline TYPEMESH_ABI

@@ -11,6 +11,7 @@
 #include <typemesh/core/workspace.hpp>
 
 #include <concepts>
+#include <optional>
 
 namespace typemesh::inline TYPEMESH_ABI {
 
@@ -18,6 +19,10 @@ namespace typemesh::inline TYPEMESH_ABI {
 struct solid_place {
     point origin = {};          ///< the region's own origin, relative to the text's, in em
     double em_per_depth = 1.0;  ///< em per unit of the extruder's depths
+
+    /// The pen in font units, if the origin becomes this pen, rounded to the region's grid: see rounded_pen(). Until
+    /// the region is made, its grid is unknown.
+    std::optional<point> pen = {};
 };
 
 /// The resources of an extruder's plan(): caps of further regions (for example levels of a bevel), triangulated like

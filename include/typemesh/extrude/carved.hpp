@@ -139,18 +139,15 @@ struct carved {
         const double em = filled.grid().cells * filled.grid().units_per_em;
         if (!(em > 0.0)) return error::bad("units_per_em");
         carved_depth wanted = depth_of(filled, em);
-        bevelled slopes = slopes_of(wanted);
-        // A profile shallower than profile_levels::finest would not rise. The plan stores shares of the depth, so that
-        // a deeper profile has the same plan.
-        constexpr double least = 2.0 * profile_levels::finest;
-        if (as_double(wanted.depth) * em < least) slopes.depth = slopes.bevel_depth = static_cast<float>(least / em);
-        auto made = slopes.plan(filled, data.bevel, caps);
-        if (!made) return made;
-        const float reached = data.bevel.of<bevel_rims>()[0].width;
-        if (reached < wanted.width) {
-            wanted.width = reached;
-            wanted.depth = static_cast<float>(as_double(reached) / tangent());
+        auto made = plan_slopes(filled, wanted, em, data.bevel, caps);
+        const bool narrowed = made && made->narrowed;
+        // Low walls are shares of the depth, so narrowed slopes are planned again, for the depth that they reach.
+        while (made && shorten(wanted, data.bevel) && made->narrowed && filled.corners() != touching::keep) {
+            data.bevel.clear();
+            made = plan_slopes(filled, wanted, em, data.bevel, caps);
         }
+        if (!made) return made;
+        made->narrowed = narrowed;
         wanted.reach = static_cast<float>(data.bevel.swept.levels.back());
         wanted.height = as == carving::relief ? wanted.depth : -wanted.depth;
         if (!data.own.of<carved_depth>().push_back(wanted)) return error::out_of_memory;
@@ -241,6 +238,28 @@ private:
         if (max_depth > 0.0f && wanted < most) return {static_cast<float>(wanted), max_depth, 0.0f, 0.0f};
         const auto width = static_cast<float>(most);
         return {width, static_cast<float>(as_double(width) / tangent()), 0.0f, 0.0f};
+    }
+
+    /// A profile shallower than profile_levels::finest would not rise. The plan stores shares of the depth, so that a
+    /// deeper profile has the same plan.
+    template <cap_maker Caps>
+    [[nodiscard]] result<solid_plan> plan_slopes(const region& filled, const carved_depth& to, double em,
+                                                 bevel_data& data, Caps& caps) const noexcept
+    {
+        bevelled slopes = slopes_of(to);
+        constexpr double least = 2.0 * profile_levels::finest;
+        if (as_double(to.depth) * em < least) slopes.depth = slopes.bevel_depth = static_cast<float>(least / em);
+        return slopes.plan(filled, data, caps);
+    }
+
+    /// Reduces the wanted depth to what planned slopes reach. Returns whether they end sooner.
+    [[nodiscard]] bool shorten(carved_depth& wanted, bevel_data& planned) const noexcept
+    {
+        const float reached = planned.of<bevel_rims>()[0].width;
+        if (!(reached < wanted.width)) return false;
+        wanted.width = reached;
+        wanted.depth = static_cast<float>(as_double(reached) / tangent());
+        return true;
     }
 
     /// Keeps the ridges, and the outlines of the floor.

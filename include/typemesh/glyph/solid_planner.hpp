@@ -67,7 +67,12 @@ public:
             if (!stepped) return stepped.error();
             made = *stepped;
         }
-        const auto plan = with.raise.plan(made.filled, plan_, {caps, further_, with.cut, made.triangles, place});
+        solid_place at = place;
+        if (place.pen) {
+            const grid& cells = made.filled.grid();
+            at.origin = (1.0 / cells.units_per_em) * rounded_pen(*place.pen, cells.cells);
+        }
+        const auto plan = with.raise.plan(made.filled, plan_, {caps, further_, with.cut, made.triangles, at});
         if (!plan) return plan.error();
         planned_draft out;
         out.filled = made.filled;

@@ -4,6 +4,7 @@
 #include <typemesh/core/array_view.hpp>
 #include <typemesh/core/error.hpp>
 #include <typemesh/core/finite.hpp>
+#include <typemesh/core/grid.hpp>
 #include <typemesh/core/impl/first_where.hpp>
 #include <typemesh/layout/glyph_run.hpp>
 #include <typemesh/text/impl/text_glyphs.hpp>
@@ -23,12 +24,6 @@ namespace detail {
     constexpr double farthest = 0x1p80;  // font units; 32-bit floats do not reach much farther in any unit
     if (std::fabs(origin.x) > farthest || std::fabs(origin.y) > farthest) return error::outline_beyond_grid;
     return {};
-}
-
-/// A pen rounded to a glyph's grid, as glyph_merger does.
-[[nodiscard]] inline point on_grid(point origin, double cells) noexcept
-{
-    return {std::nearbyint(origin.x * cells) / cells, std::nearbyint(origin.y * cells) / cells};
 }
 
 /// The line of a glyph of the run (the last one, if several begin with it); 0 if there is at most one line.
@@ -138,7 +133,7 @@ inline error place_glyphs(text_glyphs& all, const glyph_run& run, bool on_grid =
             s.origin = s.flat = merged.groups[s.merged].origin;
         }
         error refusal = detail::misplaced(s.origin);
-        if (on_grid && !refusal) s.origin = s.flat = detail::on_grid(s.origin, s.built->cells());
+        if (on_grid && !refusal) s.origin = s.flat = rounded_pen(s.origin, s.built->cells());
         if (!refusal) refusal = s.built->refusal();
         if (refusal) {
             counts.refused(i, refusal.at(glyph.id, glyph.cluster));

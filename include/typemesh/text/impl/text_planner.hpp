@@ -117,6 +117,12 @@ private:
         return glyphs_.stands.empty() || !glyphs_.stands[glyph].left_out;
     }
 
+    /// Whether glyphs are written at pens that are rounded to their grids: see place_glyphs().
+    static bool rounds_pens(const text_options& options) noexcept
+    {
+        return options.merge && options.corners != touching::keep;
+    }
+
     static glyph_settings settings_of(const text_options& options, double reach) noexcept;
 
     /// Finds or builds each different glyph.
@@ -221,7 +227,7 @@ inline error text_planner::plan_once(const call& asked, double reach) noexcept
     if (!e && !with.warp.is_none()) e = with.warp.refused(how.text = pens_of(run));
     if (!e) e = build_glyphs(now, how);
     if (!e && options.merge) e = merger_(glyphs_, run, builder_, font, how, with);
-    if (!e) e = place_glyphs(glyphs_, run, options.merge && options.corners != touching::keep);
+    if (!e) e = place_glyphs(glyphs_, run, rounds_pens(options));
     if (!e) e = arrange(glyphs_, run, options, font.units_per_em(), with.raise);
     if (!e) e = refuse_extremes(glyphs_.placed, glyphs_.bounds, with.raise.heights(), with.raise.heights_name());
     if (e) glyphs_.pinned.release();
@@ -347,7 +353,9 @@ inline error text_planner::collect_placed(const glyph_run& run, const text_optio
         const placed_glyph& glyph = run.glyphs[i];
         if (!glyphs_.in_place && !glyphs_.is_warped(i)) continue;
         if (!is_drawn(run, i, options)) continue;
-        if (!glyphs_.places.push_back({glyphs_.place_at(glyph.origin), glyph.cluster, i})) return error::out_of_memory;
+        solid_place at = glyphs_.place_at(glyph.origin);
+        if (rounds_pens(options)) at.pen = glyph.origin;
+        if (!glyphs_.places.push_back({at, glyph.cluster, i})) return error::out_of_memory;
         glyphs_.numbers[i] = glyphs_.different.append({glyph.id, glyphs_.glyph_styles.outlines_of(glyph.glyph_style)});
         if (glyphs_.numbers[i] == glyph_set::no_room) return error::out_of_memory;
     }
