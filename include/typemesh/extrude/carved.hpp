@@ -98,7 +98,8 @@ struct carved_data {
 /// tolerance plus 4 cells. At a corner of 180 degrees, which gets 31 joins at most, it is up to 1/800 of the distance
 /// instead, if that is more than the tolerance. If a glyph's slopes are not proven simple at their full width, they end
 /// sooner, with the same slope, and the plan reports this as solid_plan::narrowed. With text_options::corners, a solid
-/// may have low walls (see bevelled), which raise its slopes by up to 4 cells.
+/// may have low walls (see bevelled), which raise its slopes by up to 4 cells, or by 2^-20 of the planned depth if that
+/// is more. The planned depth is max_depth; without a floor, that of slopes half as wide as the letter's box.
 ///
 /// The depth is in em, so text_options::depth_in must be depth_unit::em (the default): otherwise the slope is another.
 ///
