@@ -68,9 +68,9 @@ struct inflated_surface {
     }
 
     /// The heights of letters that are not known. No membrane is higher than half its letter is wide, so none is higher
-    /// than half the grid is wide: 512 em in a font of 1024 units with the usual 512 cells each, and less if it has more
-    /// units. Fonts of fewer units, and outlines with fewer cells a unit, may have higher letters, whose own heights
-    /// follow.
+    /// than half the grid is wide: 512 em in a font of 1024 units with the usual 512 cells each, and less in a font of
+    /// more units. Fonts of fewer units, and outlines with fewer cells a unit, may have higher letters, whose own
+    /// heights follow.
     [[nodiscard]] height_range heights() const noexcept { return between(raised(512.0f)); }
     [[nodiscard]] height_range heights(const solid_with<plan_data>& s) const noexcept
     {
