@@ -17,6 +17,16 @@ def as_table(rows, columns, names=None):
     return table([(names or {}).get(c, c.replace('_', ' ')) for c in columns], [[r.get(c) for c in columns] for r in rows])
 
 
+def headlines(rows):
+    """Their table. A number has as many figures as tell it from the goal that it misses."""
+    def told_apart(found, goal):
+        if isinstance(found, float) and isinstance(goal, float) and found != goal and float(brief(found)) == goal:
+            return next(text for text in (f'{found:.{digits}g}' for digits in range(3, 18)) if float(text) != goal)
+        return found
+    return as_table([{**r, 'found': told_apart(r.get('found'), r.get('asked'))} for r in rows.of['headline']],
+                    ['claim', 'asked', 'aim', 'found', 'peer', 'setting'], {'asked': 'goal', 'aim': 'hoped for'})
+
+
 def write_peers(rows, folder, foot):
     if not (rows.of['against'] or rows.of['judged'] or rows.of['cut']):
         return
@@ -29,7 +39,7 @@ clock, as multiples of typemesh's in the same state, or in `reuse` for a peer th
 which they took turns). "At the same error": of typemesh's time at the tolerance that gives the peer's chord error (9 of 10 chords).
 ''']
     if rows.of['headline']:
-        parts += ['## Headlines', as_table(rows.of['headline'], ['claim', 'asked', 'aim', 'found', 'peer', 'setting'], {'asked': 'goal', 'aim': 'hoped for'})]
+        parts += ['## Headlines', headlines(rows)]
     columns = ['text', 'state', 'peer', 'setting', 'times', 'least', 'largest', 'times_same_error', 'chord_p90_em', 'chord_largest_em']
     names = {'times': '× typemesh\'s time', 'times_same_error': '× at the same error', 'chord_p90_em': 'chord error, 9 of 10 (em)',
              'chord_largest_em': 'the largest'}
@@ -149,7 +159,7 @@ def peers_reading(rows):
     if not rows.of['headline']:
         return 'The peers were not measured.\n'
     missed = [f'* {words}\n' for _, words in rows.notes if words.startswith('Missed')]
-    return as_table(rows.of['headline'], ['claim', 'asked', 'aim', 'found', 'peer', 'setting'], {'asked': 'goal', 'aim': 'hoped for'}) + '\n' + ''.join(missed)
+    return headlines(rows) + '\n' + ''.join(missed)
 
 
 STATES = {'placed': 'where finished letters of a cache are only placed and not written as one mesh', 'warm': 'with a warm cache',

@@ -162,7 +162,7 @@ def headlines(found, least, judged, own):
             if best:
                 show('headline', f'{claim}; {kind}', asked, aim, brief(best[5]), best[3], best[4])
             if best and best[5] < asked:
-                missed(claim, asked, best, judged, own)
+                missed(f'{claim}; {kind}', asked, best, judged, own)
     for i, measure in ((3, '9 of 10 chords'), (4, 'the largest error')):
         worst = max((f for f in least if f[i] is not None), key=lambda f: f[i], default=None)
         if worst:

@@ -4,6 +4,7 @@
 
 #include "support/catch.hpp"
 
+#include <algorithm>
 #include <map>
 #include <utility>
 
@@ -66,7 +67,7 @@ TEST_CASE("inner edges of an inflated outline get points over their first ends, 
         CHECK(turned == 0);
         CHECK(upright == 2 * added);
         CHECK(without_area == 0);
-        // Their heights are tiny, and no two in one place are equal; none are if places are not known to be apart.
+        // Their heights are tiny, the least in each place; no two are equal if places are not known to be apart.
         std::map<float, int> heights;
         std::map<std::pair<std::int32_t, std::int32_t>, float> greatest;
         for (std::size_t i = rim; i < membrane.size(); ++i) {
@@ -79,5 +80,35 @@ TEST_CASE("inner edges of an inflated outline get points over their first ends, 
             height = membrane[i].height;
         }
         if (!apart) CHECK(heights.size() == added);
+    }
+}
+
+TEST_CASE("inner edges that leave a point, but not side by side, get points of different heights over it", "[extrude]")
+{
+    //     4 ----- 3 ----- 2      The edges 0 2 and 0 4 are pinched. The inner point 6 stands between them.
+    //     |  \     6     /  |
+    //     5 ------ 0 ------ 1
+    for (const bool apart : {false, true}) {
+        CAPTURE(apart);
+        contours loops;
+        triangle_list triangles;
+        buffer<membrane_point> membrane;
+        constexpr std::uint32_t rim = 6;
+        REQUIRE(loops.starts.push_back(0));
+        REQUIRE(loops.starts.push_back(rim));
+        for (const grid_point p : {grid_point{0, 0}, {20, 0}, {20, 20}, {0, 20}, {-20, 20}, {-20, 0}, {0, 10}})
+            REQUIRE(loops.points.push_back(p));
+        for (std::uint32_t i = 0; i <= rim; ++i) REQUIRE(membrane.push_back({i < rim ? 0.0f : 1.0f, {}}));
+        for (const triangle t : {triangle{0, 1, 2}, {0, 2, 6}, {2, 3, 6}, {3, 4, 6}, {4, 0, 6}, {0, 4, 5}})
+            REQUIRE(triangles.push_back(t));
+        detail::pinched_edges pinches;
+        REQUIRE(pinches(loops, rim, triangles, membrane, 0x1p-22f, apart));
+        REQUIRE(loops.points.size() == rim + 3);
+        REQUIRE(membrane.size() == rim + 3);
+        CHECK(loops.points[7] == grid_point{0, 0});
+        CHECK(loops.points[8] == grid_point{0, 0});
+        CHECK((std::min)(membrane[7].height, membrane[8].height) == 0x1p-22f);
+        CHECK((std::max)(membrane[7].height, membrane[8].height) == 0x1p-21f);
+        CHECK(triangles.size() == 10);
     }
 }

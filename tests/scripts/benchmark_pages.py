@@ -110,6 +110,12 @@ class the_other_pages(unittest.TestCase):
         self.assertIn('not measured', other_pages.peers_reading(rows_of(a=[])))
         self.assertIn('In no row', other_pages.peers_that_win(rows_of(a=[AGAINST, 'against/t/flat/cold/A/s/native/2/1/3/-/0.1'])))
 
+    def test_a_goal_that_is_missed_by_little_is_not_shown_as_reached(self):
+        page = other_pages.peers_reading(rows_of(a=['columns headline claim asked aim found peer setting', 'headline/a/15/15/14.99/P/s',
+                                                    'headline/b/15/15/15/P/s', 'headline/c/10/20/12.28/P/s', 'headline/d/at most 1.05/-/0.987/P/s']))
+        for row in ('| a | 15 | 15 | 14.99 |', '| b | 15 | 15 | 15 |', '| c | 10 | 20 | 12 |', '| d | at most 1.05 | - | 0.99 |'):
+            self.assertIn(row, page)
+
     def test_triangulators_are_set_beside_the_faster_of_typemesh(self):
         found = rows_of(a=[CUT, 'cut/typemesh monotone/F.ttf/0.01/9/2/0/native', 'cut/typemesh cdt/F.ttf/0.01/9/4/0/native',
                            'cut/GLU/F.ttf/0.01/9/7/3/native', 'cut/broken/F.ttf/0.01/9/-/-/native']).of['cut']

@@ -48,9 +48,10 @@ namespace typemesh::inline TYPEMESH_ABI {
 /// If a glyph's bevel is not proven simple at its full width, it becomes narrower. The plan reports this as
 /// solid_plan::narrowed. It also reports bevels that had to be less than half as wide to fit.
 ///
-/// With text_options::corners, a solid without walls gets low walls if front and back would meet inside its outline:
-/// four cells for each segment and each bevelled side. Walls that are lower than four cells a segment, and lower than
-/// the bevel is deep, grow to this. If `side` is false, or there is no room for such walls, the plan reports
+/// With text_options::corners, a solid without walls gets low walls if front and back would meet inside its outline.
+/// On each bevelled side they have for each segment the height of four cells, or of 2^-20 of the bevel's depth if that
+/// is more. Walls that exist are raised to this height for each segment, both sides together, if they are lower, and
+/// lower than the bevel is deep. If `side` is false, or there is no room for such walls, the plan reports
 /// solid_plan::touching instead.
 ///
 /// Levels of a profile that are less than four cells of the grid apart become one. Here the depth is read as em: with

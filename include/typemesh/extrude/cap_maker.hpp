@@ -15,7 +15,8 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// The place of a region in the text, for extruders whose solids differ from place to place.
+/// The place of a region in the text, for extruders whose solids differ from place to place. Where corners are treated,
+/// low walls depend on its unit of depths.
 struct solid_place {
     point origin = {};          ///< the region's own origin, relative to the text's, in em
     double em_per_depth = 1.0;  ///< em per unit of the extruder's depths

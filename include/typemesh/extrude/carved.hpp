@@ -98,14 +98,16 @@ struct carved_data {
 /// tolerance plus 4 cells. At a corner of 180 degrees, which gets 31 joins at most, it is up to 1/800 of the distance
 /// instead, if that is more than the tolerance. If a glyph's slopes are not proven simple at their full width, they end
 /// sooner, with the same slope, and the plan reports this as solid_plan::narrowed. With text_options::corners, a solid
-/// may have low walls (see bevelled), which raise its slopes by up to 4 cells.
+/// may have low walls (see bevelled), which raise its slopes by up to 4 cells, or by 2^-20 of the planned depth if that
+/// is more. The planned depth is max_depth; without a floor, it is the depth of slopes half as wide as the letter's
+/// box.
 ///
 /// The depth is in em, so text_options::depth_in must be depth_unit::em (the default): otherwise the slope is another.
 ///
 /// Fails  error::bad_option: "tool_angle", "max_depth" or "crease_degrees" is out of range
 ///        as bevelled does
-/// Cost   O(n log n), as a bevel as wide as half a stroke: 7 times the time of a chamfer of 2 % of the em; with
-///        ridges, a quarter more
+/// Cost   O(n log n), as a bevel as wide as half a stroke: 4 times the time of a chamfer of 2 % of the em; with
+///        ridges, a fifth more
 struct carved {
     float tool_angle = 90.0f;  ///< the angle between the two sides of the tool's section, in degrees, 1 to 179
     float max_depth = 0.0f;    ///< the depth of the floor, in em; 0: no floor, the slopes always meet

@@ -62,8 +62,8 @@ enum class inflated_form : std::uint8_t {
 ///     inflated{.limit = 0.05f}                            pillows: wide strokes are flat, less than 0.05 em high
 ///     inflated{.form = inflated_form::dome, .depth = 0.1f}
 ///
-/// Heights scale with the letters' size. If text_options::depth_in is output, `height` is the output units per em of
-/// this height, so a round section needs the text's size.
+/// Heights scale with the letters' size. If text_options::depth_in is output, they do not: multiply `height` by the
+/// size of an em in output units, text_options::size with output_unit::em, so that 1 times this size is round.
 ///
 /// At the outline the normals are its curve_normals, doubled at hard corners; inside they come from a quadratic fit to
 /// the solution. A normal that would point to the back of a triangle is turned to its front. Texture coordinates are
@@ -74,7 +74,7 @@ enum class inflated_form : std::uint8_t {
 ///
 /// Fails  error::bad_option: height is not positive and finite; limit is negative or not finite; depth is not positive
 ///        and finite; crease_degrees is not 0 to 180; edge and max_points as in membrane.hpp
-///        error::too_many_points: a glyph needs more than max_points
+///        error::too_many_points: a glyph's membrane needs more than max_points
 ///        error::out_of_memory
 struct inflated {
     float height = 1.0f;  ///< how high strokes rise on each side, in halves of their width: 1 makes them round
@@ -83,7 +83,8 @@ struct inflated {
     inflated_form form = inflated_form::balloon;
     float depth = 0.1f;            ///< the height of a dome's walls, in em or in output units: text_options::depth_in
     float crease_degrees = 15.0f;  ///< the crease angle of the outline, 0 to 180: see curve_normals
-    std::uint32_t max_points = default_max_points;  ///< the greatest number of points of one cap, 2^29 - 1 at most
+    std::uint32_t max_points = default_max_points;  ///< the greatest number of points of one membrane, 2^29 - 1 at
+                                                    ///< most, before hard corners are doubled and pinched edges raised
     bool front = true;
     bool back = true;
     bool side = true;
@@ -174,7 +175,7 @@ private:
         return {};
     }
 
-    /// The height of a membrane of 1 em by the limit; 0 without a limit.
+    /// `height / limit`, at most 10^30; 0 without a limit.
     [[nodiscard]] float flatness() const noexcept
     {
         constexpr float largest = 1e30f;  // the quotient may overflow

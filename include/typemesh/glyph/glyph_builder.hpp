@@ -67,8 +67,9 @@ public:
     }
 
     /// The glyph's draft, which is stored in this builder until its next call. A glyph that cannot be built is no
-    /// failure here: its draft is empty and carries the reason. `place` matters only for extruders that plan in place
-    /// (extruder.hpp), and for outline steps (outline_step.hpp).
+    /// failure here: its draft is empty and carries the reason. `place` matters for extruders that plan in place
+    /// (extruder.hpp), for outline steps (outline_step.hpp), and its em_per_depth also where corners are treated: then
+    /// the heights of low walls depend on it.
     ///
     /// Fails  with errors that do not concern the glyph alone: error::out_of_memory, bad_option, bad_tolerance,
     ///        too_large

@@ -43,9 +43,8 @@ struct cache_statistics {
 ///     glyph_cache cache;                                             // 64 MiB, for one thread
 ///     auto mesher = text_mesher{font}.with(cached_in{cache, 1});     // 1: your number for this font
 ///
-/// Glyphs are distinguished by id and glyph_context: font, variation, the glyph style's face and map, tolerance, fill
-/// rule, max_pieces, max_points, policies with their options. Blank and refused glyphs are also kept, so no glyph is
-/// built twice in vain.
+/// Glyphs are distinguished by their id and by everything else on which they depend: see glyph_context. Blank and
+/// refused glyphs are also kept, so no glyph is built twice in vain.
 ///
 /// Glyphs that find() and keep() return are pinned: a pinned glyph stays unchanged and in place until release(), even
 /// if other users evict glyphs. The bound applies to all glyphs that are not pinned; the glyph released longest ago is

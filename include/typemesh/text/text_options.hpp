@@ -74,9 +74,11 @@ struct text_options {
 
     /// The treatment of corners at which a letter touches itself. With touching::part or join, the mesh is a manifold:
     /// every edge has two faces, and the surface around every point is a disc. Programs that compute with solids
-    /// require this (OpenSCAD, CGAL). Upright sections of bevels then lean by a few cells. The grid is then so coarse
-    /// that floats distinguish neighbouring cells at every letter, up to 16,000 em from the origin. For letters that
-    /// touch each other, also set `merge`. The report counts the treated corners.
+    /// require this (OpenSCAD, CGAL). Upright sections of bevels then lean by a few cells, and solids without walls may
+    /// get low ones; if their `side` is false, they are counted as touching instead. The grid is then so coarse that
+    /// floats distinguish neighbouring cells at every letter, up to 16,000 em from the origin, or 2,000 em if the
+    /// frame's axes are slanted. For letters that touch each other, also set `merge`. The report counts the treated
+    /// corners. All consequences and limits: docs/guarantees.md, "Corners that touch".
     touching corners = touching::keep;
 
     /// Whether a repeated glyph is built only once. If false, every occurrence is built again, with an identical mesh:

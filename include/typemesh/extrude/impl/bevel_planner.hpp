@@ -241,8 +241,9 @@ private:
     }
 
     /// The height of a segment of low walls, as a share of the bevel's depth: four cells, as between all levels, or
-    /// 2^-20 of the depth if that is more. 32-bit floats keep this apart from 0: no height is more than two such depths
-    /// from the origin, and its two roundings move it by less than 2^-22 of the depth.
+    /// 2^-20 of the depth if that is more. 32-bit floats keep this apart from 0: no height is three such depths from
+    /// the origin, because walls that are raised were lower than one, and its two roundings move it by less than 2^-22
+    /// of the depth.
     [[nodiscard]] double lowest(const region& filled, const solid_place& place) const noexcept
     {
         const double depth = as_double(how_.bevel_depth) * place.em_per_depth;  // in em

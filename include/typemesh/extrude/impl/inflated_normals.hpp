@@ -37,7 +37,7 @@ public:
     /// value for each point.
     ///
     ///     cells_per_em   of the grid
-    ///     flatness       the height of a membrane of 1 em, by the limit; 0: no limit
+    ///     flatness       `height / limit` of inflated; 0: no limit
     ///
     /// False if out of memory
     /// Cost   O(n)

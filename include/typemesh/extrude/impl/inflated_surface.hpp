@@ -67,7 +67,10 @@ struct inflated_surface {
         return z / std::sqrt(1.0 + share * share);
     }
 
-    /// No letter is higher than half the grid is wide, which is 512 em at most in a font of at least 1024 units.
+    /// The heights of letters that are not known. No membrane is higher than half its letter is wide, so none is higher
+    /// than half the grid is wide: 512 em in a font of 1024 units with the usual 512 cells each, and less in a font of
+    /// more units. Fonts of fewer units, and outlines with fewer cells a unit, may have higher letters, whose own
+    /// heights follow.
     [[nodiscard]] height_range heights() const noexcept { return between(raised(512.0f)); }
     [[nodiscard]] height_range heights(const solid_with<plan_data>& s) const noexcept
     {
