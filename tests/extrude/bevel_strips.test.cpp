@@ -111,6 +111,20 @@ TEST_CASE("strips that differ by less than the crease angle share the mean of th
     }
 }
 
+TEST_CASE("the normal that two steep strips share is above both", "[bevel_strips]")
+{
+    const strips_of s{{{0, 0}, {0.5f, 1}, {1, 0}}, 180.0f};
+    REQUIRE(s.made[0].smooth_after);
+    for (const double depth : {4000.0, 1e5, 1e6}) {
+        const bevel_slopes slopes{s.made.view(), depth, bevel_shading::by_slope};
+        for (const bevel_tilt n : {slopes.tilt(vertex_at(0, 1.0f)), slopes.tilt(vertex_at(1, 0.0f))})
+            for (const bevel_strip& strip : s.made) {
+                const bevel_tilt own = tilt_of(strip, depth);
+                CHECK(n.out * own.out + n.up * own.up > 0.0);
+            }
+    }
+}
+
 TEST_CASE("rounded shading turns from the wall to the cap with the profile's length", "[bevel_strips]")
 {
     const strips_of s{{{0, 0}, {0.5f, 0.5f}, {1, 1}}, 0.0f, bevel_shading::rounded};

@@ -583,8 +583,11 @@ TEST_CASE("a bevel narrower than four cells is upright, and a bevel less deep th
         CHECK(m.sizes().triangles[part::front_bevel] == 2 * shape.points());
         CHECK(cap_area(m, part::front) == Approx(area_at(shape, 0.02)).epsilon(1e-5));
     }
-    // Neither: the mesh of extruded, to the bit.
+    // Neither, or a profile that ends where it began: the mesh of extruded, to the bit.
     check_same(capped(shape, bevelled{.width = 0.0f, .bevel_depth = 0.0f}), plain);
+    const profile_points back_again{{0, 0}, {0.5f, 1}, {1, 1e-7f}};
+    check_laws(capped(shape, bevelled{.width = 0.0f, .profile = back_again}));
+    CHECK(capped(shape, bevelled{.width = 0.0f, .profile = back_again}).triangles.size() == plain.triangles.size());
 }
 
 TEST_CASE("parts that are switched off are left out, and the others stay the same", "[bevelled]")

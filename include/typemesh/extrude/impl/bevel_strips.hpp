@@ -104,18 +104,20 @@ public:
         }
         for (std::size_t i = 0; i < strips.size(); ++i) {
             const bevel_strip& s = strips[i];
-            bevel_tilt own = tilt_of(s, depth), before = own, after = own;
+            const bevel_tilt own = tilt_of(s, depth);
+            bevel_tilt before = own, after = own;
             if (shading == bevel_shading::rounded && !is_zero(s.run)) {
-                before = rounded_at(slopes_[i].begin / begin);
-                after = rounded_at((slopes_[i].begin + slopes_[i].length) / begin);
-            } else {
+                before = off_level(rounded_at(slopes_[i].begin / begin), own);
+                after = off_level(rounded_at((slopes_[i].begin + slopes_[i].length) / begin), own);
+            } else {  // between two strips the middle is above both, and turned towards one it may be below the other
                 if (s.smooth_before)
-                    before = i == 0 ? bevel_tilt{1.0, 0.0} : middle(tilt_of(strips[i - 1], depth), own);
+                    before = i == 0 ? off_level({1.0, 0.0}, own) : middle(tilt_of(strips[i - 1], depth), own);
                 if (s.smooth_after)
-                    after = i + 1 == strips.size() ? bevel_tilt{0.0, 1.0} : middle(own, tilt_of(strips[i + 1], depth));
+                    after = i + 1 == strips.size() ? off_level({0.0, 1.0}, own)
+                                                   : middle(own, tilt_of(strips[i + 1], depth));
             }
-            slopes_[i].before = off_level(before, own);
-            slopes_[i].after = off_level(after, own);
+            slopes_[i].before = before;
+            slopes_[i].after = after;
         }
     }
 

@@ -29,9 +29,9 @@ struct profile_level {
 ///     leaves 2 .  ____           Points of the profile closer together become one level: a riser if their heights
 ///                |               differ by four cells or more, otherwise a bend at the middle of their heights. The
 ///     arrives 2 _|               first and the last height are kept. A profile narrower than four cells is one riser
-///            .'                  at the wall. A profile shallower than four cells does not rise at all: the wall
-///          .'    level 2         reaches up to the cap.
-///     level 0, 1 ...
+///            .'                  at the wall, or none if the two heights differ by less than four cells. A profile
+///          .'    level 2         shallower than four cells does not rise at all. Where nothing rises, the wall reaches
+///     level 0, 1 ...             up to the cap.
 ///
 /// If edges must have two faces each (profile_scale::leans), a riser away from the wall becomes a steep slope, four
 /// cells wide, or vanishes. An upright riser would have edges with four faces where the boundary touches itself at its
@@ -60,7 +60,7 @@ public:
             const bool first = i == 0, is_last = i == last;
             float from = all[i].h, to = all[end - 1].h;
             const bool bends = std::fabs(as_double(to) - as_double(from)) * scale.depth < finest;
-            if (bends && !(first && is_last)) from = to = first ? from : is_last ? to : 0.5f * (from + to);
+            if (bends) from = to = is_last ? to : first ? from : 0.5f * (from + to);
             add(first ? 0.0 : is_last ? scale.width : distance(i), from, to);
         }
         if (scale.leans) lean();
