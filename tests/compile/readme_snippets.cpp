@@ -374,24 +374,25 @@ auto unique = frame->write_meshes(typemesh::into(vertices, indices));
 frame->write_instances([&](const typemesh::glyph_instance& i) noexcept { draw(i.mesh, i.translation); });
     use(unique);
     {
-    const auto is_unseen = [](typemesh::glyph_id) noexcept { return true; };
-    const auto add_instance = [](typemesh::glyph_id, typemesh::vec3) noexcept {};
-    const auto add_letter = [](typemesh::glyph_id, typemesh::mesh_range) noexcept {};
+    const auto is_unseen = [](const typemesh::glyph_shape&) noexcept { return true; };
+    const auto add_instance = [](const typemesh::glyph_shape&, typemesh::vec3) noexcept {};
+    const auto add_letter = [](const typemesh::glyph_shape&, typemesh::mesh_range) noexcept {};
     const auto free_vertices = mapped_vertices;
     const auto free_indices = mapped_indices;
     const std::uint32_t first_free_vertex = 0;
 auto label = score.plan("Label 7");                                             // a label has come
 if (!label) return std::puts(label.error().message()), 1;
 typemesh::glyph_run unseen;                                                     // the letters that no label has had yet
+for (std::size_t k = 0; k < label->meshes().size(); ++k)
+    if (is_unseen(label->shape_of(k)) && !unseen.add(label->shape_of(k))) return 1;     // your set of shapes
 label->write_instances([&](const typemesh::glyph_instance& i) noexcept {
-    if (is_unseen(i.id)) (void)unseen.glyphs.push_back({i.id});                 // your set of glyphs
-    add_instance(i.id, i.translation);                                          // your list for this label
+    add_instance(label->shape_of(i.mesh), i.translation);                       // your list for this label
 });
 auto letters = score.plan(unseen);                                              // `label` is now invalid
 if (!letters) return std::puts(letters.error().message()), 1;
 auto appended = letters->write_meshes(typemesh::into(free_vertices, free_indices, first_free_vertex));
 for (std::size_t k = 0; k < letters->meshes().size(); ++k)                      // with this range you draw the letter
-    add_letter(letters->meshes()[k].id, letters->mesh_part(k, typemesh::part::front));
+    add_letter(letters->shape_of(k), letters->mesh_part(k, typemesh::part::front));
 use(appended);
     }
     {
