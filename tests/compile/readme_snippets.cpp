@@ -89,7 +89,7 @@ int main()
     std::vector<std::uint32_t> indices;
     auto made = mesher.build("Hello world!", typemesh::into(vertices, indices));
     if (!made) return std::puts(made.error().message()), 1;
-    if (made->missing != 0) std::printf("%u characters are not in the font\n", made->missing);
+    if (!made->complete()) std::printf("not complete: %u characters missing, %u glyphs refused\n", made->missing, made->refused);
     std::printf("%zu vertices, %zu triangles\n", vertices.size(), indices.size() / 3);
     return 0;
 }
