@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
 // Every line of C++ in README.md and docs/ that any system can compile: snippet_lines.cmake looks for them here and in
-// windows_snippets.cpp. Nothing is run.
+// windows_snippets.cpp. Nothing is run. What the guide shows can be pasted into the main() of
+// README.md: here, too, nothing is used without typemesh::, and functions return int.
 
 #include <typemesh/adapt/harfbuzz.hpp>
 #include <typemesh/adapt/harfbuzz_axis.hpp>
@@ -88,7 +89,7 @@ int main()
     std::vector<std::uint32_t> indices;
     auto made = mesher.build("Hello world!", typemesh::into(vertices, indices));
     if (!made) return std::puts(made.error().message()), 1;
-    if (made->missing != 0) std::printf("%u characters are not in the font\n", made->missing);
+    if (!made->complete()) std::printf("not complete: %u characters missing, %u glyphs refused\n", made->missing, made->refused);
     std::printf("%zu vertices, %zu triangles\n", vertices.size(), indices.size() / 3);
     return 0;
 }
@@ -179,7 +180,7 @@ auto balloon = typemesh::text_mesher{*font, typemesh::inflated{}};
 auto pillow = typemesh::text_mesher{*font, typemesh::inflated{.limit = 0.05f}};
 auto dome = typemesh::text_mesher{*font, typemesh::inflated{.height = 0.5f, .form = typemesh::inflated_form::dome, .depth = 0.1f}};
     use(balloon, pillow, dome);
-    const auto all_levels = [&]() -> typemesh::error {
+    {
 typemesh::text_mesher lod{*font};
 typemesh::level_mesher levels{lod};
 std::vector<vertex> level_vertices[4];
@@ -190,24 +191,34 @@ for (std::size_t k = 0; level && k < 4; ++k) {
     if (k != 0) level = levels.coarser(tolerance_of_level[k]);
     if (level) (void)level->write(typemesh::into(level_vertices[k], level_indices[k]));
 }
-if (!level) return level.error();
-        return {};
-    };
+if (!level) return std::puts(level.error().message()), 1;
+    }
 typemesh::text_mesher one_level{*font, typemesh::coarsened{.tolerances = {1.0 / 160, 1.0 / 60}, .level = 2}};
-    use(all_levels, one_level);
+    use(one_level);
 auto cup = typemesh::text_mesher{*font, typemesh::bent<typemesh::on_cylinder>{.how = {.radius = 1.5}}};
 auto flag = typemesh::text_mesher{*font, typemesh::bent<typemesh::displaced<typemesh::wave>>{.how = {{.height = 0.2}}}};
 auto screw = typemesh::text_mesher{*font, typemesh::bent<typemesh::twist, typemesh::bevelled>{.how = {.degrees_per_em = 15.0}}};
     use(cup, flag, screw);
-    const auto bend_along = [&]() -> typemesh::error {
+    {
 const typemesh::double3 bends[] = {{0, 0, 0}, {2, 0, 0.5}, {4, 0.5, 0}, {6, 0, -0.5}};
 typemesh::text_path path;
-if (auto e = path.through(bends)) return e;
+if (auto e = path.through(bends)) return std::puts(e.message()), 1;
 auto along = typemesh::text_mesher{*font, typemesh::bent<typemesh::along_curve>{.how = {.path = &path}}};
         use(along);
-        return {};
-    };
-    use(bend_along);
+    }
+    {
+constexpr typemesh::text_view moving = "Hello world!";
+auto plan = mesher.plan(moving);
+if (!plan) return std::puts(plan.error().message()), 1;
+if (auto found = plan->find_letters(moving); !found) return std::puts(found.error().message()), 1;
+const double t = 0.5;                                        // the time
+auto spin = [t](const typemesh::letter_place& l) noexcept {
+    return typemesh::turned({0, 0, 1}, t * l.index).about(l.letter.pivot);
+};
+auto written = plan->write(typemesh::into(vertices, indices), spin);
+auto typed = plan->write(typemesh::into(vertices, indices), typemesh::reveal{.share = t});
+    use(written, typed);
+    }
 auto rainbow = typemesh::text_mesher{*font, typemesh::bevelled{}, typemesh::warped{typemesh::arc{.degrees = 120}}};
     use(rainbow);
 typemesh::plane_path ring;
@@ -374,24 +385,25 @@ auto unique = frame->write_meshes(typemesh::into(vertices, indices));
 frame->write_instances([&](const typemesh::glyph_instance& i) noexcept { draw(i.mesh, i.translation); });
     use(unique);
     {
-    const auto is_unseen = [](typemesh::glyph_id) noexcept { return true; };
-    const auto add_instance = [](typemesh::glyph_id, typemesh::vec3) noexcept {};
-    const auto add_letter = [](typemesh::glyph_id, typemesh::mesh_range) noexcept {};
+    const auto is_unseen = [](const typemesh::glyph_shape&) noexcept { return true; };
+    const auto add_instance = [](const typemesh::glyph_shape&, typemesh::vec3) noexcept {};
+    const auto add_letter = [](const typemesh::glyph_shape&, typemesh::mesh_range) noexcept {};
     const auto free_vertices = mapped_vertices;
     const auto free_indices = mapped_indices;
     const std::uint32_t first_free_vertex = 0;
 auto label = score.plan("Label 7");                                             // a label has come
 if (!label) return std::puts(label.error().message()), 1;
 typemesh::glyph_run unseen;                                                     // the letters that no label has had yet
+for (std::size_t k = 0; k < label->meshes().size(); ++k)
+    if (is_unseen(label->shape_of(k)) && !unseen.add(label->shape_of(k))) return 1;     // your set of shapes
 label->write_instances([&](const typemesh::glyph_instance& i) noexcept {
-    if (is_unseen(i.id)) (void)unseen.glyphs.push_back({i.id});                 // your set of glyphs
-    add_instance(i.id, i.translation);                                          // your list for this label
+    add_instance(label->shape_of(i.mesh), i.translation);                       // your list for this label
 });
 auto letters = score.plan(unseen);                                              // `label` is now invalid
 if (!letters) return std::puts(letters.error().message()), 1;
 auto appended = letters->write_meshes(typemesh::into(free_vertices, free_indices, first_free_vertex));
 for (std::size_t k = 0; k < letters->meshes().size(); ++k)                      // with this range you draw the letter
-    add_letter(letters->meshes()[k].id, letters->mesh_part(k, typemesh::part::front));
+    add_letter(letters->shape_of(k), letters->mesh_part(k, typemesh::part::front));
 use(appended);
     }
     {
@@ -435,22 +447,6 @@ void engines()
 typemesh::text_options o;
 o.frame = {.right = {1, 0, 0}, .up = {0, -1, 0}, .toward = {0, 0, -1}, .winding = 1};   // y down, as in 2D canvases
     use(o);
-}
-
-void moving_letters(typemesh::harfbuzz_font& font, std::vector<vertex>& vertices, std::vector<std::uint32_t>& indices)
-{
-    using namespace typemesh;
-    text_mesher mesher{font};
-    const std::string_view text = "moving";
-    auto plan = mesher.plan(text);
-    if (!plan) return;
-    const double t = 0.5;
-    auto sink = into(vertices, indices);
-auto found = plan->find_letters(text);
-auto spin = [t](const letter_place& l) noexcept { return turned({0, 0, 1}, t * l.index).about(l.letter.pivot); };
-auto written = plan->write(sink, spin);
-auto typed = plan->write(sink, reveal{.share = t});           // or letter_wave, letter_scatter: text/letter_motions.hpp
-    use(found, written, typed);
 }
 
 }  // namespace readme

@@ -5,6 +5,7 @@
 # Fails unless every line of C++ in README.md and docs/ (between ```cpp or ```c++ and ```) stands, but for its
 # indentation, in one of the *_snippets.cpp beside this file. Those are compiled; those of engines by
 # tests/run.sh --with engines, where they are installed. docs/recipes.md holds whole programs, which recipes.sh compiles.
+# What the guide shows is pasted into the main() of README.md, so it returns int and uses no namespace.
 
 cmake_minimum_required(VERSION 3.20)
 
@@ -22,6 +23,10 @@ file(GLOB pages ${root}/README.md ${root}/docs/*.md)
 list(FILTER pages EXCLUDE REGEX "/docs/recipes[.]md$")
 file(GLOB sources ${CMAKE_CURRENT_LIST_DIR}/*_snippets.cpp)
 
+file(READ ${CMAKE_CURRENT_LIST_DIR}/readme_snippets.cpp text)
+if(text MATCHES "using namespace")
+    message(FATAL_ERROR "readme_snippets.cpp is compiled without using namespace, as README.md's main() is")
+endif()
 set(known)
 foreach(source IN LISTS sources)
     lines_of(${source} lines)
@@ -47,6 +52,10 @@ foreach(page IN LISTS pages)
             string(STRIP "${line}" stripped)
             if(NOT stripped STREQUAL "")
                 math(EXPR count "${count} + 1")
+                if(name MATCHES "^(README|docs/guide)[.]md$" AND stripped MATCHES "return [a-z_]+([.]error[(][)])?@semicolon@")
+                    string(REPLACE "@semicolon@" ";" stripped "${stripped}")
+                    message(FATAL_ERROR "main() of README.md, into which ${name} is pasted, returns int: ${stripped}")
+                endif()
                 if(NOT stripped IN_LIST known)
                     string(APPEND missing "\n    ${name}: ${stripped}")
                 endif()

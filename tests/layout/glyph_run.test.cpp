@@ -4,6 +4,7 @@
 
 #include <typemesh/layout/glyph_run.hpp>
 
+#include <cstddef>
 #include <limits>
 
 using namespace typemesh;
@@ -69,5 +70,37 @@ TEST_CASE("equal ones of many glyph styles have one number, too, whatever else w
         CHECK(*run.number_of(many(800)) == 501);
         CHECK(*run.number_of({.map = {.xx = 1.0 + 20, .xy = -0.0}, .style = style_id{20 % 7}}) == 20);
         run.clear();
+    }
+}
+
+TEST_CASE("a run takes over shapes, each with its face and map", "[layout]")
+{
+    glyph_run run;
+    REQUIRE(run.add({.id = 3}));
+    CHECK(run.glyph_styles.empty());
+    REQUIRE(run.add({.id = 3, .face = 1}));
+    REQUIRE(run.add({.id = 4, .map = {.xy = 0.2}}));
+    REQUIRE(run.add({.id = 5, .face = 1}));
+    REQUIRE(run.glyphs.size() == 4);
+    const glyph_id ids[] = {3, 3, 4, 5};
+    const glyph_style drawn[] = {{}, {.face = 1}, {.map = {.xy = 0.2}}, {.face = 1}};
+    for (std::size_t i = 0; i < 4; ++i) {
+        CHECK(run.glyphs[i].id == ids[i]);
+        CHECK(run.glyphs[i].origin == point{});
+        CHECK(run.glyph_styles[run.glyphs[i].glyph_style] == drawn[i]);
+    }
+    CHECK(run.glyph_styles.size() == 3);
+}
+
+TEST_CASE("a shape without a glyph is refused, and memory that fails is reported", "[layout]")
+{
+    glyph_run run;
+    CHECK(run.add({}).error() == error::unknown_glyph);
+    CHECK(run.glyphs.empty());
+    for (const std::size_t k : {1u, 2u}) {
+        test::counting_memory failing{.fail_at = k};
+        glyph_run short_of_memory{failing.source()};
+        CHECK(short_of_memory.add({.id = 1, .face = 1}).error() == error::out_of_memory);
+        CHECK(short_of_memory.glyphs.empty());
     }
 }

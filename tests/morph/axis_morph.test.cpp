@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <limits>
 #include <span>
+#include <string_view>
 #include <vector>
 
 #include "support/catch.hpp"
@@ -85,6 +86,24 @@ TEST_CASE("pens move with the advances, between their masters evenly", "[morph]"
         const double way = as_double(vertices[vertices.size() / 2].x) - as_double(vertices[0].x);
         CHECK(std::fabs(way - (500.0 + (v < 0.0 ? 40.0 : 100.0) * v)) < 1e-2);
     }
+}
+
+TEST_CASE("a morph refuses styles and boxes that it would not draw, and takes the others", "[morph]")
+{
+    test::toy_axis axis;
+    axis_morph morph{axis};
+    for (const text_style& style :
+         {text_style{.size = 2.0}, text_style{.slant = 0.2}, text_style{.decorations = decoration::underline}}) {
+        const style_span spans[] = {{1, 2, style}};
+        const auto refused = morph.plan("oxo", {.shape = {.styles = spans}});
+        REQUIRE_FALSE(refused);
+        CHECK(refused.error() == error::bad_option);
+        CHECK(std::string_view{refused.error().option} == "styles");
+    }
+    const inline_box boxes[] = {{.unit = 1, .width = 1.0, .ascent = 0.5}};
+    CHECK(morph.plan(u"o\uFFFCo", {.shape = {.boxes = boxes}}).error() == error::bad_option);
+    const style_span spans[] = {{1, 2, {.letter_spacing = 0.1, .rise = 0.2, .style = style_id{3}}}};
+    CHECK(morph.plan("oxo", {.shape = {.styles = spans}}));
 }
 
 TEST_CASE("a morph refuses bad options and survives memory that runs out", "[morph]")

@@ -231,9 +231,13 @@ inline void check_chunks(const auto& plan, const styled_mesh& whole, std::uint32
     CHECK((drawn == triangles_of(whole)));
 }
 
-/// Instances come mesh by mesh, and style by style within a mesh, each glyph once.
-inline void check_instances(const auto& plan)
+/// Instances come mesh by mesh, and style by style within a mesh, each glyph once. Meshes that have shapes have different
+/// ones, if glyphs are reused.
+inline void check_instances(const auto& plan, bool reuse)
 {
+    for (std::size_t mesh = 0; reuse && mesh < plan.meshes().size(); ++mesh)
+        for (std::size_t other = 0; other < mesh && plan.shape_of(mesh).id != no_glyph; ++other)
+            REQUIRE_FALSE(plan.shape_of(other) == plan.shape_of(mesh));
     std::vector<glyph_instance> all;
     plan.write_instances([&](const glyph_instance& i) { all.push_back(i); });
     REQUIRE(all.size() == plan.glyphs().size());
@@ -328,7 +332,7 @@ void check_styles(Mesher& mesher, Mesher& other_mesher, Team& pool, const glyph_
     check_glyphs(*plain, of_plain, *styled, m);
     check_partial_writes(*styled, m);
     for (const std::uint32_t most : {30u, 200u, 5000u}) check_chunks(*styled, m, most);
-    check_instances(*styled);
+    check_instances(*styled, options.reuse);
 
     styled_mesh shared;
     scrambled_workers several{4};

@@ -335,7 +335,7 @@ export interface Letters {
     readonly uv: Float32Array;
     /** Counted from the vertices' begin, not from the letter's. */
     readonly index: Uint32Array;
-    /** The different letters. */
+    /** The different letters. `glyph` is a number in a font: letters of several fonts or sizes may have the same. */
     readonly meshes: readonly { readonly glyph: number; readonly parts: readonly Part[] }[];
     /** Which letter each instance is. */
     readonly mesh: Uint32Array;

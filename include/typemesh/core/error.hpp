@@ -35,7 +35,7 @@ struct [[nodiscard]] error {
         not_a_shaper,         ///< the font only draws outlines and cannot shape a text: give a glyph_run instead
         unlocked_cache,       ///< several workers share a glyph_cache without a lock
         no_cache_key,         ///< a policy with data members has no cache_key(), which a glyph_cache needs
-        no_outlines,          ///< the font has only bitmaps, or is not scalable
+        no_outlines,          ///< the font has no outlines, because it has only bitmaps, for example
         unknown_glyph,        ///< the font has no such glyph, or its outline cannot be loaded
         unknown_variation,    ///< the font has no such axis; count = its tag, first letter in the highest bits
         bad_feature,          ///< the tag of an OpenType feature is not four printable ASCII characters
@@ -131,7 +131,7 @@ struct [[nodiscard]] error {
         case unlocked_cache:
             return "Several workers share a glyph_cache without a lock: use for example glyph_cache<mutex_lock>.";
         case no_cache_key: return "A policy with data members has no cache_key(): add one, or build without a cache.";
-        case no_outlines: return "The font has no outlines, only bitmaps: choose a font with outlines.";
+        case no_outlines: return "The font has no outlines (glyf, CFF or CFF2): choose a font with outlines.";
         case unknown_glyph: return "The font has no such glyph or cannot load its outline: check the glyph's number.";
         case unknown_variation: return "The font has no such variation axis: choose one of its own axes.";
         case bad_feature: return "An OpenType feature has a bad tag: write four printable ASCII characters.";

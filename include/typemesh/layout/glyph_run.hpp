@@ -6,6 +6,7 @@
 #include <typemesh/core/glyph_id.hpp>
 #include <typemesh/core/point.hpp>
 #include <typemesh/core/result.hpp>
+#include <typemesh/layout/glyph_shape.hpp>
 #include <typemesh/layout/glyph_style.hpp>
 #include <typemesh/layout/impl/value_index.hpp>
 
@@ -110,6 +111,19 @@ struct glyph_run {
             return error::out_of_memory;
         }
         return static_cast<std::uint32_t>(glyph_styles.size() - 1);
+    }
+
+    /// Appends a glyph of this shape, at the origin and in style 0, so that a mesher makes its mesh. The shape must
+    /// come from a run of the same font, because its map is in units of that font.
+    ///
+    /// Fails  error::unknown_glyph: the shape has no glyph; error::out_of_memory
+    result<void> add(const glyph_shape& shape) noexcept
+    {
+        if (shape.id == no_glyph) return error{error::unknown_glyph};
+        const result<std::uint32_t> number = number_of({.face = shape.face, .map = shape.map});
+        if (!number) return number.error();
+        if (!glyphs.push_back({.id = shape.id, .glyph_style = *number})) return error{error::out_of_memory};
+        return {};
     }
 
     void clear() noexcept

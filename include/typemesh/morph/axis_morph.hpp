@@ -62,7 +62,9 @@ public:
 
     /// Plans plain text.
     ///
-    /// Fails  error::bad_option: from, to, size, depth or crease_degrees is out of range; error::bad_tolerance
+    /// Fails  error::bad_option: from, to, size, depth or crease_degrees is out of range, or "styles": a style, a
+    ///        column or an inline box turns, slants or scales letters or adds bars, which morphs do not draw;
+    ///        error::bad_tolerance
     ///        error::too_large, error::out_of_memory, and the errors of layout() and of the axis
     /// Cost   a few milliseconds for each different letter
     result<morph_plan> plan(text_view text, const morph_options& options) noexcept
@@ -124,7 +126,10 @@ private:
     error shape(text_view text, const morph_options& o, axis_coordinate c, glyph_run& run) noexcept
     {
         if (error e = axis_->move_to(c)) return e;
-        return layout_(axis_->font(), text, o.shape, o.layout, run).error();
+        if (const auto laid = layout_(axis_->font(), text, o.shape, o.layout, run); !laid) return laid.error();
+        for (const glyph_style& drawn : run.glyph_styles)
+            if (drawn.face != 0 || !(drawn.map == affine{})) return error::bad("styles");
+        return {};
     }
 
     static bool same_glyphs(const glyph_run& a, const glyph_run& b) noexcept

@@ -13,8 +13,8 @@ namespace typemesh::inline TYPEMESH_ABI {
 /// One of a text's distinct glyphs, which is drawn glyph_count times; for instanced drawing.
 struct glyph_mesh {
     const built_glyph* built = nullptr;  ///< the built glyph, valid as long as the plan
-    glyph_id id = no_glyph;
-    std::uint32_t first_vertex = 0;  ///< its start in the output of write_meshes()
+    glyph_id id = no_glyph;              ///< its number in its own face; text_plan::shape_of() tells faces apart
+    std::uint32_t first_vertex = 0;      ///< its start in the output of write_meshes()
     std::uint32_t first_index = 0;
     std::uint32_t first_instance = 0;  ///< the position of its first instance in the output of write_instances()
     std::uint32_t glyph_count = 0;     ///< the number of instances
@@ -28,9 +28,9 @@ struct glyph_mesh {
 ///     place of a vertex p of the mesh = p.x * x + p.y * y + p.z * z + translation
 struct glyph_instance {
     vec3 translation;         ///< the translation, in the output's unit and frame
-    std::uint32_t mesh = 0;   ///< the index in the plan's meshes()
+    std::uint32_t mesh = 0;   ///< the index in the plan's meshes(), for shape_of(), too
     std::uint32_t glyph = 0;  ///< the index in the plan's glyphs()
-    glyph_id id = no_glyph;
+    glyph_id id = no_glyph;   ///< its number in its own face, so no key for its mesh: see text_plan::shape_of()
     cluster_id cluster = no_cluster;
     style_id style = {};
     std::uint32_t letter = not_a_letter;  ///< the index in letters().letters, if the plan's letters were found

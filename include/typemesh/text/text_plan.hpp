@@ -370,6 +370,9 @@ public:
     /// The text's distinct glyphs; write_meshes() writes each of them once.
     [[nodiscard]] std::span<const glyph_mesh> meshes() const noexcept { return fresh().meshes.view(); }
 
+    /// The shape of a mesh: the key for keeping it from plan to plan, see glyph_shape.hpp. mesh < meshes().size().
+    [[nodiscard]] glyph_shape shape_of(std::size_t mesh) const noexcept { return fresh().shape_of(mesh, *run_); }
+
     /// The exact size of write_meshes()'s output. There are glyphs().size() instances.
     [[nodiscard]] mesh_size meshes_size() const noexcept
     {

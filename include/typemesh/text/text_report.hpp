@@ -50,7 +50,9 @@ struct text_report {
     std::uint32_t kept_triangles = 0;
     cluster_id first_kept_triangle = no_cluster;  ///< position of the first glyph with one
 
-    /// True if nothing was lost: every glyph of the text is in the mesh, and no place was read as U+FFFD.
+    /// True if nothing was lost: every glyph of the text that has an outline is in the mesh, and no place was read as
+    /// U+FFFD. Glyphs without an outline do not count. If a damaged font has lost the outline of a letter, only `blank`
+    /// shows it.
     [[nodiscard]] constexpr bool complete() const noexcept
     {
         return refused == 0 && missing == 0 && invalid_units == 0 && off_path == 0;

@@ -10,6 +10,7 @@
 #include <typemesh/glyph/built_glyph.hpp>
 #include <typemesh/glyph/impl/glyph_store.hpp>
 #include <typemesh/glyph/impl/pinned_glyphs.hpp>
+#include <typemesh/layout/glyph_run.hpp>
 #include <typemesh/text/drawn_glyph.hpp>
 #include <typemesh/text/impl/glyph_set.hpp>
 #include <typemesh/text/impl/merged_glyphs.hpp>
@@ -311,6 +312,16 @@ struct text_glyphs {
         placement at = place(*m.built, {}, {}, own.low, texture_over(own));
         at.glyph = m.id;
         return at;
+    }
+
+    /// The shape of a mesh of these glyphs, which come from this run.
+    [[nodiscard]] glyph_shape shape_of(std::size_t mesh, const glyph_run& run) const noexcept
+    {
+        const drawn_glyph& s = records[meshes[mesh].first_glyph];
+        if (s.merged != drawn_glyph::none || place_of(numbers[s.glyph]) != nullptr) return {};
+        if (run.glyph_styles.empty()) return {.id = s.id};
+        const glyph_style& drawn = run.glyph_styles[run.glyphs[s.glyph].glyph_style];
+        return {s.id, drawn.face, drawn.map};
     }
 
     /// The growth of u and v per font unit if they span a box; 0 where it has no extent.
