@@ -71,7 +71,7 @@ private:
     }
 };
 
-inline text_options read_options(values& in)
+inline text_options read_corner_options(values& in)
 {
     static constexpr frame slanted{
         .right = {0.36f, 0.48f, -0.8f}, .up = {-0.8f, 0.6f, 0.0f}, .toward = {0.48f, 0.64f, 0.6f}};
@@ -89,7 +89,7 @@ inline text_options read_options(values& in)
 }
 
 /// One letter, or several that are merged; in em, as far out as every edge is promised two faces.
-inline glyph_run read_run(values& in, const drawn_letter& letter, const text_options& how)
+inline glyph_run read_corner_run(values& in, const drawn_letter& letter, const text_options& how)
 {
     static constexpr point places[] = {{0, 0}, {-3, 7}, {100, -60}, {1500, 0.3}, {-1000, 1700}, {1.0 / 3.0, 0.1}};
     glyph_run run;
@@ -134,11 +134,11 @@ inline broken_law corners(values in)
     using namespace corner_laws;
     static constexpr float depths[] = {0.2f, 0.01f, 1.0f, 8.0f}, shares[] = {1.0f, 0.5f, 0.999f, 0.1f, 0.4999f, 0.7f};
     const std::uint32_t what = in.byte(), bits = in.byte();
-    text_options options = read_options(in);
+    text_options options = read_corner_options(in);
     bevelled bevel = solid_laws::read_bevel(in, what >> 3);
     drawn_letter letter{in};
     if (!letter.failure.empty()) return letter.failure;
-    const glyph_run run = read_run(in, letter, options);
+    const glyph_run run = read_corner_run(in, letter, options);
     float depth = in.one_of(depths), limit = in.one_of({0.0f, 0.02f, 0.3f}), height = in.one_of({1.0f, 0.2f, 5.0f});
     const float share = in.one_of(shares);
     // Depths in output units count as em in a unit_box.

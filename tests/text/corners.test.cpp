@@ -385,9 +385,13 @@ TEST_CASE("a profile that comes back to the other side's height has low walls, w
             CHECK(low_walls_of(outline, how, {.frame = slanted_frame, .merge = true}) > 0);
         }
     }
-    bevelled step{.width = 1e-6f, .bevel_depth = 0.1f, .profile = {{0, 0}, {1, 1e-6f}}};  // narrower than four cells
+    // Narrower than four cells, and lower: no riser is left, and the walls grow to four cells.
+    bevelled step{.width = 1e-6f, .bevel_depth = 0.1f, .profile = {{0, 0}, {1, 1e-6f}}};
     svg_path outline{crossing_drawings[0], 1000.0};
-    CHECK(low_walls_of(outline, step, {.frame = slanted_frame, .merge = true}) > 0);
+    auto mesher = text_mesher{outline}.with(step);
+    const glyph_run run = test::row_of(0, {0.0});
+    for (const touching way : {touching::part, touching::join})
+        check_manifold(mesher.plan(run, {.frame = slanted_frame, .merge = true, .corners = way}));
 }
 
 TEST_CASE("risers that end little above low walls have a height", "[text]")

@@ -61,12 +61,12 @@ struct shared_letters {
         std::vector<glyph_shape> instances;
         {
             const auto plan = test::required(mesher.plan(label));
-            const auto meshes = meshes_of(*plan);
-            for (std::size_t k = 0; k < meshes.size(); ++k)
+            const auto own = meshes_of(*plan);
+            for (std::size_t k = 0; k < own.size(); ++k)
                 if (number_of(plan->shape_of(k)) == shapes.size()) REQUIRE(unseen.add(plan->shape_of(k)));
             plan->write_instances([&](const glyph_instance& i) {
                 instances.push_back(plan->shape_of(i.mesh));
-                expected.push_back(meshes[i.mesh]);
+                expected.push_back(own[i.mesh]);
             });
         }
         const auto plan = test::required(mesher.plan(unseen));
@@ -84,7 +84,7 @@ struct shared_letters {
     }
 };
 
-glyph_run run_of(std::initializer_list<glyph_style> glyph_styles, std::initializer_list<placed_glyph> glyphs)
+glyph_run styled_run(std::initializer_list<glyph_style> glyph_styles, std::initializer_list<placed_glyph> glyphs)
 {
     glyph_run run;
     for (const glyph_style& l : glyph_styles) REQUIRE(run.glyph_styles.push_back(l));
@@ -101,29 +101,29 @@ TEST_CASE("labels in two faces and several sizes share meshes, and each letter h
     font_faces faces{font, second};
     text_mesher mesher{faces};
     shared_letters all;
-    all.show(mesher, run_of({}, {{1, 0, {0, 0}}, {2, 1, {600, 0}}, {1, 2, {1200, 0}}}));
+    all.show(mesher, styled_run({}, {{1, 0, {0, 0}}, {2, 1, {600, 0}}, {1, 2, {1200, 0}}}));
     CHECK(all.shapes.size() == 2);
     // The same numbers in the other face, which the first label did not have.
-    all.show(mesher, run_of({{.face = 1}}, {{2, 0, {0, 0}}, {1, 1, {900, 0}}}));
+    all.show(mesher, styled_run({{.face = 1}}, {{2, 0, {0, 0}}, {1, 1, {900, 0}}}));
     CHECK(all.shapes.size() == 4);
     // Smaller, slanted, and in another style; a bar that is no letter; and what both labels had before.
     const affine small{.xx = 0.5, .yy = 0.5}, slanted{.xy = 0.2};
-    all.show(mesher, run_of({{.map = small},
-                             {.map = slanted},
-                             {.map = slanted, .style = style_id{1}},
-                             {.face = 1, .map = small},
-                             {.face = bar_face, .map = {.xx = 500, .yy = 40}},
-                             {},
-                             {.face = 1}},
-                            {{1, 0, {0, 0}, false, 0},
-                             {1, 1, {300, 0}, false, 1},
-                             {1, 2, {900, 0}, false, 2},
-                             {1, 3, {1500, 0}, false, 3},
-                             {0, no_cluster, {0, -90}, false, 4},
-                             {1, 4, {2000, 0}, false, 5},
-                             {1, 5, {2600, 0}, false, 6}}));
+    all.show(mesher, styled_run({{.map = small},
+                                 {.map = slanted},
+                                 {.map = slanted, .style = style_id{1}},
+                                 {.face = 1, .map = small},
+                                 {.face = bar_face, .map = {.xx = 500, .yy = 40}},
+                                 {},
+                                 {.face = 1}},
+                                {{1, 0, {0, 0}, false, 0},
+                                 {1, 1, {300, 0}, false, 1},
+                                 {1, 2, {900, 0}, false, 2},
+                                 {1, 3, {1500, 0}, false, 3},
+                                 {0, no_cluster, {0, -90}, false, 4},
+                                 {1, 4, {2000, 0}, false, 5},
+                                 {1, 5, {2600, 0}, false, 6}}));
     CHECK(all.shapes.size() == 8);
-    all.show(mesher, run_of({{.face = 1, .map = small}}, {{1, 0, {0, 0}}}));
+    all.show(mesher, styled_run({{.face = 1, .map = small}}, {{1, 0, {0, 0}}}));
     CHECK(all.shapes.size() == 8);
 }
 
@@ -132,7 +132,7 @@ TEST_CASE("meshes that belong to one text alone have no shape, and turned letter
     test::toy_font font;
     {
         text_mesher mesher{font};
-        const glyph_run run = run_of({}, {{2, 0, {0, 0}}, {2, 1, {200, 0}}, {1, 2, {5000, 0}}});
+        const glyph_run run = styled_run({}, {{2, 0, {0, 0}}, {2, 1, {200, 0}}, {1, 2, {5000, 0}}});
         const auto plan = test::required(mesher.plan(run, {.merge = true}));
         REQUIRE(plan->meshes().size() == 2);
         CHECK(plan->shape_of(0) == glyph_shape{});

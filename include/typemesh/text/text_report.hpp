@@ -39,7 +39,8 @@ struct text_report {
     /// count.
     std::uint64_t corners_moved = 0;
     std::uint32_t touching = 0;              ///< the number of glyphs in which some corners could not be separated or
-                                             ///< joined, or front and back meet inside the outline
+                                             ///< joined, or front and back may meet inside the outline, because
+                                             ///< walls have no room to be as high as they should
     cluster_id first_touching = no_cluster;  ///< position of the first of them
     /// The number of glyphs' components, smaller than the tolerance, whose bevels meet in a ridge in spite of
     /// bevel_mode::fit.
