@@ -122,7 +122,8 @@ TEST_CASE("a tube that is too thick gets the largest radius at which no part mee
         REQUIRE(plan);
         CHECK(plan->narrowed);
         float least = how.radius;
-        for (const auto& p : data.read().of<detail::tube_path>()) least = p.radius < least ? p.radius : least;
+        const auto read = data.read();
+        for (const auto& p : read.of<detail::tube_path>()) least = p.radius < least ? p.radius : least;
         CHECK(double{least} == Catch::Approx(k.radius * 63.0 / 64.0).epsilon(1e-2));
         CHECK(double{least} <= k.radius * 63.0 / 64.0 * (1.0 + 1e-9));
     }

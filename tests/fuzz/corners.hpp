@@ -102,7 +102,8 @@ inline glyph_run read_corner_run(values& in, const drawn_letter& letter, const t
     return run;
 }
 
-/// Every edge has two faces and every point one fan, whatever the letter; or the report says that it is not so.
+/// Every edge has two faces and every point one fan, whatever the letter. A bevel may leave no room for the walls that
+/// this needs; the report says so.
 template <class Extruder>
 broken_law of_solid(const Extruder& how, drawn_letter& letter, const glyph_run& run, const text_options& options,
                     bool may_touch = false)
@@ -154,7 +155,6 @@ inline broken_law corners(values in)
     bevel.bevel_depth = depth * share;
     if (bevel.sides == bevel_sides::both && share > 0.5f) bevel.bevel_depth *= 0.5f;
     bevel.segments = 1 + (bits >> 1 & 1);
-    bevel.side = (bits & 4) == 0;
     switch (what & 7) {
     case 0: return of_solid(extruded<>{.depth = depth}, letter, run, options);
     case 1: {
@@ -181,7 +181,7 @@ inline broken_law corners(values in)
         return of_solid(outlined<>{.width = 0.005f + std::fabs(by), .place = static_cast<outline_place>(what >> 3 & 1)},
                         letter, run, options);
     }
-    default: return of_solid(bevel, letter, run, options, !bevel.side);
+    default: return of_solid(bevel, letter, run, options, true);
     }
 }
 

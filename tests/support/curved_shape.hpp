@@ -178,11 +178,12 @@ public:
         if (p.x < s.plan.around.low.x - beyond || p.x > s.plan.around.high.x + beyond) return "the box";
 
     double area = 0.0, of_region = 0.0, around = 0.0;
-    for (const triangle t : s.data.read().of<triangle>()) {
-        const auto p = s.data.read().of<grid_point>();
+    const auto data = s.data.read();
+    for (const triangle t : data.of<triangle>()) {
+        const auto p = data.of<grid_point>();
         area += 0.5 * static_cast<double>(orientation(p[t.a], p[t.b], p[t.c]));
     }
-    for (const curve_triangle& t : s.data.read().of<curve_triangle>()) {
+    for (const curve_triangle& t : data.of<curve_triangle>()) {
         if (t.weight < 1.0f || t.weight > 1.0f) return {};
         const auto whole = static_cast<double>(orientation(t.corners[0], t.corners[1], t.corners[2]));
         area += (t.concave != 0 ? 1.0 : 2.0) / 6.0 * whole;

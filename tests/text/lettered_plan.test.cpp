@@ -383,7 +383,7 @@ TEST_CASE("an inline box on a path moves from where the path puts it", "[letters
                 CHECK(distance(map({static_cast<float>(corner.x), static_cast<float>(corner.y), 0.0f}), wanted) < 2e-6);
             }
         });
-        const text_letter& icon = plan->letters().letters[2];
+        const text_letter icon = plan->letters().letters[2];
         CHECK(icon.bounds.holds(icon.pivot));
         CHECK(std::hypot(double(icon.pivot.x), double(icon.pivot.y)) == Approx(2.0 + 0.375).epsilon(0.05));
     });

@@ -98,7 +98,7 @@ TEST_CASE("streams hold letter data, and shared meshes have none", "[letters]")
     for (std::size_t g = 0; g < plan->glyphs().size(); ++g)
         for (const part p : plan->parts()) {
             const mesh_range r = plan->range(g, p);
-            const text_letter& row = plan->letters().letters[g];
+            const text_letter row = plan->letters().letters[g];
             for (std::size_t i = r.first_vertex; i < r.first_vertex + r.vertex_count; ++i) {
                 REQUIRE(letters[i] == g);
                 REQUIRE(words[i] == (g < 2 ? 0 : 1));

@@ -10,22 +10,11 @@
 
 namespace typemesh::inline TYPEMESH_ABI {
 
-/// Marks a class that only refers to values elsewhere: a reference that comes out of a temporary of it stays valid. The
-/// warning -Wdangling-reference of g++, which knows this of std::span, needs the attribute for others.
-#if defined(__has_cpp_attribute)
-#if __has_cpp_attribute(gnu::no_dangling)
-#define TYPEMESH_VIEW [[gnu::no_dangling]]
-#endif
-#endif
-#if !defined(TYPEMESH_VIEW)
-#define TYPEMESH_VIEW
-#endif
-
 /// A pointer and a count: consecutive values in memory that it does not own. It does the job of std::span, and converts
 /// to and from a std::span. Compilers need far less time and memory for it, because std::span checks the concepts of
 /// iterators and ranges for each element type.
 template <class T>
-class TYPEMESH_VIEW array_view {
+class array_view {
 public:
     using element_type = T;                  ///< as in std::span
     using value_type = std::remove_cv_t<T>;  ///< as in std::span

@@ -93,7 +93,7 @@ class plan_arrays : detail::growing_array<Values>... {
 
 public:
     /// Read access to the arrays, wherever they are stored.
-    class TYPEMESH_VIEW view : detail::read_array<Values>... {
+    class view : detail::read_array<Values>... {
         friend class plan_arrays;
 
     public:

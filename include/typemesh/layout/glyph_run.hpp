@@ -114,8 +114,8 @@ struct glyph_run {
     }
 
     /// Appends a glyph of this shape, at the origin and in style 0, so that a mesher makes its mesh. The shape must
-    /// come from a run of the same font, because its map is in units of that font. Use a mesher without a path: one with
-    /// a path leaves out glyphs for which it has no room.
+    /// come from a run of the same font, because its map is in units of that font. Use a mesher without a path: one
+    /// with a path leaves out glyphs for which it has no room.
     ///
     /// Fails  error::unknown_glyph: the shape has no glyph; error::out_of_memory
     result<void> add(const glyph_shape& shape) noexcept

@@ -13,10 +13,10 @@ namespace typemesh::inline TYPEMESH_ABI {
 /// of a glyph alone is not enough, because each face numbers its own glyphs.
 ///
 /// In all plans of one mesher with the same font and options, equal shapes have the same mesh, as long as no option
-/// depends on the whole text: output_unit::unit_box and bevel_mode::fit_text do, and text_options::corners in texts that
-/// reach far. So a shape is the key for meshes that are kept from plan to plan: text_plan::shape_of() tells it, and
-/// glyph_run::add() takes it over into another run. A mesh that belongs to one text alone has no shape: `id` is then
-/// no_glyph. This holds for merged glyphs, and for glyphs that a path or another deformation makes at their place.
+/// depends on the whole text: output_unit::unit_box and bevel_mode::fit_text do, and text_options::corners in texts
+/// that reach far. So a shape is the key for meshes that are kept from plan to plan: text_plan::shape_of() tells it,
+/// and glyph_run::add() takes it over into another run. A mesh that belongs to one text alone has no shape: `id` is
+/// then no_glyph. This holds for merged glyphs, and for glyphs that a path or another deformation makes at their place.
 struct glyph_shape {
     glyph_id id = no_glyph;  ///< its number in its own face
     std::uint32_t face = 0;  ///< as in glyph_style

@@ -62,9 +62,9 @@ public:
 
     /// Plans plain text.
     ///
-    /// Fails  error::bad_option: from, to, size, depth or crease_degrees is out of range, or "styles": a style, also of
-    ///        a space, or a column turns, slants or scales letters, takes them from another face, or adds bars, boxes or
-    ///        ruby, which morphs do not draw; error::bad_tolerance
+    /// Fails  error::bad_option: from, to, size, depth or crease_degrees is out of range, or "styles": a style, also
+    ///        of a space, or a column turns, slants or scales letters, takes them from another face, or adds bars,
+    ///        boxes or ruby, which morphs do not draw; error::bad_tolerance
     ///        error::too_large, error::out_of_memory, and the errors of layout() and of the axis
     /// Cost   a few milliseconds for each different letter
     result<morph_plan> plan(text_view text, const morph_options& options) noexcept
