@@ -34,6 +34,16 @@ inline typemesh::glyph_run row_of(typemesh::glyph_id id, std::initializer_list<d
     return run;
 }
 
+/// A run of these glyphs in these glyph styles.
+inline typemesh::glyph_run styled_run(std::initializer_list<typemesh::glyph_style> glyph_styles,
+                                      std::initializer_list<typemesh::placed_glyph> glyphs)
+{
+    typemesh::glyph_run run;
+    for (const typemesh::glyph_style& l : glyph_styles) REQUIRE(run.glyph_styles.push_back(l));
+    for (const typemesh::placed_glyph& g : glyphs) REQUIRE(run.glyphs.push_back(g));
+    return run;
+}
+
 /// Workers, each with a toy font of its own.
 inline auto toy_team(auto& executor)
 {

@@ -4,6 +4,7 @@
 #include "support/mesh_laws.hpp"
 #include "support/required.hpp"
 #include "support/toy_font.hpp"
+#include "support/toy_runs.hpp"
 #include "support/written_mesh.hpp"
 
 #include <typemesh/text/font_faces.hpp>
@@ -30,14 +31,6 @@ recorded_outlines icons(double units = 250.0)
     return drawn;
 }
 
-glyph_run run_of(std::initializer_list<glyph_style> glyph_styles, std::initializer_list<placed_glyph> glyphs)
-{
-    glyph_run run;
-    for (const glyph_style& l : glyph_styles) REQUIRE(run.glyph_styles.push_back(l));
-    for (const placed_glyph& g : glyphs) REQUIRE(run.glyphs.push_back(g));
-    return run;
-}
-
 }  // namespace
 
 static_assert(face_source<font_faces<test::toy_font, recorded_outlines>>);
@@ -62,10 +55,10 @@ TEST_CASE("a face is drawn as large as the first one's em, by its own fill rule,
     const auto drawings = icons();
     font_faces faces{font, drawings};
     auto mesher = text_mesher{faces}.with(flat{});
-    const glyph_run run = run_of({{}, {.face = 1}}, {{2, 0, {0, 0}, false, 0},       // E of the toy font
-                                                     {0, 1, {600, 0}, false, 1},     // the box
-                                                     {1, 2, {2000, 0}, false, 1},    // the ring
-                                                     {1, 3, {3500, 0}, false, 0}});  // o of the toy font
+    const glyph_run run = test::styled_run({{}, {.face = 1}}, {{2, 0, {0, 0}, false, 0},       // E of the toy font
+                                                               {0, 1, {600, 0}, false, 1},     // the box
+                                                               {1, 2, {2000, 0}, false, 1},    // the ring
+                                                               {1, 3, {3500, 0}, false, 0}});  // o of the toy font
     const auto plan = test::required(mesher.plan(run));
     REQUIRE(plan->glyphs().size() == 4);
     CHECK(plan->report().complete());
@@ -89,8 +82,8 @@ TEST_CASE("a face of the same units draws what it draws alone, to the bit", "[te
     font_faces faces{font, drawings};
     text_mesher mesher{faces};
     text_mesher alone{drawings};
-    const glyph_run run = run_of({{.face = 1}}, {{0, 0, {0, 0}}, {1, 1, {1100, 0}}, {0, 2, {2300, 5}}});
-    const glyph_run plain = run_of({}, {{0, 0, {0, 0}}, {1, 1, {1100, 0}}, {0, 2, {2300, 5}}});
+    const glyph_run run = test::styled_run({{.face = 1}}, {{0, 0, {0, 0}}, {1, 1, {1100, 0}}, {0, 2, {2300, 5}}});
+    const glyph_run plain = test::styled_run({}, {{0, 0, {0, 0}}, {1, 1, {1100, 0}}, {0, 2, {2300, 5}}});
     const auto found = test::required(mesher.plan(run)), expected = test::required(alone.plan(plain));
     CHECK(test::same_bits(test::written<full_mesh>(*found), test::written<full_mesh>(*expected)));
 }
@@ -108,7 +101,7 @@ TEST_CASE("a glyph style's map does what transformed_outlines does, to the bit, 
     text_mesher alone{transformed};
     const std::initializer_list<placed_glyph> glyphs = {
         {1, 0, {0, 0}}, {2, 1, {300, 0}}, {3, 2, {700, 10}}, {1, 3, {3000, 0}}};
-    const glyph_run run = run_of({{.map = map}}, glyphs), plain = run_of({}, glyphs);
+    const glyph_run run = test::styled_run({{.map = map}}, glyphs), plain = test::styled_run({}, glyphs);
     const auto found = test::required(mesher.plan(run, {.merge = merge}));
     const auto expected = test::required(alone.plan(plain, {.merge = merge}));
     const full_mesh m = test::written<full_mesh>(*found);
@@ -122,7 +115,7 @@ TEST_CASE("tolerance and depth stay those of the base em when a glyph style scal
     text_mesher mesher{font};
     const float depth = mesher.plan("o")->bounds().low.z;
     const auto size_at = [&](double scale) {
-        const glyph_run run = run_of({{.map = {.xx = scale, .yy = scale}}}, {{1, 0, {0, 0}}});
+        const glyph_run run = test::styled_run({{.map = {.xx = scale, .yy = scale}}}, {{1, 0, {0, 0}}});
         const auto plan = test::required(mesher.plan(run));
         CHECK(plan->bounds().low.z == depth);
         return plan->size().vertices;
@@ -137,7 +130,7 @@ TEST_CASE("a letter in several styles is built once, in several shapes once a sh
     glyph_cache cache;
     auto mesher = text_mesher{font}.with(cached_in{cache, 1});
     const affine slanted{.xy = 0.2};
-    const glyph_run run = run_of(
+    const glyph_run run = test::styled_run(
         {{}, {.style = style_id{1}}, {.map = slanted}, {.map = slanted, .style = style_id{1}}, {.map = {.xy = 0.3}}},
         {{1, 0, {0, 0}, false, 0},
          {1, 1, {600, 0}, false, 1},
@@ -173,8 +166,8 @@ TEST_CASE("a cache distinguishes faces, maps and the units of the first face", "
     glyph_cache cache;
     auto mesher = text_mesher{both}.with(cached_in{cache, 1});
     auto second = text_mesher{other}.with(cached_in{cache, 1});  // the same number, for another set: only units differ
-    const glyph_run run = run_of({{}, {.face = 1}}, {{1, 0, {0, 0}, false, 0}, {1, 1, {600, 0}, false, 1}});
-    const glyph_run icon = run_of({{.face = 1}}, {{1, 0, {0, 0}}});
+    const glyph_run run = test::styled_run({{}, {.face = 1}}, {{1, 0, {0, 0}, false, 0}, {1, 1, {600, 0}, false, 1}});
+    const glyph_run icon = test::styled_run({{.face = 1}}, {{1, 0, {0, 0}}});
     CHECK(mesher.plan(run)->meshes().size() == 2);
     CHECK(cache.statistics().entries == 2);
     const auto plan = test::required(second.plan(icon));
@@ -196,7 +189,7 @@ TEST_CASE("workers with faces of their own make the same mesh", "[text][glyph_st
     });
     REQUIRE(pool);
     text_mesher mesher{faces};
-    glyph_run run = run_of({{}, {.face = 1, .style = style_id{1}}, {.map = {.xy = 0.2}}}, {});
+    glyph_run run = test::styled_run({{}, {.face = 1, .style = style_id{1}}, {.map = {.xy = 0.2}}}, {});
     for (std::uint32_t i = 0; i < 40; ++i) REQUIRE(run.glyphs.push_back({i % 2, i, {600.0 * i, 0}, false, i % 3}));
     const full_mesh expected = test::written<full_mesh>(*mesher.plan(run));
     CHECK(test::same_bits(test::written<full_mesh>(*test::required(mesher.plan(run, {}, *pool))), expected));
@@ -207,17 +200,17 @@ TEST_CASE("glyph styles, faces and units that do not exist are refused, each by 
     test::toy_font font;
     text_mesher mesher{font};
     const auto refusal = [&](const glyph_run& run) { return mesher.plan(run).error(); };
-    CHECK(refusal(run_of({}, {{1, 3, {0, 0}, false, 1}})) == error::no_such_glyph_style);
-    const error far_look = refusal(run_of({{}, {}}, {{1, 0, {0, 0}, false, 1}, {2, 7, {0, 0}, false, 2}}));
+    CHECK(refusal(test::styled_run({}, {{1, 3, {0, 0}, false, 1}})) == error::no_such_glyph_style);
+    const error far_look = refusal(test::styled_run({{}, {}}, {{1, 0, {0, 0}, false, 1}, {2, 7, {0, 0}, false, 2}}));
     CHECK(far_look == error::no_such_glyph_style);
     CHECK(far_look.count == 2);
     CHECK(far_look.glyph == 2);
     CHECK(far_look.cluster == 7);
-    const error face = refusal(run_of({{}, {.face = 1}}, {{1, 0, {0, 0}}}));
+    const error face = refusal(test::styled_run({{}, {.face = 1}}, {{1, 0, {0, 0}}}));
     CHECK(face == error::no_such_face);
     CHECK(face.count == 1);
 
-    glyph_run run = run_of({}, {{1, 0, {0, 0}}});
+    glyph_run run = test::styled_run({}, {{1, 0, {0, 0}}});
     CHECK(mesher.plan(run));  // units are the font's where the run says none
     run.units_per_em = 1000.0;
     CHECK(mesher.plan(run));
@@ -234,8 +227,9 @@ TEST_CASE("a map that is no number leaves its glyphs out, and says so", "[text][
 {
     test::toy_font font;
     text_mesher mesher{font};
-    const glyph_run run = run_of({{}, {.map = {.xx = std::nan("")}}},
-                                 {{1, 0, {0, 0}, false, 0}, {1, 1, {600, 0}, false, 1}, {2, 2, {1200, 0}, false, 1}});
+    const glyph_run run =
+        test::styled_run({{}, {.map = {.xx = std::nan("")}}},
+                         {{1, 0, {0, 0}, false, 0}, {1, 1, {600, 0}, false, 1}, {2, 2, {1200, 0}, false, 1}});
     const auto plan = test::required(mesher.plan(run));
     CHECK(plan->glyphs().size() == 1);
     CHECK(plan->report().refused == 2);
@@ -247,7 +241,7 @@ TEST_CASE("a map that flattens a glyph leaves nothing of it", "[text][glyph_styl
 {
     test::toy_font font;
     text_mesher mesher{font};
-    const glyph_run run = run_of({{.map = {.xx = 0.0}}}, {{1, 0, {0, 0}}, {3, 1, {600, 0}}});
+    const glyph_run run = test::styled_run({{.map = {.xx = 0.0}}}, {{1, 0, {0, 0}}, {3, 1, {600, 0}}});
     const auto plan = test::required(mesher.plan(run));
     CHECK(plan->glyphs().empty());
     CHECK(plan->report().blank == 2);

@@ -6,6 +6,7 @@
 #include "support/mesh_laws.hpp"
 #include "support/required.hpp"
 #include "support/toy_font.hpp"
+#include "support/toy_runs.hpp"
 #include "support/written_mesh.hpp"
 
 #include <typemesh/bend/on_cylinder.hpp>
@@ -84,14 +85,6 @@ struct shared_letters {
     }
 };
 
-glyph_run styled_run(std::initializer_list<glyph_style> glyph_styles, std::initializer_list<placed_glyph> glyphs)
-{
-    glyph_run run;
-    for (const glyph_style& l : glyph_styles) REQUIRE(run.glyph_styles.push_back(l));
-    for (const placed_glyph& g : glyphs) REQUIRE(run.glyphs.push_back(g));
-    return run;
-}
-
 }  // namespace
 
 TEST_CASE("labels in two faces and several sizes share meshes, and each letter has its own", "[text][glyph_styles]")
@@ -101,29 +94,29 @@ TEST_CASE("labels in two faces and several sizes share meshes, and each letter h
     font_faces faces{font, second};
     text_mesher mesher{faces};
     shared_letters all;
-    all.show(mesher, styled_run({}, {{1, 0, {0, 0}}, {2, 1, {600, 0}}, {1, 2, {1200, 0}}}));
+    all.show(mesher, test::styled_run({}, {{1, 0, {0, 0}}, {2, 1, {600, 0}}, {1, 2, {1200, 0}}}));
     CHECK(all.shapes.size() == 2);
     // The same numbers in the other face, which the first label did not have.
-    all.show(mesher, styled_run({{.face = 1}}, {{2, 0, {0, 0}}, {1, 1, {900, 0}}}));
+    all.show(mesher, test::styled_run({{.face = 1}}, {{2, 0, {0, 0}}, {1, 1, {900, 0}}}));
     CHECK(all.shapes.size() == 4);
     // Smaller, slanted, and in another style; a bar that is no letter; and what both labels had before.
     const affine small{.xx = 0.5, .yy = 0.5}, slanted{.xy = 0.2};
-    all.show(mesher, styled_run({{.map = small},
-                                 {.map = slanted},
-                                 {.map = slanted, .style = style_id{1}},
-                                 {.face = 1, .map = small},
-                                 {.face = bar_face, .map = {.xx = 500, .yy = 40}},
-                                 {},
-                                 {.face = 1}},
-                                {{1, 0, {0, 0}, false, 0},
-                                 {1, 1, {300, 0}, false, 1},
-                                 {1, 2, {900, 0}, false, 2},
-                                 {1, 3, {1500, 0}, false, 3},
-                                 {0, no_cluster, {0, -90}, false, 4},
-                                 {1, 4, {2000, 0}, false, 5},
-                                 {1, 5, {2600, 0}, false, 6}}));
+    all.show(mesher, test::styled_run({{.map = small},
+                                       {.map = slanted},
+                                       {.map = slanted, .style = style_id{1}},
+                                       {.face = 1, .map = small},
+                                       {.face = bar_face, .map = {.xx = 500, .yy = 40}},
+                                       {},
+                                       {.face = 1}},
+                                      {{1, 0, {0, 0}, false, 0},
+                                       {1, 1, {300, 0}, false, 1},
+                                       {1, 2, {900, 0}, false, 2},
+                                       {1, 3, {1500, 0}, false, 3},
+                                       {0, no_cluster, {0, -90}, false, 4},
+                                       {1, 4, {2000, 0}, false, 5},
+                                       {1, 5, {2600, 0}, false, 6}}));
     CHECK(all.shapes.size() == 8);
-    all.show(mesher, styled_run({{.face = 1, .map = small}}, {{1, 0, {0, 0}}}));
+    all.show(mesher, test::styled_run({{.face = 1, .map = small}}, {{1, 0, {0, 0}}}));
     CHECK(all.shapes.size() == 8);
 }
 
@@ -132,7 +125,7 @@ TEST_CASE("meshes that belong to one text alone have no shape, and turned letter
     test::toy_font font;
     {
         text_mesher mesher{font};
-        const glyph_run run = styled_run({}, {{2, 0, {0, 0}}, {2, 1, {200, 0}}, {1, 2, {5000, 0}}});
+        const glyph_run run = test::styled_run({}, {{2, 0, {0, 0}}, {2, 1, {200, 0}}, {1, 2, {5000, 0}}});
         const auto plan = test::required(mesher.plan(run, {.merge = true}));
         REQUIRE(plan->meshes().size() == 2);
         CHECK(plan->shape_of(0) == glyph_shape{});
