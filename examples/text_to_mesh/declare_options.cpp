@@ -235,7 +235,7 @@ void add_mesh_options(CLI::App& app, options& out, raw_options& raw)
         "a whole number from 1 to 1024", [](double n) { return n >= 1.0 && n <= 1024.0 && n == std::floor(n); },
         [&out](double n) { out.segments = static_cast<std::uint32_t>(n); })
         ->type_name("N");
-    auto* named = add_named<preset>(
+    auto* quality = add_named<preset>(
         app, "--quality", out.quality,
         "the largest distance to the curve: 1/100, 1/160, 1/800 (high, default) or 1/16000 em",
         {{"low", preset::low}, {"normal", preset::normal}, {"high", preset::high}, {"best", preset::best}});
@@ -243,7 +243,7 @@ void add_mesh_options(CLI::App& app, options& out, raw_options& raw)
         app, "--tolerance", "the same distance as a number, with --discretiser certified", "a positive number",
         [](double n) { return n > 0.0; }, [&out](double n) { out.tolerance = n; })
         ->type_name("EM")
-        ->excludes(named);
+        ->excludes(quality);
     app.add_option("--lod", raw.lod, "in a .glb, also coarser levels of detail with these tolerances: 0.006,0.02,0.05")
         ->type_name("EM[,EM...]");
     add_named<discretiser_name>(

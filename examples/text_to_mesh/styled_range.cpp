@@ -31,7 +31,7 @@ bool take_word(std::string_view word, text_style& style)
 }
 
 /// A setting that is a number. Gives an empty string, or what is wrong; nothing if it is none.
-std::optional<std::string> take_number(std::string_view name, std::string_view value, text_style& style)
+std::optional<std::string> take_measure(std::string_view name, std::string_view value, text_style& style)
 {
     struct {
         std::string_view name;
@@ -64,7 +64,7 @@ std::string take_setting(std::string_view setting, styled_range& out)
     for (const std::string_view known :
          {"colour", "color", "font", "language", "feature", "size", "rise", "slant", "letter-spacing", "word-spacing"})
         if (name == known && value.empty()) return std::string{name} + " must have a value, as in size=1.5";
-    if (const auto number = take_number(name, value, out.style)) return *number;
+    if (const auto number = take_measure(name, value, out.style)) return *number;
     if (name == "colour" || name == "color") {
         out.colour = read_colour(value);
         if (out.colour) return {};

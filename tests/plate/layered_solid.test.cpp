@@ -30,7 +30,7 @@ struct mesh {
     [[nodiscard]] inspect::mesh_view<vec3, std::uint32_t> view() const { return {vertices, indices}; }
 };
 
-mesh written(const layered_solid& solid)
+mesh mesh_of(const layered_solid& solid)
 {
     mesh m;
     constexpr auto position = [](const surface_point<attribute::position>& p) noexcept { return p.position; };
@@ -73,7 +73,7 @@ TEST_CASE("slabs of random boxes are closed, with their volume, however they lie
             filled = nested ? filled & cell_set{any(random) | any(random)} : cell_set{any(random) & ~1u};
         }
         REQUIRE(solid.plan(cells, 0.0f, {slabs.data(), slabs.size()}, 0, monotone{}, space));
-        const mesh m = written(solid);
+        const mesh m = mesh_of(solid);
         CHECK(m.vertices.size() == solid.size().vertices);
         const auto faults = inspect::check_manifoldness(m.view());
         CHECK(faults.open_edges == 0);
@@ -113,7 +113,7 @@ TEST_CASE("a wall has a point at each level at which others end beside it, and n
     REQUIRE(solid.plan(cells, 0.0f, {inside, 2}, 4, monotone{}, space));
     // Of the upper side's three walls, the two beside the groove have a fifth point; the groove's two walls do not.
     CHECK(solid.size(plate_part::rim) == mesh_size{3 * 4 + 5 + 4 + 5, 3 * 2 + 3 + 2 + 3});
-    CHECK(inspect::check_manifoldness(written(solid).view()).is_manifold());
+    CHECK(inspect::check_manifoldness(mesh_of(solid).view()).is_manifold());
 }
 
 TEST_CASE("slabs that touch in a point or hang in an edge are counted", "[layered_solid]")
@@ -130,7 +130,7 @@ TEST_CASE("slabs that touch in a point or hang in an edge are counted", "[layere
     REQUIRE(solid.plan(cells, 0.0f, {stairs, 2}, 0, monotone{}, space));
     CHECK(solid.hanging() == 1);
     CHECK(solid.touching() == 1);
-    const auto faults = inspect::check_manifoldness(written(solid).view());
+    const auto faults = inspect::check_manifoldness(mesh_of(solid).view());
     CHECK(faults.open_edges == 0);
     CHECK(faults.crowded_edges == 2);
 }
@@ -194,7 +194,7 @@ TEST_CASE("boxes with bevels and fillets in a grid of their own are closed, wher
         const layered_base base{.height = 0.5f, .bevel = some(), .round = run % 2 != 0, .unit_per_em = 2.0};
         const layered_solid::slab slabs[] = {{layer_a | layer_b, 2.0f, some()}, {layer_b, 3.0f, some(), some()}};
         REQUIRE(solid.plan(cells, base, {slabs, 2}, 4, monotone{}, space));
-        const mesh m = written(solid);
+        const mesh m = mesh_of(solid);
         CHECK(m.vertices.size() == solid.size().vertices);
         const auto faults = inspect::check_manifoldness(m.view());
         CHECK(faults.open_edges == 0);

@@ -13,7 +13,7 @@ using namespace typemesh;
 
 namespace {
 
-double area(const silhouette& s)
+double area_of(const silhouette& s)
 {
     double sum = 0.0;
     for (std::size_t k = 0; k + 1 < s.starts().size(); ++k)
@@ -43,7 +43,7 @@ TEST_CASE("a rounded rectangle is symmetric, and its corners are arcs within the
                 if (r > 0.0) CHECK(std::abs(std::hypot(std::max(dx, 0.0), std::max(dy, 0.0)) - r) <= 0.75);
             }
             const double exact = 60000.0 * 40000.0 - (4.0 - 3.14159265358979) * r * r;
-            CHECK(std::abs(area(s) - exact) <= 6.3 * r * (tolerance + 1.0) + 1.0);
+            CHECK(std::abs(area_of(s) - exact) <= 6.3 * r * (tolerance + 1.0) + 1.0);
             CHECK(s.low() == grid_point{-30000, -20000});
             CHECK(s.high() == grid_point{30000, 20000});
         }
@@ -76,7 +76,7 @@ TEST_CASE("a union has no overlap, and its holes can be filled", "[silhouette]")
     REQUIRE(s.add_rectangle({90, 0}, {100, 100}, 0.0, 1.0));
     REQUIRE(s.add_rectangle({40, 40}, {60, 60}, 0.0, 1.0));
     REQUIRE(s.fill(space));
-    CHECK(area(s) == Catch::Approx(10000.0 - 6400.0 + 400.0));
+    CHECK(area_of(s) == Catch::Approx(10000.0 - 6400.0 + 400.0));
     CHECK(s.starts().size() == 4);
     silhouette limited;
     limited.begin({});
@@ -84,7 +84,7 @@ TEST_CASE("a union has no overlap, and its holes can be filled", "[silhouette]")
     REQUIRE(limited.fill(space));
     CHECK(limited.fill_holes(space, 30).error() == error::too_many_pieces);
     REQUIRE(s.fill_holes(space));
-    CHECK(area(s) == Catch::Approx(10000.0));
+    CHECK(area_of(s) == Catch::Approx(10000.0));
     CHECK(s.starts().size() == 2);
     s.begin({});
     CHECK(s.empty());
@@ -92,7 +92,7 @@ TEST_CASE("a union has no overlap, and its holes can be filled", "[silhouette]")
     REQUIRE(s.fill(space));
     REQUIRE(s.fill_holes(space));
     REQUIRE(s.add_diamond({5, 5}, 3));
-    CHECK(area(s) == Catch::Approx(18.0));
+    CHECK(area_of(s) == Catch::Approx(18.0));
     s.begin({});
     REQUIRE(s.add_rectangle({5, 5}, {5, 9}, 0.0, 1.0));  // without width
     CHECK(s.empty());

@@ -24,7 +24,7 @@ struct make_spot {
 };
 
 template <class T>
-using array = std::vector<T, uninitialised_allocator<T>>;
+using fresh_vector = std::vector<T, uninitialised_allocator<T>>;
 
 }  // namespace uninitialised_allocator_test
 
@@ -32,7 +32,7 @@ using namespace uninitialised_allocator_test;
 
 TEST_CASE("resize() with an uninitialised_allocator leaves memory as it is", "[vertex]")
 {
-    array<spot> spots(3, spot{1.0f, 2.0f});
+    fresh_vector<spot> spots(3, spot{1.0f, 2.0f});
     spots.clear();
     spots.resize(3);  // the elements' lifetimes began anew, their bytes did not change
     for (const spot& d : spots) CHECK(d.y == 2.0f);
@@ -43,9 +43,9 @@ TEST_CASE("resize() with an uninitialised_allocator leaves memory as it is", "[v
 
 TEST_CASE("a vector with an uninitialised_allocator copies, moves and grows like others", "[vertex]")
 {
-    array<int> a;
+    fresh_vector<int> a;
     for (int i = 0; i < 1000; ++i) a.push_back(i);
-    const array<int> copy = a, moved = std::move(a);
+    const fresh_vector<int> copy = a, moved = std::move(a);
     CHECK(copy == moved);
     CHECK(std::accumulate(copy.begin(), copy.end(), 0) == 499500);
     CHECK(uninitialised_allocator<int>{} == uninitialised_allocator<spot>{});
@@ -53,8 +53,8 @@ TEST_CASE("a vector with an uninitialised_allocator copies, moves and grows like
 
 TEST_CASE("growing_sink fills vectors with an uninitialised_allocator", "[vertex]")
 {
-    array<spot> vertices;
-    array<std::uint16_t> indices;
+    fresh_vector<spot> vertices;
+    fresh_vector<std::uint16_t> indices;
     auto sink = into(vertices, indices, make_spot{});
     REQUIRE_FALSE(sink.begin({4, 1}));
     for (const float v : {0.0f, 1.0f, 2.0f, 3.0f}) {
@@ -66,5 +66,5 @@ TEST_CASE("growing_sink fills vectors with an uninitialised_allocator", "[vertex
     sink.end();
     REQUIRE(vertices.size() == 4);
     CHECK(vertices[3].y == -3.0f);
-    CHECK(indices == array<std::uint16_t>{1, 2, 3});
+    CHECK(indices == fresh_vector<std::uint16_t>{1, 2, 3});
 }
