@@ -62,8 +62,8 @@ struct typemesh::vertex_traits<texture_corner> {
     texture_corner operator()(const surface_point<wants>& s) const noexcept { return {s.uv.x, s.uv.y}; }
 };
 
-static_assert(
-    mesh_sink<decltype(into(std::declval<std::vector<texture_corner>&>(), std::declval<std::vector<std::uint32_t>&>()))>);
+static_assert(mesh_sink<decltype(into(std::declval<std::vector<texture_corner>&>(),
+                                      std::declval<std::vector<std::uint32_t>&>()))>);
 
 TEST_CASE("growing_sink makes containers exactly as large as the mesh, whatever they contained", "[vertex]")
 {
