@@ -230,7 +230,7 @@ g++ -std=c++20 -O2 -I../../include -I../../examples/text_to_mesh -I../../example
 for motion in wave ring score breathe; do
     mkdir "$scratch/$motion"
     font=$serif-Bold.ttf
-    [ $motion != breathe ] || font=/usr/share/fonts/truetype/inter-vf/Inter.var.ttf
+    [ $motion != breathe ] || font=$inter
     "$scratch/moving" $motion "$font" "$scratch/$motion"
     convert -delay 6 -loop 0 "$scratch/$motion"/*.ppm +dither -colors 96 -layers optimize $motion.gif
 done

@@ -254,16 +254,16 @@ TEST_CASE("low walls of carved slopes that end sooner are as high as those of ot
     outline_recorder pen{drawn};
     REQUIRE_FALSE(drawing.outline(0, pen));
     REQUIRE_FALSE(pen.finish());
-    const auto cells = grid::fitting(1000.0, drawn.bounds);
-    REQUIRE(cells);
+    const auto fitting = grid::fitting(1000.0, drawn.bounds);
+    REQUIRE(fitting);
     no_observer nobody;
     const cap_settings settings{.corners = touching::part};
     const cap_policies policies{certified{}, monotone{}, nobody};
-    const double em = 1000.0 * cells->cells;
+    const double em = 1000.0 * fitting->cells;
     for (const int refusals : {0, 1, 3}) {
         cap_builder caps, further;
         corner_parting parting;
-        const auto built = caps.build(drawn, 1.25, *cells, settings, policies);
+        const auto built = caps.build(drawn, 1.25, *fitting, settings, policies);
         REQUIRE(built);
         const auto filled = caps.part(*built, drawn.curves, settings, policies, parting);
         REQUIRE(filled);
