@@ -287,8 +287,9 @@ function tick() {
         show();
         stage?.drawNow();
         const now = performance.now();
-        if (++frames >= 10 && now - since > 500) {
-            at("rate").value = (1000 * frames / (now - since)).toFixed(0);
+        if (now - since > (++frames < 10 ? 3000 : 500)) {
+            const rate = 1000 * frames / (now - since);
+            at("rate").value = rate < 10 ? Number(rate.toPrecision(2)) : rate.toFixed(0);
             frames = 0;
             since = now;
         }
