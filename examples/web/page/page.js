@@ -475,6 +475,7 @@ for (const button of at("tags").children) button.addEventListener("click", () =>
 });
 at("show-program").addEventListener("click", () => {
     at("program").open = true;
+    tellProgram();  // before its "toggle" comes: there is where to scroll to
     at("program").scrollIntoView({ block: "start" });
     at("language-of-program").focus({ preventScroll: true });
 });
