@@ -68,12 +68,13 @@ async function change(doing) {
     await doing();
     await settled(before);
 }
-const set = (selector, to) => change(() => page.$eval(selector, (e, v) => {
+const put = (selector, to) => page.$eval(selector, (e, v) => {
     if (e.type === "checkbox") e.checked = v;
     else e.value = v;
     e.dispatchEvent(new Event("input", { bubbles: true }));
     e.dispatchEvent(new Event("change", { bubbles: true }));
-}, to));
+}, to);
+const set = (selector, to) => change(() => put(selector, to));
 
 /** The canvas as it is now, without what lies over it: times and letters of this system's fonts. */
 async function canvas() {
@@ -127,6 +128,10 @@ async function part(name, run) {
     if (process.env.TYPEMESH_WEB_PARTS && !process.env.TYPEMESH_WEB_PARTS.split(",").includes(name)) return;
     const begun = performance.now(), before = failures;
     await run().catch(e => check(false, `${name}: ${e.stack}`));
+    for (const answers of held.values()) for (const answer of answers) answer();
+    held.clear();
+    lost.clear();
+    await page.keyboard.up("Control");
     console.log(`${name}: ${failures === before ? "good" : "FAILED"}, ${((performance.now() - begun) / 1000).toFixed(0)} s`);
 }
 const ready = async () => Number(await page.evaluate(() => document.documentElement.dataset.ready));
@@ -313,6 +318,7 @@ await part("presets", async () => {
         await change(() => page.click(`#presets .${name}`));
         await unhurried();
         await rest(600);
+        await page.waitForFunction(() => document.getElementById("open-edges").value !== "…");
         const [made, hash_of_link] = [await hash(), await page.evaluate(() => location.hash)];
         check(await message() === "" && await value("open-edges") === "0", `${name}: ${await message()} ${await value("open-edges")}`);
         check(await page.$eval(`#presets .${name}`, e => e.getAttribute("aria-current")) === "true", `${name} is marked as what is shown`);
@@ -414,11 +420,24 @@ await part("turn", async () => {
     check(await canvas() !== before_turn && await page.$eval("#turn", e => e.getAttribute("aria-pressed")) === "true", "the mesh turns by itself");
     await page.focus("#canvas");
     await page.keyboard.press("ArrowRight");
-    await rest(300);
+    await page.evaluate(() => new Promise(done => requestAnimationFrame(() => requestAnimationFrame(done))));
     check(await page.evaluate(() => !globalThis.page.stage.wires?.visible && document.getElementById("label").hidden), "no band of wires is left");
     const touched = await canvas();
     await rest(900);
     check(await canvas() === touched && await page.$eval("#turn", e => e.getAttribute("aria-pressed")) === "false", "and rests once it is touched");
+    const turns = () => page.$eval("#turn", e => e.getAttribute("aria-pressed") === "true");
+    const sample = name => change(() => page.$eval(`#presets .${name}`, e => e.click()));
+    await sample("chrome");
+    check(await turns(), "until there is another sample");
+    await page.click("#turn");
+    await sample("arabic");
+    check(!await turns(), "unless somebody has ended the turning");
+    await open();
+    await page.focus("#canvas");
+    await page.keyboard.press("ArrowRight");
+    check(await page.evaluate(() => globalThis.page.stage.moved), "a key moves the camera");
+    await sample("chrome");
+    check(await page.evaluate(() => !globalThis.page.stage.moved), "and a sample is seen from the front, where nothing turns as well");
 });
 
 // A weight that breathes.
@@ -446,6 +465,16 @@ await part("breathing", async () => {
     await set("#text", "a[b");
     check(/^Tags are not read yet: at character 2/.test(await value("notes")), `a tag that is not complete is told: ${await value("notes")}`);
     await page.evaluate(() => globalThis.page.stage.turn(false));
+
+    const fetched = [], asks = r => { if (/\/fonts\//.test(r.url())) fetched.push(r.url()); };
+    page.on("request", asks);
+    await open("#page.motion=breathe&text=" + encodeURIComponent("A\u3042"), { width: 420, height: 320, still: false });
+    check(fetched.length === 1 && /^(?!.*No font).*Only letters of the chosen font breathe\.$/.test(await value("notes")), `what breathes is of one font: ${await value("notes")}`);
+    page.off("request", asks);
+    await open("#page.motion=breathe&view=contours&text=Air", { width: 420, height: 320, still: false });
+    const rings = await hash();
+    await rest(500);
+    check(await hash() === rings, "contours do not breathe");
 });
 
 // Fonts.
@@ -478,6 +507,16 @@ await part("choices", async () => {
     check(await value("font") === offered[0] && await hash() === first, `the newer choice counts: ${await value("font")}`);
     await change(() => pick(offered[2]));
     check(await value("font") === offered[2] && await hash() !== first, "the late font can be chosen afterwards");
+    const late = path.basename(bundled[2].file);
+    held.set(late, []);
+    await page.goto("about:blank");
+    await page.goto(home + "#font=" + encodeURIComponent(offered[2]), { waitUntil: "domcontentloaded" });
+    await page.waitForFunction(name => document.getElementById("loading").textContent === `Loading ${name}…`, {}, offered[2]);
+    await change(() => pick(offered[1]));
+    for (const answer of held.get(late)) answer();
+    held.clear();
+    await rest(500);
+    check(await value("font") === offered[1], `so does a choice while the page begins: ${await value("font")}`);
 });
 
 // What the chosen font lacks comes from the page's fonts of its scripts, and only these are fetched.
@@ -702,12 +741,15 @@ await part("missing", async () => {
 
 // Files.
 await part("files", async () => {
-    await open();
-    await page.evaluate(() => {
-        globalThis.saved = [];
-        URL.createObjectURL = blob => (saved.push(blob), "data:,");
-        HTMLAnchorElement.prototype.click = () => {};
-    });
+    const openToSave = async (...how) => {
+        await open(...how);
+        await page.evaluate(() => {
+            globalThis.saved = [];
+            URL.createObjectURL = blob => (saved.push(blob), "data:,");
+            HTMLAnchorElement.prototype.click = () => {};
+        });
+    };
+    await openToSave();
     for (const [id, begins] of [["glb", "glTF"], ["stl", null], ["png", "\x89PNG"]]) {
         const count = await page.evaluate(() => saved.length);
         await page.click("#" + id);
@@ -752,6 +794,19 @@ await part("files", async () => {
     await page.waitForFunction(() => !document.getElementById("message").hidden);
     check(/depth must be more than 0/.test(await message()), "an STL without depth is refused in words");
     await set("#option-depth", deep);
+
+    const triangles = bytes => (bytes.length - 84) / 50, shown = async () => Number((await value("triangles")).replace(/,/g, ""));
+    await set("#text", "Hi");
+    await set("#option-depth", "0.4");
+    await set("#option-bend-cylinder", "360");
+    check(/folds the letters/.test(await message()), `a text that is bent too tightly is refused: ${await message()}`);
+    check(triangles(await savedBy("stl")) === await shown() && await value("open-edges") !== "", "and the mesh that is still seen can be saved");
+    await openToSave("#page.motion=breathe&text=Air", { width: 420, height: 320, still: false });
+    for (const id of ["glb", "stl"]) check((await savedBy(id)).length > 1000 && await message() === "", `a text that breathes is saved as ${id}: ${await message()}`);
+    await openToSave("#page.motion=score&text=1984", { width: 420, height: 320, still: false });
+    const number = triangles(await savedBy("stl"));
+    check(number > 100 && number < 0.5 * await shown(), `a score is saved as its number: ${number} triangles`);
+    await open();
 });
 
 // A thousand characters a frame.
@@ -760,8 +815,20 @@ await part("ticker", async () => {
     await page.click("#ticker");
     await page.waitForFunction(() => Number(document.getElementById("rate").value) > 0);  // however slow
     figures.push(`1,000 new characters a frame: ${await value("rate")} frames a second, drawn in software without a graphics card`);
+    const turned = await page.evaluate(() => (globalThis.page.stage.turn(true), globalThis.page.stage.turned));
+    await put("#option-depth", "0.5");
+    await page.waitForFunction(() => globalThis.page.mesh.bounds.high[2] - globalThis.page.mesh.bounds.low[2] > 0.45);
+    check(await page.$eval("#ticker", e => e.getAttribute("aria-pressed")) === "true", "a slider changes the letters that race");
+    await page.waitForFunction(was => globalThis.page.stage.turned !== was, {}, turned);
+    check(await value("caption") === "", "a race has no claim");
     await change(() => page.click("#ticker"));
-    check(await message() === "", "the ticker has nothing to say");
+    check(await message() === "" && await page.evaluate(() => globalThis.page.shown) === "Hello world!", "afterwards the text is there again");
+    await page.click("#ticker");
+    await change(() => page.click("#presets .chrome"));
+    check(await page.$eval("#ticker", e => e.getAttribute("aria-pressed")) === "false" && await page.$eval("#frames", e => e.hidden), "a sample ends the race");
+    const chrome = await page.evaluate(() => globalThis.page.shown);
+    await rest(500);
+    check(await page.evaluate(() => globalThis.page.shown) === chrome && chrome === await value("text"), `and is what is seen: ${chrome}`);
 });
 
 // Accessibility, if npm's axe-core is there.
@@ -792,7 +859,7 @@ await part("programs", async () => {
     const folder = fs.mkdtempSync(path.join(site, "..", "programs-")), compiler = process.env.CXX ?? "c++";
     const flags = () => execFileSync("pkg-config", ["--cflags", "--libs", "harfbuzz"], { encoding: "utf8" }).trim().split(/\s+/);
     const include = path.join(site, "..", "..", "..", "include");
-    if (!spawnSync("pkg-config", ["--exists", "harfbuzz"]).error)
+    if (spawnSync("pkg-config", ["--exists", "harfbuzz"]).status === 0)
         for (const { name, code, font, others, vertices, triangles, command, javascript } of programs) {
             const [source, binary] = [path.join(folder, `${name}.cpp`), path.join(folder, name)];
             fs.writeFileSync(source, code);

@@ -12,8 +12,9 @@ node "$here/page.mjs" "$root/build/web/site" "$(command -v "$browser")" "$here/p
 
 # What arrives before the first letter. Without brotli files are larger.
 command -v brotli >/dev/null 2>&1 && command -v esbuild >/dev/null 2>&1 || exit 0
-python3 "$root/examples/web/serve.py" "$root/build/web/site" 18473 &
+port=$(python3 -c 'import socket; s = socket.socket(); s.bind(("127.0.0.1", 0)); print(s.getsockname()[1])')
+python3 "$root/examples/web/serve.py" "$root/build/web/site" "$port" &
 server=$!
 trap 'kill "$server"' EXIT
-node "$here/arrival.mjs" "$(command -v "$browser")" http://127.0.0.1:18473/ >"$root/build/web/arrival.txt" || fail "$(cat "$root/build/web/arrival.txt")"
+node "$here/arrival.mjs" "$(command -v "$browser")" "http://127.0.0.1:$port/" >"$root/build/web/arrival.txt" || fail "$(cat "$root/build/web/arrival.txt")"
 tee -a "$root/build/web/figures.txt" <"$root/build/web/arrival.txt"

@@ -524,9 +524,10 @@ class Arrays {
             all.push(`${s.refused} of ${s.glyphs} glyphs are left out; this is why the first is: ${machine.read(number('firstRefusal'))}`);
         if (s.missing > 0) {
             const place = number('firstMissing');
-            const code = this.#made.text.codePointAt(place) ?? 0xFFFD, shown = String.fromCodePoint(code);
-            const named = `U+${code.toString(16).toUpperCase().padStart(4, '0')}${/[\p{L}\p{N}\p{P}\p{S}]/u.test(shown) ? ` ${shown}` : ''}`;
-            all.push(`No font has a glyph for ${s.missing} of ${s.glyphs} characters; the first is ${named}, at ${place}. Add another font.`);
+            const code = this.#made.text.codePointAt(place), shown = String.fromCodePoint(code ?? 0xFFFD);  // none: a morph keeps no places
+            const named = `U+${code?.toString(16).toUpperCase().padStart(4, '0')}${/[\p{L}\p{N}\p{P}\p{S}]/u.test(shown) ? ` ${shown}` : ''}`;
+            const first = code === undefined ? '' : `; the first is ${named}, at ${place}`;
+            all.push(`No font has a glyph for ${s.missing} of ${s.glyphs} characters${first}. Add another font.`);
         }
         if (number('invalidUnits') > 0) all.push(`The text has half of a character at ${number('invalidUnits')} places.`);
         if (number('unbroken') > 0)

@@ -118,7 +118,11 @@ export class Controls {
         if (c.kind === "check") input.type = "checkbox";
         if (c.kind === "colour") input.type = "color";
         if (c.kind === "words") Object.assign(input, { type: "text", placeholder: c.hint, spellcheck: false });
-        if (c.kind === "range") row.appendChild(document.createElement("output")).htmlFor = input.id;
+        if (c.kind === "range") {
+            const output = row.appendChild(document.createElement("output"));
+            output.htmlFor = input.id;
+            output.setAttribute("aria-live", "off");  // the slider says it
+        }
         input.addEventListener("input", () => {
             this.values[c.name] = c.kind === "check" ? input.checked : c.kind === "range" ? Number(input.value) : input.value;
             this.#yield(c);
@@ -208,6 +212,7 @@ export class Controls {
     showWeight(weight) {
         const { input } = all.find(one => one.name === "page.weight"), shown = Math.round(weight ?? this.values["page.weight"]);
         input.value = shown;
+        input.setAttribute("aria-valuetext", shown);
         input.parentNode.querySelector("output").value = shown;
     }
 

@@ -8,7 +8,7 @@ function save(data, type, name) {
     link.href = URL.createObjectURL(data instanceof Blob ? data : new Blob([data], { type }));
     link.download = name;
     link.click();
-    setTimeout(() => URL.revokeObjectURL(link.href), 1000);
+    setTimeout(() => URL.revokeObjectURL(link.href), 40000);  // telephones ask first, and fetch it then
 }
 
 /** For exporters, which read arrays later than the module may have them. tints: of vertices, four bytes each; the last is the share of the material. */
@@ -45,18 +45,18 @@ function tinted(geometry, solid, tints) {
 
 /** The text is the name of the mesh, and in its extras. */
 export async function saveGlb(mesh, text, materials, tints) {
-    const { GLTFExporter } = await import("three/addons/exporters/GLTFExporter.js");
-    const named = lasting(mesh, materials, tints);
+    const named = lasting(mesh, materials, tints);  // before anything is awaited: by then there may be another mesh
     named.name = text;
     named.userData = { text };
+    const { GLTFExporter } = await import("three/addons/exporters/GLTFExporter.js");
     save(await new GLTFExporter().parseAsync(named, { binary: true }), "model/gltf-binary", "text.glb");
 }
 
 /** In millimetres, ten a unit, with its back on z = 0: as printers take it. */
 export async function saveStl(mesh, materials) {
     if (mesh.bounds.low[2] === mesh.bounds.high[2]) throw new Error("An STL file contains solids: the depth must be more than 0.");
-    const { STLExporter } = await import("three/addons/exporters/STLExporter.js");
     const printed = lasting(mesh, materials), geometry = printed.geometry;
+    const { STLExporter } = await import("three/addons/exporters/STLExporter.js");
     geometry.scale(10, 10, 10);
     geometry.computeBoundingBox();
     geometry.translate(0, 0, -geometry.boundingBox.min.z);

@@ -4,6 +4,8 @@
 /** Letters of scripts as a regular expression; of "Emoji" all that Unicode draws as pictures. */
 export const lettersOf = scripts => new RegExp(`[${scripts.map(s => s === "Emoji" ? "\\p{Extended_Pictographic}\\p{Regional_Indicator}" : `\\p{Script=${s}}`).join("")}]`, "gu");
 
+const hasFailed = entry => !entry.font && performance.now() < entry.tryAgain;
+
 /**
  * An entry of the list has a name, and bytes or a way to get them: load(), which may be slow or fail. With `letters`, a regular
  * expression, it is the page's font for those letters and comes before the others.
@@ -46,14 +48,14 @@ export class Fonts {
     /** Takes the text that is to be set, for the page's own fonts of its scripts; true if list() changes. */
     suit(text) {
         const before = this.#suiting.filter(e => e.font), has = this.used?.font.has?.bind(this.used.font) ?? (() => false);
-        this.#suiting = this.#entries.filter(e => e.letters && e !== this.used && !e.failed && [...new Set(text.match(e.letters))].some(c => !has(c)));
+        this.#suiting = this.#entries.filter(e => e.letters && e !== this.used && !hasFailed(e) && [...new Set(text.match(e.letters))].some(c => !has(c)));
         const now = this.#suiting.filter(e => e.font);
         return now.length !== before.length || now.some((e, i) => e !== before[i]);
     }
     #suiting = [];
 
     /** Whether a font of the text's scripts has yet to come. */
-    get awaits() { return this.#suiting.some(e => !e.font && !e.failed); }
+    get awaits() { return this.#suiting.some(e => !e.font && !hasFailed(e)); }
 
     /**
      * Opens one more of those that come with the page: first the fonts of the text's scripts, then the others in their order. False
@@ -62,8 +64,8 @@ export class Fonts {
     async openAnother() {
         const turn = this.#turn, [some, others] = [this.#entries.filter(e => !e.letters), this.#entries.filter(e => e.letters)];
         for (const entry of [...this.#suiting, ...some, ...others]) {
-            if (!entry.load || entry.failed || (entry.font && (entry.stands || entry === this.used))) continue;
-            await this.#opened(entry).catch(() => { entry.failed = true; });
+            if (!entry.load || hasFailed(entry) || (entry.font && (entry.stands || entry === this.used))) continue;
+            await this.#opened(entry).catch(() => { entry.tryAgain = performance.now() + 30000; });
             if (turn !== this.#turn) return undefined;
             entry.stands = entry.font !== undefined;
             if (entry.stands) return true;

@@ -15,7 +15,7 @@ const at = id => document.getElementById(id);
 const start = { text: "Hello world!", view: "solid" };  // and what controls.js has
 const maxCharacters = 100000, maxInLink = 2000;  // the latter as they stand in an address
 const stage = openStage();
-const controls = new Controls(at("groups"), () => update());
+const controls = new Controls(at("groups"), () => changed());
 const fonts = new Fonts((bytes, options) => (stage?.settle(), typemesh.font(bytes, options)));
 let typemesh, mesher, measurer, mesh, morph, shown = "", later;  // shown: the text of the mesh
 
@@ -52,36 +52,38 @@ function setFonts() {
     mesher = typemesh.mesher(fonts.list());
     measurer = typemesh.mesher(fonts.list());
 }
-/** Sets the text in another font. Of several choices the newest counts, however slowly the others arrive. */
+/** Sets the text in another font; whether that has not failed. Of several choices the newest counts, however slowly the others arrive. */
 async function choose(name) {
     const entry = fonts.find(name);
-    if (!entry) return;  // the list of fonts has not come yet, and the page will begin with what its link says
+    if (!entry) return true;  // the list of fonts has not come yet, and the page will begin with what its link says
     at("font").value = entry.name;
     if (!entry.font) loading(`Loading ${entry.name}…`);
     let failed;
     const chosen = await fonts.choose(entry).catch(e => (failed = e, true));
-    if (!chosen) return;
+    if (!chosen) return true;
     loading("");
     at("font").value = fonts.used?.name ?? "";
     recalling = false;
     if (failed) {
         if (mesher) update();  // in the font that is there
         say(failed.message);
-        return;
+        return false;
     }
     controls.setWeights(fonts.weights);
     fonts.weigh(controls.values["page.weight"]);
     fonts.suit(meshed().text);
     setFonts();
     update();
+    return true;
 }
 /** The page's fonts for the text's scripts are fetched; where letters are still missing, the others one after the other. */
 async function lookFurther() {
-    if (searching || !(fonts.awaits || mesh?.statistics.missing > 0)) return;
+    const lacks = () => mesh && !morph && !ticking && (fonts.awaits || mesh.statistics.missing > 0);  // what breathes is of one font
+    if (searching || !lacks()) return;
     searching = true;
     note();
     try {
-        while ((fonts.awaits || mesh?.statistics.missing > 0) && !ticking) {
+        while (lacks()) {
             const found = await fonts.openAnother();
             if (found) {
                 fonts.suit(meshed().text);
@@ -99,6 +101,7 @@ const noFont = /^No font has/;
 async function take(files) {
     for (const file of files) {
         try {
+            if (!typemesh) throw new Error("the page is not there yet: open the font again in a moment.");
             const entry = { name: file.name, bytes: await file.arrayBuffer() };
             if (/^wOF[F2]$/.test(String.fromCharCode(...new Uint8Array(entry.bytes.slice(0, 4)))))
                 throw new Error("it is packed for web pages (WOFF). Open the same font as .ttf or .otf.");
@@ -149,29 +152,45 @@ function meshed() {
 }
 const breathes = () => controls.motion === "breathe" && fonts.weights && !lessMotion.matches;
 
-/** Makes the mesh anew; after an error the last one stays on the stage. */
+/** Makes the mesh anew, and ends a race; after an error the last one stays. */
 function update() {
     if (!mesher) return;
-    const began = performance.now(), { text, target } = meshed(), options = controls.options(text);
-    if (text.length > maxCharacters)
-        return say(`This text has ${number(text.length)} characters. The page accepts at most ${number(maxCharacters)}, and the library any number.`);
+    race(false);
+    const began = performance.now(), { text, target } = meshed(), next = { text, target, options: controls.options(text) };
+    if (text.length > maxCharacters) {
+        say(`This text has ${number(text.length)} characters. The page accepts at most ${number(maxCharacters)}, and the library any number.`);
+        return remember();
+    }
     try {
         const [weighs, suits] = [fonts.weigh(controls.values["page.weight"]), fonts.suit(text)];
         if (weighs || suits) setFonts();
-        makeMarked(text, options);
+        makeMarked(text, next.options);
         count(performance.now() - began);
+        last = next;
         say("");
     } catch (e) {
         say(e.message);
-        return;
+        mesh = morph = undefined;  // what is refused has ended the mesh that was there
+        try {
+            if (last) makeMarked(last.text, last.options);
+        } catch { /* nor can it be made in these fonts: its picture stays */ }
     }
-    show(target);
+    remember();
+    if (!mesh) return;
+    show(last.target);
     if (!morph) controls.showWeight();
     clearTimeout(later);
-    later = setTimeout(() => measure(text, options), 200);
-    remember();
+    later = setTimeout(() => measure(last.text, last.options), 200);
+    if (last !== next) return;
     tellProgram();
     lookFurther();
+}
+let last;  // text, target and options of the last mesh
+/** After a control has changed: a race goes on with it. */
+function changed() {
+    if (!ticking) return update();
+    if (fonts.weigh(controls.values["page.weight"])) setFonts();
+    remember();
 }
 /** Milliseconds with two digits or more. */
 const inMs = ms => `${ms < 10 ? Number(ms.toPrecision(2)) : number(Math.round(ms))} ms`;
@@ -193,7 +212,7 @@ const weightAt = time => {
 };
 /** The next frame of a text that breathes; whether there is one. */
 function breath(time) {
-    if (!morph) return false;
+    if (!morph || view === "contours") return false;
     mesh = morph.at(weightAt(time));
     controls.showWeight(weightAt(time));
     stage.move(mesh);
@@ -227,11 +246,12 @@ function show(to) {
 }
 /** What there is to say of the mesh. */
 function note() {
-    const warnings = mesh.warnings.filter(words => !(searching && noFont.test(words)));
+    const warnings = mesh.warnings.filter(words => !((searching || morph) && noFont.test(words)));
     const notes = [trouble, ...controls.notes(), ...warnings].filter(Boolean);
     if (!stage) notes.unshift("This browser offers no WebGL, so the mesh is not drawn. It is made all the same and can be saved.");
     if (controls.motion !== "still" && lessMotion.matches) notes.push("Your system prefers less motion, so letters stay still.");
     else if (controls.motion === "breathe" && !fonts.weights) notes.push("This font has one weight only, so it cannot breathe.");
+    if (morph && mesh.statistics.missing > 0) notes.push("Only letters of the chosen font breathe.");
     if (controls.motion === "score" && target === undefined) notes.push("Only a number of up to six digits rolls.");
     if (controls.motion !== "still" && view === "contours") notes.push("Contours stay still.");
     if (searching) notes.push("A font for these letters is on its way.");
@@ -269,23 +289,21 @@ function leastOf(makes, longest) {
 
 // --- a thousand characters a frame -------------------------------------------------------------------------------------------
 
-let ticking = false;
+let ticking = false, races = 0;
 function tick() {
-    const letters = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789";
-    const options = { ...controls.options(), width: 34, align: "left" };
+    const letters = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789", own = ++races;
     let frames = 0, since = performance.now(), number = 0;
     const frame = () => {
-        if (!ticking) return;
+        if (!ticking || own !== races) return;
         let text = String(++number).padStart(8, "0") + " ";
         while (text.length < 1000) text += text.length % 7 === 6 ? " " : letters[Math.floor(Math.random() * letters.length)];
         try {
-            make(text, options);
+            make(text, { ...controls.options(), width: 34, align: "left" });
         } catch (e) {
-            say(e.message);
-            return toggle(false);
+            update();
+            return say(e.message);
         }
-        show();
-        stage?.drawNow();
+        show();  // it is drawn before the next call of this, which comes later in that frame
         const now = performance.now();
         if (now - since > (++frames < 10 ? 3000 : 500)) {
             const rate = 1000 * frames / (now - since);
@@ -297,13 +315,13 @@ function tick() {
     };
     requestAnimationFrame(frame);
 }
-function toggle(on) {
+function race(on) {
+    if (ticking === on) return;
     ticking = on;
     at("ticker").setAttribute("aria-pressed", String(on));
     at("frames").hidden = !on;
     if (stage) stage.moved = false;
     if (on) tick();
-    else update();
 }
 
 // --- the link ----------------------------------------------------------------------------------------------------------------
@@ -338,13 +356,14 @@ function remember() {  // browsers refuse more than some changes of the address 
 }
 /** What a sample shows, with the figures of its mesh. */
 function tellClaim() {
-    const words = claim.replace("{triangles}", number(mesh?.statistics.triangles ?? 0));
+    const words = ticking ? "" : claim.replace("{triangles}", number(mesh?.statistics.triangles ?? 0));
     if (at("caption").textContent !== words) at("caption").textContent = words;
 }
 let claim = "";
 /** Sets the page to what is kept, and gives the name of the font, which is to be chosen next. */
 function recall(kept = new URLSearchParams(location.hash.slice(1))) {
     recalling = true;
+    race(false);
     controls.reset();
     for (const [name, value] of kept) controls.set(name, value);
     at("text").value = kept.get("text") ?? start.text;
@@ -411,7 +430,7 @@ globalThis.page = {
 for (const name of views) {
     const label = at("views").appendChild(document.createElement("label"));
     label.innerHTML = `<input type="radio" name="view" id="view-${name}" value="${name}"><span>${name}</span>`;
-    label.firstChild.addEventListener("change", () => (setView(name), update()));
+    label.firstChild.addEventListener("change", () => (setView(name), changed()));
 }
 at("text").addEventListener("input", update);
 at("font").addEventListener("change", () => choose(at("font").value));
@@ -420,13 +439,23 @@ at("file").addEventListener("change", ({ target }) => {
     target.value = "";  // the same file may be opened again
 });
 at("fit").addEventListener("click", () => stage?.fit());
-at("ticker").addEventListener("click", () => mesher && toggle(!ticking));
+at("ticker").addEventListener("click", () => mesher && (ticking ? update() : race(true)));
 const saving = (id, save) => at(id).addEventListener("click", () => {
     if (!mesh) say("There is no mesh yet that could be saved.");
     else import("./downloads.js").then(save).catch(e => say(e.message));
 });
-saving("glb", d => d.saveGlb(mesh, shown, materials, stage?.tints ?? mesh.tint));
-saving("stl", d => d.saveStl(mesh, materials));
+/** Of a score its number, and not the wheels that roll. */
+function solid() {
+    if (target === undefined) return { mesh, text: shown, tints: stage?.tints ?? mesh.tint };
+    stage?.settle();
+    const text = at("text").value, number = measurer.mesh(text, controls.options(text));
+    return { mesh: number, text, tints: number.tint };
+}
+saving("glb", d => {
+    const { mesh, text, tints } = solid();
+    return d.saveGlb(mesh, text, materials, tints);
+});
+saving("stl", d => d.saveStl(solid().mesh, materials));
 saving("png", d => stage ? d.savePng(stage) : say("There is no picture to save, because this browser has no WebGL."));
 at("link").addEventListener("click", async () => {
     const address = location.origin + location.pathname + location.search + (link() ? "#" + link() : "");
@@ -443,7 +472,12 @@ at("reset").addEventListener("click", async () => {
 });
 at("panel").addEventListener("submit", event => event.preventDefault());
 addEventListener("hashchange", () => choose(recall()).then(afresh));
-const afresh = () => stage?.turn(!lessMotion.matches);
+let rests = false;  // somebody has ended the turning
+function afresh() {
+    stage?.turn(!lessMotion.matches && !rests);
+    stage?.fit();
+}
+lessMotion.addEventListener("change", update);
 at("undo").addEventListener("click", () => goTo(history.undo()));
 at("redo").addEventListener("click", () => goTo(history.redo()));
 addEventListener("keydown", event => {
@@ -496,7 +530,7 @@ if (stage) {
         return { top: top.bottom - all.top, bottom: all.bottom - bar.top };
     };
     stage.ontouch = () => at("turn").setAttribute("aria-pressed", String(stage.turning));
-    at("turn").addEventListener("click", () => stage.turn(!stage.turning));
+    at("turn").addEventListener("click", () => stage.turn(!(rests = stage.turning)));
     stage.ontouch();
 }
 let inside = 0;
@@ -523,8 +557,8 @@ try {
     typemesh = library;
     for (const { name, file, scripts } of bundled)
         offer({ name, file: file.split("/").pop(), letters: scripts && lettersOf(scripts), load: () => fetched(name, file) });
-    await choose(recall());
-    for (const { name } of bundled) if (!mesher) await choose(name);
+    let chosen = await choose(recall());
+    for (const { name } of bundled) chosen ||= await choose(name);
     stage?.settle();
     document.documentElement.dataset.ready = performance.now().toFixed(0);  // ms since the page was requested
 } catch (e) {

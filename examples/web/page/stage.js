@@ -21,6 +21,7 @@ export class Stage {
 
     #drawn = true;  // the arrays of the mesh have gone to the graphics card
     #skies = new Map();
+    #breathing;  // the triangles of a text that breathes
 
     constructor(canvas) {
         this.canvas = canvas;
@@ -93,6 +94,7 @@ export class Stage {
         this.wires = undefined;
         // About a letter's size, however many lines or columns there are.
         this.unit = Math.max(0.15 * (high[1] - low[1]), Math.sqrt((high[0] - low[0]) * (high[1] - low[1]) / Math.max(1, mesh.statistics.glyphs))) || 1;
+        this.#breathing = breathes ? mesh.index.slice() : undefined;
         if (mesh.index.length > 0) {
             const geometry = this.#geometry();
             this.#fill(geometry, mesh);
@@ -112,7 +114,7 @@ export class Stage {
                 bands = geometry.attributes.position;
             if (this.view === "contours") this.#lines(this.#array(mesh.contours(), 3), null, materials.contour);
             if (this.#hasFloor && motion === "flag") this.#pole();
-            if (this.#hasFloor && wheels > 0) this.#casing(wheels);
+            if (this.view !== "contours" && wheels > 0) this.#casing(wheels);
         }
         this.#light();
         if (bands) this.#band(bands, edges(mesh.index));
@@ -123,11 +125,11 @@ export class Stage {
         else this.draw();
     }
 
-    /** The next mesh of a text that breathes: in the place of the last one, if it has as many vertices. */
+    /** The next mesh of a text that breathes: in the place of the last one, if it has the same triangles. */
     move(mesh) {
         const geometry = this.group.children[0]?.geometry;
-        if (!geometry || this.view === "contours" || geometry.attributes.position.count !== mesh.statistics.vertices || geometry.index.count !== mesh.index.length)
-            return this.show(mesh);
+        if (!geometry || geometry.attributes.position.count !== mesh.statistics.vertices || !isSame(this.#breathing, mesh.index))
+            return this.show(mesh, { breathes: true });
         for (const [name, view] of [["position", mesh.position], ["normal", mesh.normal]])
             Object.assign(geometry.attributes[name], { array: view, needsUpdate: true });
         this.renderer.shadowMap.needsUpdate = true;
@@ -192,6 +194,7 @@ export class Stage {
     }
     /** What is not of the text, and is not saved: it stands with it, and is mirrored. */
     #prop(geometry, material, place) {
+        if (!this.#hasFloor) return;
         for (const group of [this.group, this.mirror]) {
             const one = this.#placed(new THREE.Mesh(geometry, material));
             one.position.set(...place);
@@ -372,8 +375,9 @@ export class Stage {
         this.renderer.setSize(width, height, false);
         this.camera.aspect = width / height;
         this.#aim();
-        if (this.moved) this.draw();
-        else this.fit(true);
+        if (!this.moved) this.fit(true);
+        if (this.box) this.drawNow();  // else nothing is seen until the next frame
+        this.draw();
     }
 
     /** Moves the picture up or down by a share of the stage. */
@@ -405,6 +409,8 @@ export class Stage {
         this.draw();
     }
 }
+
+const isSame = (some, others) => some?.length === others.length && some.every((v, i) => v === others[i]);
 
 /** Each triangle's edges; an edge of two triangles once. */
 function edges(index) {
