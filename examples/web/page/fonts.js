@@ -58,12 +58,12 @@ export class Fonts {
     get awaits() { return this.#suiting.some(e => !e.font && !hasFailed(e)); }
 
     /**
-     * Opens one more of those that come with the page: first the fonts of the text's scripts, then the others in their order. False
-     * when there is none, undefined when a font was chosen meanwhile.
+     * Opens one more of those that come with the page: first the fonts of the text's scripts, then, if letters are missing all the
+     * same, the others in their order. False when there is none, undefined when a font was chosen meanwhile.
      */
-    async openAnother() {
+    async openAnother(areMissing = true) {
         const turn = this.#turn, [some, others] = [this.#entries.filter(e => !e.letters), this.#entries.filter(e => e.letters)];
-        for (const entry of [...this.#suiting, ...some, ...others]) {
+        for (const entry of areMissing ? [...this.#suiting, ...some, ...others] : this.#suiting) {
             if (!entry.load || hasFailed(entry) || (entry.font && (entry.stands || entry === this.used))) continue;
             await this.#opened(entry).catch(() => { entry.tryAgain = performance.now() + 30000; });
             if (turn !== this.#turn) return undefined;

@@ -9,7 +9,7 @@ import { finishes } from "./looks.js";
 import { lessMotion } from "./motion.js";
 import { isSame, linkOf, presets } from "./presets.js";
 import { programs } from "./programs.js";
-import { materials, Stage, views } from "./stage.js";
+import { materials, rainbowOf, Stage, views } from "./stage.js";
 
 const at = id => document.getElementById(id);
 const start = { text: "Hello world!", view: "solid" };  // and what controls.js has
@@ -46,6 +46,7 @@ async function fetched(name, url) {
     return answer.arrayBuffer();
 }
 function setFonts() {
+    stage?.settle();
     mesher?.free();
     measurer?.free();
     mesh = morph = undefined;
@@ -65,7 +66,7 @@ async function choose(name) {
     at("font").value = fonts.used?.name ?? "";
     recalling = false;
     if (failed) {
-        if (mesher) update();  // in the font that is there
+        if (mesher) changed();  // in the font that is there
         say(failed.message);
         return false;
     }
@@ -73,7 +74,7 @@ async function choose(name) {
     fonts.weigh(controls.values["page.weight"]);
     fonts.suit(meshed().text);
     setFonts();
-    update();
+    changed();
     return true;
 }
 /** The page's fonts for the text's scripts are fetched; where letters are still missing, the others one after the other. */
@@ -84,11 +85,11 @@ async function lookFurther() {
     note();
     try {
         while (lacks()) {
-            const found = await fonts.openAnother();
+            const found = await fonts.openAnother(mesh.statistics.missing > 0);
             if (found) {
                 fonts.suit(meshed().text);
                 setFonts();
-                update();
+                changed();
             } else if (found === false) break;
         }
     } finally {
@@ -146,17 +147,17 @@ let trouble = "";
 
 /** The text that is meshed: for a score, ten digits for each of its digits. */
 function meshed() {
-    const text = at("text").value, wheels = text.replace(/\D/g, "").length;
-    if (controls.motion !== "score" || wheels === 0 || wheels > 6) return { text };
-    return { text: Array(wheels).fill("0123456789").join(" "), target: Number(text.replace(/\D/g, "")) };
+    const text = at("text").value, digits = text.replace(/\D/g, "");
+    if (controls.motion !== "score" || digits === "" || digits.length > 6) return { text };
+    return { text: Array(digits.length).fill("0123456789").join(" "), target: Number(digits), digits };
 }
-const breathes = () => controls.motion === "breathe" && fonts.weights && !lessMotion.matches;
+const breathes = () => controls.motion === "breathe" && fonts.weights && !lessMotion.matches && view !== "contours";
 
 /** Makes the mesh anew, and ends a race; after an error the last one stays. */
 function update() {
     if (!mesher) return;
     race(false);
-    const began = performance.now(), { text, target } = meshed(), next = { text, target, options: controls.options(text) };
+    const began = performance.now(), { text, target, digits } = meshed(), next = { text, target, digits, options: controls.options(text) };
     if (text.length > maxCharacters) {
         say(`This text has ${number(text.length)} characters. The page accepts at most ${number(maxCharacters)}, and the library any number.`);
         return remember();
@@ -185,8 +186,8 @@ function update() {
     tellProgram();
     lookFurther();
 }
-let last;  // text, target and options of the last mesh
-/** After a control has changed: a race goes on with it. */
+let last;  // what meshed() was for the last mesh, and its options
+/** After a change of all but the text: a race goes on with it. */
 function changed() {
     if (!ticking) return update();
     if (fonts.weigh(controls.values["page.weight"])) setFonts();
@@ -212,7 +213,7 @@ const weightAt = time => {
 };
 /** The next frame of a text that breathes; whether there is one. */
 function breath(time) {
-    if (!morph || view === "contours") return false;
+    if (!morph) return false;
     mesh = morph.at(weightAt(time));
     controls.showWeight(weightAt(time));
     stage.move(mesh);
@@ -433,7 +434,7 @@ for (const name of views) {
     label.firstChild.addEventListener("change", () => (setView(name), changed()));
 }
 at("text").addEventListener("input", update);
-at("font").addEventListener("change", () => choose(at("font").value));
+at("font").addEventListener("change", async () => await choose(at("font").value) || mesher || choose(fonts.first?.name));
 at("file").addEventListener("change", ({ target }) => {
     take([...target.files]);
     target.value = "";  // the same file may be opened again
@@ -448,8 +449,8 @@ const saving = (id, save) => at(id).addEventListener("click", () => {
 function solid() {
     if (target === undefined) return { mesh, text: shown, tints: stage?.tints ?? mesh.tint };
     stage?.settle();
-    const text = at("text").value, number = measurer.mesh(text, controls.options(text));
-    return { mesh: number, text, tints: number.tint };
+    const number = measurer.mesh(last.digits, last.options);
+    return { mesh: number, text: last.digits, tints: controls.values["page.rainbow"] ? rainbowOf(number.letter) : number.tint };
 }
 saving("glb", d => {
     const { mesh, text, tints } = solid();
@@ -477,7 +478,7 @@ function afresh() {
     stage?.turn(!lessMotion.matches && !rests);
     stage?.fit();
 }
-lessMotion.addEventListener("change", update);
+lessMotion.addEventListener("change", () => changed());
 at("undo").addEventListener("click", () => goTo(history.undo()));
 at("redo").addEventListener("click", () => goTo(history.redo()));
 addEventListener("keydown", event => {
@@ -497,7 +498,7 @@ addEventListener("keydown", event => {
     if (!isFree || event.key.length !== 1 || event.key === " " || event.ctrlKey || event.metaKey || event.altKey || event.defaultPrevented) return;
     const box = at("text");
     box.focus();
-    if (at("caption").textContent !== "") box.select();
+    if (claim !== "") box.select();
     else box.setSelectionRange(box.value.length, box.value.length);
 });
 for (const button of at("tags").children) button.addEventListener("click", () => {
@@ -523,7 +524,7 @@ at("copy").addEventListener("click", async () => {
 });
 if (stage) {
     stage.breath = breath;
-    stage.onrestored = update;
+    stage.onrestored = changed;
     stage.onscan = spot => (spot || !morph) && label(scanned(), spot);
     stage.covered = () => {
         const [all, top, bar] = ["stage", "top", "bar"].map(id => at(id).getBoundingClientRect());

@@ -172,11 +172,7 @@ export class Stage {
             return [word, i - begun.get(word)];
         });
         letter.forEach((k, i) => { pivots.set(letters[k].pivot, 3 * i), digits.set(places[k], 2 * i); });
-        if (isColourful && !made.tint) {
-            const tints = new Uint8Array(4 * letter.length), of = k => rainbow[k % rainbow.length];
-            letter.forEach((k, i) => tints.set([of(k) >> 16, of(k) >> 8 & 255, of(k) & 255, 0], 4 * i));
-            made.tint = new THREE.BufferAttribute(tints, 4, true);
-        }
+        if (isColourful && !made.tint) made.tint = new THREE.BufferAttribute(rainbowOf(letter), 4, true);
         made.letter = new THREE.BufferAttribute(Float32Array.from(letter), 1);
         made.pivot = new THREE.BufferAttribute(pivots, 3);
         made.digit = new THREE.BufferAttribute(digits, 2);
@@ -376,7 +372,8 @@ export class Stage {
         this.camera.aspect = width / height;
         this.#aim();
         if (!this.moved) this.fit(true);
-        if (this.box) this.drawNow();  // else nothing is seen until the next frame
+        if (!this.box) return;
+        this.drawNow();  // else nothing is seen until the next frame
         this.draw();
     }
 
@@ -408,6 +405,13 @@ export class Stage {
         this.orbit.update();
         this.draw();
     }
+}
+
+/** A colour for each letter: the tints of vertices that belong to these letters. */
+export function rainbowOf(letter) {
+    const tints = new Uint8Array(4 * letter.length), of = k => rainbow[k % rainbow.length];
+    letter.forEach((k, i) => tints.set([of(k) >> 16, of(k) >> 8 & 255, of(k) & 255, 0], 4 * i));
+    return tints;
 }
 
 const isSame = (some, others) => some?.length === others.length && some.every((v, i) => v === others[i]);
