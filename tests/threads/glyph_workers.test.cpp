@@ -265,3 +265,25 @@ TEST_CASE("a lack of memory in a shared cache is a clear error, and its statisti
     }
     CHECK(failures > 10);
 }
+
+TEST_CASE("Several threads write one plan at once")
+{
+    auto font = open("truetype/dejavu/DejaVuSans.ttf");
+    const std::string text = phrases("phrases-latin.txt");
+    text_mesher mesher{font, bevelled{}};
+    full_mesh expected;
+    REQUIRE(mesher.build(text, into(expected.vertices, expected.indices)));
+    auto plan = mesher.plan(text);
+    REQUIRE(plan);
+    std::atomic<int> wrong{0};
+    std::vector<std::thread> writers;
+    for (int i = 0; i < 3; ++i)
+        writers.emplace_back([&] {
+            for (int round = 0; round < 4; ++round) {
+                full_mesh m;
+                if (!plan->write(into(m.vertices, m.indices)) || !same(m, expected)) ++wrong;
+            }
+        });
+    for (std::thread& t : writers) t.join();
+    CHECK(wrong == 0);
+}

@@ -60,8 +60,8 @@ struct colour_report {
 ///
 /// split() replaces each colour glyph of a run by a glyph for each of its layers, at the same place, of the same
 /// cluster, from the lowest to the uppermost. A layer has a style for its paint, which style_of() explains. So texts
-/// sort by colour as by any other style. Layers of the text's own colour keep the style of the glyph. Other glyphs stay
-/// as they are.
+/// sort by colour as by any other style. Opaque layers of the text's own colour, at level 0, keep the style of the
+/// glyph. Other glyphs stay as they are.
 ///
 /// The layers of layer_cut::visible tile the glyph: each is a closed solid, and solids that meet have common edges.
 /// They do only if the text is meshed with the discretiser `certified`, with the same tolerance, at the glyphs' own

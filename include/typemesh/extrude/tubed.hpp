@@ -67,7 +67,7 @@ public:
 /// part::side; if glyphs are merged, their tubes belong to shared_glyph.
 ///
 /// Fails  error::bad_option: radius is not positive and finite, or 2^28 cells or more ("radius"); sides are not 3 to
-///        128 ("sides"); crease_degrees is not 0 to 180; corner_cut is not 0 to 1
+///        128 ("sides"); crease_degrees is not 0 to 180; corner_cut is not 0 to 1; depth_in is not depth_unit::em
 ///        error::outline_beyond_grid: a tube reaches beyond 2^28 cells; error::too_large, error::out_of_memory
 /// Cost   O(n log n) for n points of the outline, and O(n * sides) to write; O(n^2 log n) for the plan at worst
 struct tubed {

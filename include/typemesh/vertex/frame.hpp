@@ -67,10 +67,10 @@ struct frame {
     }
 };
 
-/// Right-handed, y up, front towards +z: OpenGL, glTF, three.js (and Godot with .winding = -1).
+/// Right-handed, y up, front towards +z: glTF, OpenGL and three.js with bottom_left, Godot with .winding = -1.
 inline constexpr frame right_handed_y_up{};
 
-/// Left-handed, y up, front towards -z, so that a viewer who looks along +z reads it: Direct3D, Unity.
+/// Left-handed, y up, front towards -z, so that a viewer who looks along +z reads it: Direct3D, Unity with bottom_left.
 inline constexpr frame left_handed_y_up{.toward = {0.0f, 0.0f, -1.0f}};
 
 /// Right-handed, z up, front towards -y: Blender, CAD.
