@@ -2,7 +2,7 @@
 #pragma once
 
 // glTF 2.0, as one binary file in memory (GLB): one mesh, one primitive per part, one buffer. Right-handed, y up, front
-// faces counter-clockwise, looking along +z; v downwards, normal maps with green up: a tangent's w is negated. Each
+// faces counter-clockwise, facing +z; v downwards, normal maps with green up: a tangent's w is negated. Each
 // part has a material of its own, named after it (front, back, side, front_bevel, back_bevel), for colours and textures
 // of yours: without one a primitive is drawn as bare metal, which mirrors a black surrounding.
 //

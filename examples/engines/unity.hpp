@@ -64,7 +64,7 @@ static_assert(sizeof(snorm16x4) == 8 && sizeof(half2) == 4);
     return o;
 }
 
-/// Writes a plan; parts have different colours.
+/// Writes a plan; `colours` has one for each part, all of them white by default.
 template <class Plan>
 [[nodiscard]] typemesh::result<void> write(const Plan& plan, const mesh_data& to,
                                            const typemesh::part_colours<>& colours = {

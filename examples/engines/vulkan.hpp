@@ -13,7 +13,9 @@
 // Include <vulkan/vulkan.h> first.
 //
 //     engines::vulkan::room room{mapped_vertices, mapped_indices};          // spans of bytes
-//     auto hello = room.add(*mesher.plan("Hello", engines::vulkan::options()));
+//     auto plan = mesher.plan("Hello", engines::vulkan::options());
+//     if (!plan) return plan.error();
+//     auto hello = room.add(*plan);
 //     if (!hello) return hello.error();
 //     vkCmdDrawIndexed(commands, hello->index_count, 1, hello->first_index, 0, 0);
 

@@ -135,7 +135,7 @@ void try_mesh(held_glyph& font, const way<Extruder, Policy...>& how, trials& see
     if (peak > max_bytes) seen.breaks("more memory than allowed", policies);
 }
 
-/// Each discretiser, triangulator, extruder and style of normals at least once.
+/// Each discretiser, triangulator and style of normals at least once.
 inline void try_policies(held_glyph& font, trials& seen)
 {
     const double em = font.em;

@@ -7,10 +7,10 @@
  *     const typemesh = await load();
  *     const font = typemesh.font(new Uint8Array(await (await fetch("DejaVuSans.ttf")).arrayBuffer()));
  *     const mesh = typemesh.mesh("Hello world!", font, {depth: 0.2, bevel: {width: 0.02}});
- *     geometry.setAttribute("position", new THREE.BufferAttribute(mesh.position, 3));
+ *     geometry.setAttribute("position", new THREE.BufferAttribute(mesh.copy().position, 3));  // three.js keeps it
  *
- * Whatever fails throws a TypemeshError, whose message is one sentence; a value of the wrong type or an unknown name of
- * an option throws a TypeError. Meshes are right-handed, y up, and face +z; triangles are counter-clockwise seen from
+ * What the library refuses throws a TypemeshError, whose message is one sentence; a value of the wrong type, an unknown
+ * name of an option, or a font, mesher or mesh that has ended throws a TypeError. load() rejects with an Error. Meshes are right-handed, y up, and face +z; triangles are counter-clockwise seen from
  * outside; v is 0 at the bottom. Places in a text are indices into the string, as of `charCodeAt`.
  */
 
@@ -101,7 +101,7 @@ export interface MeshOptions {
     fill?: "font" | "non_zero" | "even_odd";
     /** Normals of the walls; "curve" by default. Bevels have their own. */
     normals?: "curve" | "creased" | "averaged" | "shared" | "cap";
-    /** The smallest angle, in degrees, that makes a crease; by default as the style of normals has it. */
+    /** Edges that turn by more than this, in degrees, are creases; by default as the style of normals has it. */
     crease?: number;
     /** What texture coordinates are: em along the faces (default), [0, 1] over the text's box, or once round each edge. */
     uv?: "em" | "box" | "cylindrical";
@@ -188,7 +188,7 @@ export interface MeshOptions {
     /** What stands at y = 0. */
     anchor?: "first_baseline" | "last_baseline" | "top" | "middle" | "bottom";
     direction?: "automatic" | "ltr" | "rtl" | "ttb";
-    /** Between letters, besides their advances; by default as much as letters have become wider by `embolden` and `outline`. */
+    /** Between letters, besides their advances; by default as much as letters have become wider by `embolden`, `outline` and `tube`. */
     letterSpacing?: number;
     /** Times the font's own. */
     lineSpacing?: number;
@@ -233,7 +233,7 @@ export interface Mesher {
      * The mesh of a text. `options` are only for this text. After a text as long and with the same letters nothing is
      * allocated any more in the module, and letters that were built before are not built again.
      *
-     * The mesh ends with the next call of mesh() or letters(), or of free(), of this mesher.
+     * The mesh ends with the next call of mesh(), letters(), morph() or free() of this mesher, or of at() of its morph.
      */
     mesh(text: string, options?: MeshOptions): Mesh;
 
@@ -241,9 +241,10 @@ export interface Mesher {
     letters(text: string, options?: MeshOptions): Letters;
 
     /**
-     * Plans a text that moves along an axis of the mesher's first font, such as "wght", with the same triangles throughout: they are
-     * proven to hold at every place of the axis, not only at samples. `depth`, `size`, `quality` and what shapes the text hold; bevels
-     * and bends do not. With `markup` tags are read and have no effect. A few milliseconds for each different letter; the next morph() of this mesher ends it.
+     * Plans a text that moves along an axis of the mesher's first font, such as "wght", with the same triangles: they are proven to
+     * hold at every place of the axis, not only at samples. A font that replaces glyphs on the way has several stretches of its axis,
+     * each with triangles of its own. `depth`, `size`, `quality`, `tolerance`, `align`, `anchor`, `lineSpacing` and what shapes the text
+     * hold; everything else does not, nor do the mesher's other fonts. Lines end only at line ends of the text. With `markup` tags are read and have no effect. A few milliseconds for each different letter; the next morph() of this mesher ends it.
      */
     morph(text: string, axis: string, options?: MeshOptions): Morph;
 
@@ -257,7 +258,7 @@ export interface Mesher {
 /**
  * A finished mesh. Its arrays are views of the module's own memory: nothing is copied. So they
  *
- *   - may be read until the mesher's next mesh(), letters() or free(). Copy what must live longer: `mesh.position.slice()`;
+ *   - may be read until the mesh ends (see Mesher.mesh()). Copy what must live longer: `mesh.position.slice()`;
  *   - are to be read from the mesh each time (`mesh.position`), not kept: when the module's memory grows, for whatever
  *     call, the browser detaches all views that were made before (they have length 0), and the mesh makes new ones.
  *
@@ -301,7 +302,7 @@ export interface Part {
     /** Into `index`: a multiple of 3. */
     readonly start: number;
     readonly count: number;
-    /** The vertices that the part has of its own; bevels, and walls with the normals "cap", also use vertices of their neighbours. */
+    /** The vertices that the part has of its own; bevels, and walls with the normals "shared" or "cap", also use vertices of their neighbours. */
     readonly firstVertex: number;
     readonly vertexCount: number;
 }

@@ -133,7 +133,7 @@ public:
     }
 
     /// Draws a region of this object into an outline sink: each edge is a line, or a cubic that hardly deviates from
-    /// its chord and has the tangents of the curve. Every discretiser that keeps the tolerance of build() makes it the
+    /// its chord and has the tangents of the curve. With the tolerance of build(), `certified` makes it the
     /// same chord again, so drawn layers still tile; normals follow the curves.
     template <outline_sink Sink>
     static void draw(const region& drawn, Sink& sink) noexcept

@@ -51,7 +51,7 @@ struct cap_settings {
 ///     caps.loops() = ...;                                                                          // or from here on
 ///     auto filled = caps.fill({fill_rule::even_odd}, monotone{});
 ///
-/// Simple outlines take one sweep; nearly all outlines are simple. Outlines that only touch in points take at most two
+/// Simple outlines take one sweep, and most outlines are simple. Outlines that only touch in points take at most two
 /// sweeps. The points of an outline that crosses itself are sorted once for all sweeps (of a round, see refine()). A
 /// region is valid until the next build(), fill(), flatten(), prove() or trim(), or until loops() change; cap() does
 /// not change it. A builder serves one thread at a time.

@@ -28,7 +28,7 @@ namespace typemesh::inline TYPEMESH_ABI {
 ///
 /// Method: points that only smooth the outline are left out at first. The remaining polygon is swept and made Delaunay
 /// by flipping edges. Then the points left out are inserted into the boundary, each between its neighbours, coarse to
-/// fine. The triangulation stays Delaunay, without point location and with two flips per point. The coarse outline may
+/// fine. The triangulation stays Delaunay, without point location and with few flips per point. The coarse outline may
 /// cross itself: the sweep checks it like any other. Outlines may also cross while points are inserted: all triangles
 /// stay counter-clockwise throughout, and counter-clockwise triangles with a simple boundary cover the inside once. A
 /// short outline that is not smooth is swept with all its points. Divide and conquer triangulates all points if the
