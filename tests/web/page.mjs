@@ -291,6 +291,15 @@ await part("views", async () => {
         await open(`#view=${view}&text=Ra8`);
         await compare(view);
     }
+    await open("#view=contours&text=i");
+    check(await page.evaluate(() => {
+        const text = document.getElementById("text"), { page } = globalThis;
+        text.value = "many words ".repeat(60);
+        text.dispatchEvent(new Event("input", { bubbles: true }));
+        return page.stage.group.children[0].geometry.attributes.position.array.length === 3 * page.mesh.statistics.vertices;
+    }), "contours need memory, and letters are drawn all the same");
+    await open("#page.motion=score&text=1984&view=contours");
+    check(await page.evaluate(() => globalThis.page.shown) === "1984", "the contours of a score are its number's");
     await open("#text=" + encodeURIComponent("Dark and narrow"), { width: 360, height: 700, dark: true });
     await compare("phone-dark");
     check(await page.evaluate(() => document.scrollingElement.scrollWidth <= 360), "nothing is wider than a phone");
@@ -577,6 +586,7 @@ await part("long", async () => {
     check(/There is no text/.test(await value("notes")) && await message() === "", "an empty text is told");
     await set("#text", "word ".repeat(4000));
     check(await message() === "", "20,000 characters become a mesh");
+    check(await value("caption") === "", "and are not the page's own text");
     await page.click("#link");
     await page.waitForFunction(() => /no text/.test(document.getElementById("link").textContent), { polling: "mutation" });  // it says so for two seconds
     check((await page.evaluate(() => location.href)).length < 2500, "their link is short, and the button says that it has no text");

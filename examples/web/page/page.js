@@ -53,8 +53,8 @@ function setFonts() {
     mesher = typemesh.mesher(fonts.list());
     measurer = typemesh.mesher(fonts.list());
 }
-/** Sets the text in another font; whether that has not failed. Of several choices the newest counts, however slowly the others arrive. */
-async function choose(name) {
+/** Sets the text in another font, calls `then` and gives whether that has not failed. Of several choices the newest counts, however slowly others arrive. */
+async function choose(name, then = () => {}) {
     const entry = fonts.find(name);
     if (!entry) return true;  // the list of fonts has not come yet, and the page will begin with what its link says
     at("font").value = entry.name;
@@ -68,6 +68,7 @@ async function choose(name) {
     if (failed) {
         if (mesher) changed();  // in the font that is there
         say(failed.message);
+        then();
         return false;
     }
     controls.setWeights(fonts.weights);
@@ -75,6 +76,7 @@ async function choose(name) {
     fonts.suit(meshed().text);
     setFonts();
     changed();
+    then();
     return true;
 }
 /** The page's fonts for the text's scripts are fetched; where letters are still missing, the others one after the other. */
@@ -148,7 +150,7 @@ let trouble = "";
 /** The text that is meshed: for a score, ten digits for each of its digits. */
 function meshed() {
     const text = at("text").value, digits = text.replace(/\D/g, "");
-    if (controls.motion !== "score" || digits === "" || digits.length > 6) return { text };
+    if (controls.motion !== "score" || view === "contours" || digits === "" || digits.length > 6) return { text };
     return { text: Array(digits.length).fill("0123456789").join(" "), target: Number(digits), digits };
 }
 const breathes = () => controls.motion === "breathe" && fonts.weights && !lessMotion.matches && view !== "contours";
@@ -158,11 +160,9 @@ function update() {
     if (!mesher) return;
     race(false);
     const began = performance.now(), { text, target, digits } = meshed(), next = { text, target, digits, options: controls.options(text) };
-    if (text.length > maxCharacters) {
-        say(`This text has ${number(text.length)} characters. The page accepts at most ${number(maxCharacters)}, and the library any number.`);
-        return remember();
-    }
     try {
+        if (text.length > maxCharacters)
+            throw new Error(`This text has ${number(text.length)} characters. The page accepts at most ${number(maxCharacters)}, and the library any number.`);
         const [weighs, suits] = [fonts.weigh(controls.values["page.weight"]), fonts.suit(text)];
         if (weighs || suits) setFonts();
         makeMarked(text, next.options);
@@ -253,7 +253,7 @@ function note() {
     if (controls.motion !== "still" && lessMotion.matches) notes.push("Your system prefers less motion, so letters stay still.");
     else if (controls.motion === "breathe" && !fonts.weights) notes.push("This font has one weight only, so it cannot breathe.");
     if (morph && mesh.statistics.missing > 0) notes.push("Only letters of the chosen font breathe.");
-    if (controls.motion === "score" && target === undefined) notes.push("Only a number of up to six digits rolls.");
+    if (controls.motion === "score" && target === undefined && view !== "contours") notes.push("Only a number of up to six digits rolls.");
     if (controls.motion !== "still" && view === "contours") notes.push("Contours stay still.");
     if (searching) notes.push("A font for these letters is on its way.");
     if (shown.trim() === "") notes.push("There is no text: type one.");
@@ -322,7 +322,10 @@ function race(on) {
     at("ticker").setAttribute("aria-pressed", String(on));
     at("frames").hidden = !on;
     if (stage) stage.moved = false;
-    if (on) tick();
+    if (!on) return;
+    morph = undefined;
+    controls.showWeight();
+    tick();
 }
 
 // --- the link ----------------------------------------------------------------------------------------------------------------
@@ -347,7 +350,7 @@ function remember() {  // browsers refuse more than some changes of the address 
     at("undo").disabled = !history.canUndo;
     at("redo").disabled = !history.canRedo;
     const preset = [...at("presets").children].find(one => isSame(one.hash.slice(1), link()));
-    const claimed = preset?.claim ?? (link() === "" ? "Type anything, drag it, or try a sample." : "");
+    const claimed = preset?.claim ?? (kept(true).toString() === "" ? "Type anything, drag it, or try a sample." : "");
     for (const one of at("presets").children) one.removeAttribute("aria-current");
     preset?.setAttribute("aria-current", "true");
     if (claim !== claimed && preset) at("presets").scrollLeft = preset.offsetLeft - (at("presets").clientWidth - preset.clientWidth) / 2;
@@ -472,7 +475,7 @@ at("reset").addEventListener("click", async () => {
     await choose(fonts.first?.name);
 });
 at("panel").addEventListener("submit", event => event.preventDefault());
-addEventListener("hashchange", () => choose(recall()).then(afresh));
+addEventListener("hashchange", () => choose(recall(), afresh));
 let rests = false;  // somebody has ended the turning
 function afresh() {
     stage?.turn(!lessMotion.matches && !rests);

@@ -83,6 +83,7 @@ export class Stage {
 
     /** Shows a mesh of typemesh. Its arrays go to the graphics card from where they are, and are not kept. */
     show(mesh, { motion = "still", target = 0, rainbow: isColourful = false, breathes = false } = {}) {
+        const rings = this.view === "contours" ? mesh.contours() : undefined;  // first, as the module's memory may grow, which ends views
         this.group.traverse(child => child.geometry?.dispose());
         this.group.clear();
         this.mirror.clear();
@@ -112,7 +113,7 @@ export class Stage {
             else if (this.view === "solid" && motion === "still" && this.turning && !this.moved && !lessMotion.matches && !materials.glows &&
                      mesh.index.length <= maxInBand && high[0] - low[0] > 2.5 * (high[1] - low[1]) && high[2] - low[2] < 0.7 * this.unit)  // a line of text, not bent
                 bands = geometry.attributes.position;
-            if (this.view === "contours") this.#lines(this.#array(mesh.contours(), 3), null, materials.contour);
+            if (rings) this.#lines(this.#array(rings, 3), null, materials.contour);
             if (this.#hasFloor && motion === "flag") this.#pole();
             if (this.view !== "contours" && wheels > 0) this.#casing(wheels);
         }
