@@ -139,9 +139,12 @@ const hash = () => page.evaluate(() => globalThis.page.mesh.hash());
 const at = name => `#option-${name.replace(".", "-")}`;
 const programs = [];  // of what is on the screen, to be compiled
 const program = () => page.evaluate(() => {
-    const { mesh, shown, programs, programState, countOf } = globalThis.page, state = programState(), { text, file: font, others } = state;
-    const { vertices, triangles } = shown === text ? mesh.statistics : countOf(state);  // a score shows wheels with all digits
-    return { code: programs.cpp(state), command: programs.command(state), javascript: programs.javascript(state), font, others, vertices, triangles };
+    const { mesh, shown, programs, programState, made } = globalThis.page, state = programState(), { text, file: font, others } = state;
+    const one = shown === text ? mesh : made(state);  // a score shows wheels with all digits
+    const { vertices, triangles } = one.statistics, code = programs.cpp(state);
+    const packed = a => btoa([...new Uint8Array(a.buffer, a.byteOffset, a.byteLength)].map(b => String.fromCharCode(b)).join(""));
+    const [position, index] = [packed(one.position), packed(one.index)];
+    return { code, command: programs.command(state), javascript: programs.javascript(state), font, others, vertices, triangles, position, index };
 });
 const unhurried = () => page.waitForFunction(() => document.getElementById("loading").hidden && globalThis.page.mesh.statistics.missing === 0);
 const bundled = JSON.parse(fs.readFileSync(path.join(site, "fonts.json"))), offered = bundled.map(f => f.name);
@@ -870,17 +873,29 @@ await part("programs", async () => {
     const flags = () => execFileSync("pkg-config", ["--cflags", "--libs", "harfbuzz"], { encoding: "utf8" }).trim().split(/\s+/);
     const include = path.join(site, "..", "..", "..", "include");
     if (spawnSync("pkg-config", ["--exists", "harfbuzz"]).status === 0)
-        for (const { name, code, font, others, vertices, triangles, command, javascript } of programs) {
-            const [source, binary] = [path.join(folder, `${name}.cpp`), path.join(folder, name)];
-            fs.writeFileSync(source, code);
+        for (const { name, code, font, others, vertices, triangles, command, javascript, position, index } of programs) {
+            const [source, binary, written] = [path.join(folder, `${name}.cpp`), path.join(folder, name), path.join(folder, `${name}.bytes`)];
+            fs.writeFileSync(source, code.replace("    std::printf(", `    if (std::FILE* const file = std::fopen(argv[argc - 1], "wb")) {
+        std::fwrite(vertices.data(), sizeof vertices[0], vertices.size(), file);
+        std::fwrite(indices.data(), sizeof indices[0], indices.size(), file);
+        std::fclose(file);
+    }
+    std::printf(`));
             const compiled = spawnSync(compiler, ["-std=c++20", "-O0", "-Wall", "-I", include, source, ...flags(), "-o", binary], { encoding: "utf8" });
             check(compiled.status === 0 && compiled.stderr === "", `the program for ${name} compiles: ${compiled.stderr}\n${code}`);
             if (compiled.status !== 0) continue;
-            const said = spawnSync(binary, [font, ...others].map(f => path.join(site, "fonts", f)), { encoding: "utf8" }).stdout.trim();
+            const said = spawnSync(binary, [...[font, ...others].map(f => path.join(site, "fonts", f)), written], { encoding: "utf8" }).stdout.trim();
             const same = said === `${vertices} vertices, ${triangles} triangles`;
             // Tags such as [b] are solids of their own, which the program names and leaves to its reader.
             if (/markup_styles/.test(code)) check(/^[1-9]\d+ vertices/.test(said), `the program for ${name} makes a mesh: ${said}`);
             else check(same, `the program for ${name} makes ${said}, the page ${vertices} and ${triangles}`);
+            if (same && !/axis_morph/.test(code)) {  // what breathes has another weight by now
+                const [mine, its] = [Buffer.concat([position, index].map(p => Buffer.from(p, "base64"))), fs.readFileSync(written)];
+                const far = at => Math.abs(mine.readFloatLE(at) - its.readFloatLE(at)), places = Array.from({ length: 3 * vertices }, (_, i) => 4 * i);
+                // A bend goes by the text's width, which the program has in six digits.
+                const isSame = /typemesh::bent</.test(code) ? mine.subarray(12 * vertices).equals(its.subarray(12 * vertices)) && places.every(at => far(at) < 1e-5) : mine.equals(its);
+                check(isSame && mine.length === its.length, `the program for ${name} makes the page's mesh: up to ${Math.max(0, ...places.map(far).filter(d => d > 0))} em away`);
+            }
             if (process.env.TYPEMESH_TEXT_TO_MESH) {
                 const words = command.replace(/--(font|fallback) /g, `$&${path.join(site, "fonts")}/`).replace("-o text.glb", `-o ${binary}.glb`);
                 const ran = spawnSync("sh", ["-c", words.replace(/\btext_to_mesh\b/, () => process.env.TYPEMESH_TEXT_TO_MESH)], { encoding: "utf8" });

@@ -426,7 +426,7 @@ function tellProgram() {
 globalThis.page = {
     get mesh() { return mesh; }, get options() { return controls.options(at("text").value); }, get lastChange() { return lastChange; },
     get weight() { return fonts.weights && controls.values["page.weight"]; }, get stage() { return stage; }, programs, programState, presets,
-    get shown() { return shown; }, countOf({ text, options }) { stage?.settle(); return measurer.mesh(text, options).statistics; },
+    get shown() { return shown; }, made({ text, options }) { stage?.settle(); return measurer.mesh(text, options); },
 };
 
 // --- begin -------------------------------------------------------------------------------------------------------------------
