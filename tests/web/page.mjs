@@ -894,7 +894,7 @@ await part("programs", async () => {
                 const far = at => Math.abs(mine.readFloatLE(at) - its.readFloatLE(at)), places = Array.from({ length: 3 * vertices }, (_, i) => 4 * i);
                 // A bend goes by the text's width, which the program has in six digits.
                 const isSame = /typemesh::bent</.test(code) ? mine.subarray(12 * vertices).equals(its.subarray(12 * vertices)) && places.every(at => far(at) < 1e-5) : mine.equals(its);
-                check(isSame && mine.length === its.length, `the program for ${name} makes the page's mesh: up to ${Math.max(0, ...places.map(far).filter(d => d > 0))} em away`);
+                check(isSame && mine.length === its.length, `the program for ${name} makes the page's mesh: up to ${places.reduce((most, at) => Math.max(most, far(at) || 0), 0)} em away`);
             }
             if (process.env.TYPEMESH_TEXT_TO_MESH) {
                 const words = command.replace(/--(font|fallback) /g, `$&${path.join(site, "fonts")}/`).replace("-o text.glb", `-o ${binary}.glb`);
@@ -904,6 +904,7 @@ await part("programs", async () => {
             fs.writeFileSync(path.join(folder, `${name}.mjs`), javascript);
             check(spawnSync("node", ["--check", path.join(folder, `${name}.mjs`)]).status === 0, `the JavaScript for ${name} is well formed`);
         }
+    else console.log("    the programs are not compiled: pkg-config knows no harfbuzz");
     fs.rmSync(folder, { recursive: true });
 });
 

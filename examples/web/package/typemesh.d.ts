@@ -10,8 +10,9 @@
  *     geometry.setAttribute("position", new THREE.BufferAttribute(mesh.copy().position, 3));  // three.js keeps it
  *
  * What the library refuses throws a TypemeshError, whose message is one sentence; a value of the wrong type, an unknown
- * name of an option, or a font, mesher or mesh that has ended throws a TypeError. load() rejects with an Error. Meshes are right-handed, y up, and face +z; triangles are counter-clockwise seen from
- * outside; v is 0 at the bottom. Places in a text are indices into the string, as of `charCodeAt`.
+ * name of an option, or a font, mesher or mesh that has ended throws a TypeError. load() rejects with an Error.
+ * Meshes are right-handed, y up, and face +z; triangles are counter-clockwise seen from outside; v is 0 at the bottom.
+ * Places in a text are indices into the string, as of `charCodeAt`.
  */
 
 /**
@@ -244,7 +245,8 @@ export interface Mesher {
      * Plans a text that moves along an axis of the mesher's first font, such as "wght", with the same triangles: they are proven to
      * hold at every place of the axis, not only at samples. A font that replaces glyphs on the way has several stretches of its axis,
      * each with triangles of its own. `depth`, `size`, `quality`, `tolerance`, `align`, `anchor`, `lineSpacing` and what shapes the text
-     * hold; everything else does not, nor do the mesher's other fonts. Lines end only at line ends of the text. With `markup` tags are read and have no effect. A few milliseconds for each different letter; the next morph() of this mesher ends it.
+     * hold; everything else does not, nor do the mesher's other fonts. Lines end only at line ends of the text. With `markup` tags are
+     * read and have no effect. A few milliseconds for each different letter; the next morph() of this mesher ends it.
      */
     morph(text: string, axis: string, options?: MeshOptions): Morph;
 
